@@ -1,0 +1,33 @@
+#pragma once
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <string>
+
+namespace prelight {
+
+enum class ProjectionKind { perspective, orthographic };
+
+/// A projection as glTF gives it. The camera looks along its −Z axis, +Y is up.
+/// The picture's own width/height decides the horizontal extent; the vertical one stays.
+struct Camera {
+    std::string name;
+    ProjectionKind kind = ProjectionKind::perspective;
+    double yfov = 0.87;  ///< radians, full vertical angle, 0 … π (perspective)
+    double ymag = 1;     ///< metres, half the height of the view (orthographic)
+    double znear = 0.1;  ///< metres, > 0 for perspective, ≥ 0 for orthographic
+    double zfar = std::numeric_limits<double>::infinity(); ///< metres; infinite: perspective only
+};
+
+/// A camera placed in the world.
+struct PlacedCamera {
+    Camera camera;
+    glm::dvec3 position{0}; ///< world, metres
+    glm::dmat3 axes{1};     ///< columns: right, up, backwards (+Z); orthonormal, world space
+};
+
+/// Camera at `eye` looking at `target`; `up` need not be orthogonal.
+PlacedCamera look_at(const Camera& camera, glm::dvec3 eye, glm::dvec3 target,
+                     glm::dvec3 up = {0, 1, 0});
+
+} // namespace prelight

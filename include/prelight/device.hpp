@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace prelight {
+
+/// What `prelight devices` prints of one Vulkan device.
+struct DeviceInfo {
+    uint32_t index = 0;
+    std::string name, driver, type; ///< type: discrete, integrated, virtual, software, other
+    bool usable = false;
+    std::string why_not;            ///< empty when usable
+    std::vector<std::string> features; ///< optional features that are there
+    std::vector<std::string> missing;  ///< optional features that are not
+    bool chosen = false;            ///< `auto` takes this one
+    std::string why_chosen;
+};
+
+struct DeviceOptions {
+    std::string select = "auto"; ///< auto, cpu, an index, or a part of a name
+    bool validate = false;       ///< core and synchronization validation; see validation_messages
+};
+
+/// A Vulkan 1.3 device with its queue, allocator and caches. The Vulkan side is in src/gpu.
+class Device {
+public:
+    static std::vector<DeviceInfo> list();
+    static std::unique_ptr<Device> create(const DeviceOptions& options); ///< throws Error, UsageError
+    virtual ~Device() = default;
+    virtual std::string name() const = 0;
+    virtual std::string driver() const = 0;
+    /// Messages that validation has given so far, one line each; empty is right.
+    virtual std::vector<std::string> validation_messages() const = 0;
+};
+
+} // namespace prelight

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace prelight {
+
+/// A picture of 32-bit float RGB, row by row from the top left. What the numbers mean (scene-linear,
+/// display-encoded, a buffer's content) is said where the picture is made.
+struct Image {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<glm::vec3> pixels; ///< width × height values
+
+    Image() = default;
+    Image(uint32_t w, uint32_t h) : width(w), height(h), pixels(size_t(w) * h, glm::vec3(0)) {}
+    glm::vec3& at(uint32_t x, uint32_t y) { return pixels[size_t(y) * width + x]; }
+    const glm::vec3& at(uint32_t x, uint32_t y) const { return pixels[size_t(y) * width + x]; }
+};
+
+/// Writes 8-bit PNG. `display` holds display-encoded values in 0 … 1 (clamped, rounded to nearest).
+/// The file appears under a temporary name beside `path` and is renamed when whole.
+/// Throws Error naming `path` when it cannot be written.
+void save_png(const Image& display, const std::filesystem::path& path);
+
+/// Writes half-float OpenEXR of scene-linear values, with the same rename; values beyond half range
+/// are clamped to ±65,504. Throws Error.
+void save_exr(const Image& linear, const std::filesystem::path& path);
+
+/// Reads an 8-bit PNG into 0 … 1 values as stored (display-encoded). Throws Error.
+Image load_png(const std::filesystem::path& path);
+/// Reads the RGB channels of an OpenEXR file. Throws Error.
+Image load_exr(const std::filesystem::path& path);
+
+/// sRGB transfer function (IEC 61966-2-1), linear 0 … 1 → encoded 0 … 1; inputs are clamped.
+float srgb_encode(float linear);
+/// Inverse of `srgb_encode`.
+float srgb_decode(float encoded);
+
+enum class Tonemap {
+    pbr_neutral, ///< Khronos PBR Neutral tone mapper
+    aces,        ///< ACES filmic fit (Narkowicz 2015)
+    none,        ///< clamp to 0 … 1
+};
+/// Scene-linear → display-encoded sRGB, on the CPU (the GPU pass is checked against it).
+Image tonemap(const Image& linear, Tonemap curve);
+
+} // namespace prelight

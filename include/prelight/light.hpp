@@ -1,0 +1,30 @@
+#pragma once
+#include <glm/vec3.hpp>
+#include <limits>
+#include <string>
+
+namespace prelight {
+
+enum class LightKind { directional, point, spot };
+/// Falloff with distance. `gltf` is the default everywhere; the others are the source texts'.
+enum class Falloff {
+    gltf,     ///< clamp(1 − (d/range)⁴, 0, 1) / max(d, 0.01 m)²   (KHR_lights_punctual)
+    linear,   ///< clamp(1 − d/range, 0, 1)
+    quadratic ///< clamp(1 − (d/range)², 0, 1)
+};
+
+/// One light, in the space of the node that carries it: position is the node's origin, direction is
+/// the node's −Z axis (KHR_lights_punctual). The node's scale does not matter.
+struct Light {
+    std::string name;
+    LightKind kind = LightKind::point;
+    glm::vec3 colour{1}; ///< linear RGB, each ≥ 0
+    float intensity = 1; ///< candela (point, spot) or lux (directional)
+    float range = std::numeric_limits<float>::infinity(); ///< metres; infinite: reaches everything
+    float inner_cone = 0;            ///< radians from the axis, 0 … outer_cone; spot only
+    float outer_cone = 0.785398163f; ///< radians from the axis, … π/2; spot only
+    float shininess = 1; ///< [phong] light shininess n: multiplies the material's exponent (8.5.4)
+    Falloff falloff = Falloff::gltf; ///< linear and quadratic need a finite range
+};
+
+} // namespace prelight

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <prelight/image.hpp>
+#include <prelight/renderer.hpp>
+#include <vector>
+
+namespace prelight {
+
+/// Which form of the lighting model the reference evaluates (see docs/lighting-model.md).
+/// The picture of an implementation is judged against the reference of its own form.
+struct ReferenceForm {
+    Shading shading = Shading::ggx;
+    enum class Fresnel { weighted, nv, mono, full } fresnel = Fresnel::weighted; ///< [ggx] `model=`
+    bool mono_specular = false;       ///< [phong]: specular light as luminance (packed light buffer)
+    bool gate_by_step = false;        ///< [phong] specular-gate=step: N·L > 0 instead of factor N·L
+    bool reflection_vector = false;   ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
+    bool ambient_as_light = false;    ///< ambient enters the diffuse sum (full-screen light) [V1]
+    bool shadows = false;             ///< shadow rays for every light
+    bool bilinear_level0 = true;      ///< textures: bilinear on level 0, whatever the sampler says
+};
+
+/// What the reference knows of each pixel's first hit, to leave out pixels by `measure.md`'s rule.
+struct ReferencePicture {
+    Image linear;                        ///< exposed scene-linear
+    std::vector<uint32_t> instance;      ///< index into World::instances; 0xffffffff: background
+    std::vector<uint32_t> primitive;     ///< primitive within the mesh
+    std::vector<glm::dvec3> position;    ///< world, of the hit
+    std::vector<glm::dvec3> normal;      ///< shading normal (after the normal map), world, unit
+    std::vector<glm::dvec3> geometric_normal; ///< of the triangle, facing the camera
+    std::vector<double> depth;           ///< along the camera's axis, metres; infinity: background
+    std::vector<uint64_t> shadow_mask;   ///< hash of the outcomes of all shadow rays; 0 when off
+
+    /// One byte per pixel: 1 where a pixel lies beside (8 neighbours) one of another instance,
+    /// primitive's alpha mask or shadow outcome, with a normal more than 30° away, or lying off its
+    /// plane by more than 1 % of depth.
+    std::vector<uint8_t> left_out() const;
+};
+
+/// Ray-casts the world with Embree, shades in double precision, one ray through each pixel's centre.
+/// Deterministic. Throws Error.
+ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width,
+                                  uint32_t height, double exposure, const ReferenceForm& form);
+
+} // namespace prelight

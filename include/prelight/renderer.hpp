@@ -1,0 +1,93 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <prelight/image.hpp>
+#include <prelight/scene.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prelight {
+
+class Device;
+
+enum class Shading {
+    phong, ///< the source texts' model, Engel's equation 8.5.1, Blinn-Phong by default
+    ggx,   ///< glTF 2.0 metallic-roughness
+};
+
+struct RenderOptions {
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    Shading shading = Shading::ggx;
+    Tonemap tonemap = Tonemap::pbr_neutral;
+    double exposure = 0;           ///< EV: scene-linear values are multiplied by 2^exposure
+    uint32_t msaa = 1;
+    bool count_pairs = false;      ///< fill Stats::pairs (slower)
+    std::string preset;
+    std::map<std::string, std::string> settings; ///< --set KEY=VALUE; checked by the renderer
+    std::vector<std::string> views;              ///< buffers that `read` will be asked for
+};
+
+/// One setting of a renderer, as `prelight renderers NAME` lists it.
+struct SettingInfo {
+    std::string key;
+    std::vector<std::string> values; ///< allowed words; or one entry like "0.1 … 64" for a number
+    std::string default_value;
+    std::string description;
+};
+
+struct RendererInfo {
+    std::string name;
+    std::string description; ///< one line
+    std::vector<SettingInfo> settings;
+    std::vector<std::string> views;
+    std::vector<std::string> presets;
+    bool needs_device = true;
+};
+
+struct Spread {
+    double min = 0, median = 0, max = 0; ///< milliseconds
+};
+Spread spread(std::vector<double> samples);
+
+struct PassStats {
+    std::string name;
+    Spread gpu_ms;
+};
+
+struct Stats {
+    std::string device, driver;
+    std::map<std::string, std::string> settings; ///< every setting with the value in force
+    uint64_t lights = 0, triangles = 0, draws = 0;
+    uint32_t frames = 0;
+    Spread wall_ms, cpu_ms, gpu_ms;
+    std::vector<PassStats> passes;
+    uint64_t attachment_bytes = 0, device_bytes = 0;
+    uint64_t pairs_evaluated = 0, pairs_contributing = 0;
+    bool pairs_counted = false;
+};
+
+/// An architecture. Made for one set of options; shows any world that is given to it.
+class Renderer {
+public:
+    virtual ~Renderer() = default;
+    /// Takes the world in (uploads it). `world` and its scene must stay alive and unchanged.
+    virtual void set_world(const World& world) = 0;
+    /// Renders `frames` ≥ 1 frames after warming every pipeline. Throws Error.
+    virtual void render(const PlacedCamera& camera, uint32_t frames = 1) = 0;
+    /// A buffer of the last frame: "final" is display-encoded 0 … 1, "linear" is the exposed
+    /// scene-linear picture, the others are drawn so that a person can read them (display-encoded).
+    /// Only names in RenderOptions::views, and "final" and "linear". Throws UsageError.
+    virtual Image read(std::string_view view) = 0;
+    virtual Stats stats() const = 0;
+};
+
+std::vector<RendererInfo> renderer_infos();
+/// `device` may be null for renderers that need none. Throws UsageError for an unknown name, setting
+/// or combination; Error when the device cannot do it.
+std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
+                                          const RenderOptions& options);
+
+} // namespace prelight

@@ -1,0 +1,114 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <prelight/camera.hpp>
+#include <prelight/light.hpp>
+#include <prelight/material.hpp>
+#include <string>
+#include <vector>
+
+namespace prelight {
+
+/// 8-bit RGBA picture as decoded from the file, row by row from the top.
+struct TextureImage {
+    std::string name;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<uint8_t> rgba; ///< width × height × 4
+};
+
+/// One draw: triangles with one material. Attributes are either empty or as long as `positions`.
+/// After loading every primitive has normals and tangents (flat / MikkTSpace where the file had none;
+/// tangents stay empty when the material has no normal map).
+struct Primitive {
+    std::vector<glm::vec3> positions;                 ///< object space, metres
+    std::vector<glm::vec3> normals;                   ///< unit length
+    std::vector<glm::vec4> tangents;                  ///< xyz unit, w = ±1: bitangent = w·(N × T)
+    std::array<std::vector<glm::vec2>, 2> texcoords;  ///< (0, 0) is the image's top left
+    std::vector<glm::vec4> colours;                   ///< linear RGBA 0 … 1; empty: white
+    std::vector<uint32_t> indices;                    ///< triangle list, counter-clockwise front
+    uint32_t material = 0;                            ///< index into Scene::materials
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<Primitive> primitives;
+};
+
+/// Double precision: a scene 10 km from the origin keeps its millimetres.
+struct Node {
+    std::string name;
+    glm::dmat4 local{1};                  ///< to the parent's space; last row 0 0 0 1, finite
+    std::vector<uint32_t> children;       ///< a forest: each node has at most one parent, no cycle
+    std::optional<uint32_t> mesh;
+    std::optional<uint32_t> camera;
+    std::optional<uint32_t> light;
+    std::vector<glm::dmat4> instances;    ///< EXT_mesh_gpu_instancing; empty: one, identity
+};
+
+/// One of the file's scenes: a name and its root nodes.
+struct SceneRoot {
+    std::string name;
+    std::vector<uint32_t> nodes;
+};
+
+struct Scene {
+    std::string name;                     ///< file or built-in name, for messages
+    std::vector<TextureImage> images;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;
+    std::vector<Node> nodes;
+    std::vector<SceneRoot> scenes;        ///< at least one
+    uint32_t default_scene = 0;
+    glm::vec3 ambient{0};                 ///< uniform environment radiance, linear RGB
+    std::vector<std::string> warnings;    ///< what the loader left out or changed, one line each
+};
+
+/// One drawn object: a mesh at a place.
+struct Instance {
+    uint32_t mesh = 0;
+    glm::dmat4 transform{1};   ///< object → world
+    bool mirrored = false;     ///< negative determinant: front faces are clockwise
+    uint32_t node = 0;
+};
+
+struct PlacedLight {
+    Light light;
+    glm::dvec3 position{0};         ///< world, metres
+    glm::dvec3 direction{0, 0, -1}; ///< world, unit: the way the light shines
+};
+
+/// What one frame shows: the node tree resolved to world space, in the order of a depth-first walk.
+struct World {
+    const Scene* scene = nullptr;   ///< meshes, materials, images; must outlive the World
+    std::vector<Instance> instances;
+    std::vector<PlacedLight> lights;
+    std::vector<PlacedCamera> cameras;
+    glm::vec3 ambient{0};           ///< uniform environment radiance
+    glm::dvec3 bounds_min{0};       ///< of all triangles' vertices
+    glm::dvec3 bounds_max{0};
+    uint64_t triangles = 0;
+};
+
+/// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
+/// camera gets one named "framed" that shows its bounds from (1, 0.6, 1.4) with 0.87 rad; one without
+/// lights and without ambient gets the documented key light (directional, 3 lux, from the upper left
+/// behind the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25.
+/// Throws Error: no triangles, or a world transform that is not finite.
+World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {});
+
+/// Adds `count` point lights, uniform in the world's bounds, hues from `seed`, with the range that
+/// puts about 8 of them on a point and intensity range²/2 cd.
+void scatter_lights(World& world, uint32_t count, uint64_t seed);
+
+/// By name or by index in decimal. Throws UsageError listing what there is.
+const PlacedCamera& find_camera(const World& world, const std::string& name_or_index);
+
+} // namespace prelight

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <prelight/scene.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prelight {
+
+/// Reads glTF 2.0, .gltf or .glb (told apart by content). Everything is checked before it is used;
+/// throws Error with one line "FILE: OBJECT: REASON". What is left out stands in Scene::warnings.
+/// Memory stays below the multiple of the input's size that `docs/gltf.md` states.
+Scene load_gltf(const std::filesystem::path& path);
+
+/// Writes the scene as .glb (images as PNG) that the Khronos validator accepts without errors.
+/// The file appears under a temporary name and is renamed when whole. Throws Error.
+void save_glb(const Scene& scene, const std::filesystem::path& path);
+
+struct BuiltinScene {
+    std::string_view name;
+    std::string_view description;
+    uint32_t default_lights;
+};
+/// city, spheres, lights.
+std::vector<BuiltinScene> builtin_scenes();
+
+/// Makes a procedural scene; the same name, count and seed give the same bytes everywhere.
+/// `lights`: 1 … 65,536. Throws UsageError for an unknown name or a count out of range.
+Scene make_scene(std::string_view name, uint32_t lights, uint64_t seed);
+
+} // namespace prelight

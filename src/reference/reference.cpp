@@ -1,0 +1,1 @@
+#include <prelight/reference.hpp>
