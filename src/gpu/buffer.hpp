@@ -1,0 +1,38 @@
+#pragma once
+#include "memory.hpp"
+#include <span>
+
+namespace prelight::gpu {
+
+enum class BufferPlace {
+    device,   ///< device local, filled once through a staging buffer
+    upload,   ///< host visible and coherent, written by the host each frame
+    readback, ///< host visible and coherent, read by the host
+};
+
+/// A buffer with memory of its own.
+class Buffer {
+public:
+    Buffer() = default;
+    /// `size` ≥ 1 bytes. Throws Error.
+    Buffer(const Context& context, std::string_view name, uint64_t size, VkBufferUsageFlags usage,
+           BufferPlace place);
+
+    VkBuffer handle() const { return buffer_; }
+    uint64_t size() const { return size_; }
+    template <class T>
+    T* mapped() const {
+        return reinterpret_cast<T*>(allocation_.mapped());
+    }
+
+private:
+    Allocation allocation_;
+    UniqueBuffer buffer_;
+    uint64_t size_ = 0;
+};
+
+/// A device buffer holding `bytes` (one zero byte when empty), copied through staging; waits.
+Buffer make_device_buffer(const Context& context, std::string_view name,
+                          std::span<const std::byte> bytes, VkBufferUsageFlags usage);
+
+} // namespace prelight::gpu

@@ -1,0 +1,191 @@
+#include "context.hpp"
+#include "check.hpp"
+#include "pipeline_cache.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace prelight {
+
+std::vector<DeviceInfo> Device::list() {
+    const gpu::Instance instance(false);
+    std::vector<DeviceInfo> infos;
+    std::vector<gpu::Candidate> all = gpu::candidates(instance);
+    const bool any = std::any_of(all.begin(), all.end(), [](const auto& c) { return c.info.usable; });
+    if (any)
+        all = gpu::select_device(instance, "auto");
+    for (const gpu::Candidate& candidate : all)
+        infos.push_back(candidate.info);
+    return infos;
+}
+
+std::unique_ptr<Device> Device::create(const DeviceOptions& options) {
+    return std::make_unique<gpu::Context>(options);
+}
+
+namespace gpu {
+namespace {
+
+Candidate take_chosen(const std::vector<Candidate>& all) {
+    return *std::find_if(all.begin(), all.end(), [](const Candidate& c) { return c.info.chosen; });
+}
+
+} // namespace
+
+Context::Context(const DeviceOptions& options)
+    : instance_(options.validate), chosen_(take_chosen(select_device(instance_, options.select))) {
+    vkGetPhysicalDeviceProperties(physical(), &properties_);
+    vkGetPhysicalDeviceMemoryProperties(physical(), &memory_);
+    create_device();
+    load_labels();
+    vkGetDeviceQueue(device_, queue_family(), 0, &queue_);
+    set_name(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<uint64_t>(queue_), "graphics queue");
+
+    cache_file_ = pipeline_cache_file(properties_);
+    cache_ = load_pipeline_cache(device_, cache_file_);
+
+    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
+    pool.queueFamilyIndex = queue_family();
+    VkCommandPool pool_handle = VK_NULL_HANDLE;
+    check(vkCreateCommandPool(device_, &pool, nullptr, &pool_handle), "command pool");
+    pool_ = {device_, pool_handle};
+
+    VkSemaphoreTypeCreateInfo type{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
+    type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+    const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &type, 0};
+    VkSemaphore semaphore_handle = VK_NULL_HANDLE;
+    check(vkCreateSemaphore(device_, &semaphore, nullptr, &semaphore_handle), "timeline semaphore");
+    timeline_ = {device_, semaphore_handle};
+}
+
+Context::~Context() {
+    vkDeviceWaitIdle(device_);
+    save_pipeline_cache(device_, cache_, cache_file_);
+    cache_ = {};
+    pool_ = {};
+    timeline_ = {};
+    vkDestroyDevice(device_, nullptr);
+}
+
+void Context::create_device() {
+    VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    v13.dynamicRendering = VK_TRUE;
+    v13.synchronization2 = VK_TRUE;
+    VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+    v12.pNext = &v13;
+    v12.timelineSemaphore = VK_TRUE;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12, {}};
+    const OptionalFeatures& o = chosen_.optional;
+    features.features.samplerAnisotropy = o.anisotropy;
+    features.features.depthClamp = o.depth_clamp;
+    features.features.depthBounds = o.depth_bounds;
+    features.features.multiDrawIndirect = o.multi_draw_indirect;
+    features.features.drawIndirectFirstInstance = o.first_instance_indirect;
+    features.features.fragmentStoresAndAtomics = o.fragment_stores;
+    features.features.sampleRateShading = o.sample_rate_shading;
+    features.features.occlusionQueryPrecise = o.precise_occlusion;
+
+    const float priority = 1;
+    VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queue.queueFamilyIndex = queue_family();
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    check(vkCreateDevice(physical(), &info, nullptr, &device_), name());
+}
+
+void Context::load_labels() {
+    if (!instance_.debug_utils())
+        return;
+    const auto load = [&](const char* function) {
+        return vkGetInstanceProcAddr(instance_.handle(), function);
+    };
+    set_object_name_ =
+        reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(load("vkSetDebugUtilsObjectNameEXT"));
+    begin_label_ =
+        reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(load("vkCmdBeginDebugUtilsLabelEXT"));
+    end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(load("vkCmdEndDebugUtilsLabelEXT"));
+}
+
+uint32_t Context::memory_type(uint32_t type_bits, VkMemoryPropertyFlags flags) const {
+    for (const VkMemoryPropertyFlags wanted :
+         {flags, flags & ~VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)})
+        for (uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
+            if ((type_bits & (1u << i)) && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
+                return i;
+    throw Error(name() + ": no memory type fits");
+}
+
+bool Context::supports(VkFormat format, VkFormatFeatureFlags wanted) const {
+    VkFormatProperties properties{};
+    vkGetPhysicalDeviceFormatProperties(physical(), format, &properties);
+    return (properties.optimalTilingFeatures & wanted) == wanted;
+}
+
+void Context::run(std::string_view label, const std::function<void(VkCommandBuffer)>& record) const {
+    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = pool_;
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    check(vkAllocateCommandBuffers(device_, &allocate, &commands), "command buffer");
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    check(vkBeginCommandBuffer(commands, &begin), label);
+    begin_label(commands, label);
+    record(commands);
+    end_label(commands);
+    check(vkEndCommandBuffer(commands), label);
+    submit_and_wait(commands);
+    vkFreeCommandBuffers(device_, pool_, 1, &commands);
+}
+
+void Context::submit_and_wait(VkCommandBuffer commands) const {
+    VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+    buffer.commandBuffer = commands;
+    VkSemaphoreSubmitInfo signal{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    signal.semaphore = timeline_;
+    signal.value = ++timeline_value_;
+    signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    submit.commandBufferInfoCount = 1;
+    submit.pCommandBufferInfos = &buffer;
+    submit.signalSemaphoreInfoCount = 1;
+    submit.pSignalSemaphoreInfos = &signal;
+    check(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), name());
+    VkSemaphoreWaitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+    wait.semaphoreCount = 1;
+    wait.pSemaphores = timeline_.address();
+    wait.pValues = &timeline_value_;
+    check(vkWaitSemaphores(device_, &wait, UINT64_MAX), name());
+}
+
+void Context::set_name(VkObjectType type, uint64_t handle, std::string_view text) const {
+    if (!set_object_name_)
+        return;
+    const std::string terminated(text);
+    VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
+    info.objectType = type;
+    info.objectHandle = handle;
+    info.pObjectName = terminated.c_str();
+    set_object_name_(device_, &info);
+}
+
+void Context::begin_label(VkCommandBuffer commands, std::string_view text) const {
+    if (!begin_label_)
+        return;
+    const std::string terminated(text);
+    VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+    label.pLabelName = terminated.c_str();
+    begin_label_(commands, &label);
+}
+
+void Context::end_label(VkCommandBuffer commands) const {
+    if (end_label_)
+        end_label_(commands);
+}
+
+} // namespace gpu
+} // namespace prelight

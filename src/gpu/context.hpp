@@ -1,0 +1,71 @@
+#pragma once
+#include "device_selection.hpp"
+#include "handle.hpp"
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace prelight::gpu {
+
+/// The Vulkan side of prelight::Device: one device, one queue for everything.
+class Context final : public Device {
+public:
+    explicit Context(const DeviceOptions& options);
+    ~Context() override;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    std::string name() const override { return chosen_.info.name; }
+    std::string driver() const override { return chosen_.info.driver; }
+    std::vector<std::string> validation_messages() const override { return instance_.log().messages(); }
+
+    VkDevice device() const { return device_; }
+    VkPhysicalDevice physical() const { return chosen_.physical; }
+    VkQueue queue() const { return queue_; }
+    uint32_t queue_family() const { return chosen_.queue_family; }
+    VkPipelineCache pipeline_cache() const { return cache_; }
+    const OptionalFeatures& features() const { return chosen_.optional; }
+    const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
+
+    /// Index of a memory type out of `type_bits` that has all of `flags`; falls back to any allowed
+    /// type when `flags` is only a wish (device local). Throws Error.
+    uint32_t memory_type(uint32_t type_bits, VkMemoryPropertyFlags flags) const;
+    /// True when images of the format can be used so, with optimal tiling.
+    bool supports(VkFormat format, VkFormatFeatureFlags features) const;
+
+    /// Records and submits commands, and waits until they are done.
+    void run(std::string_view label, const std::function<void(VkCommandBuffer)>& record) const;
+    /// Submits one command buffer and waits for its end with the timeline semaphore. Throws Error.
+    void submit_and_wait(VkCommandBuffer commands) const;
+
+    /// Debug names and labels: nothing without VK_EXT_debug_utils.
+    void set_name(VkObjectType type, uint64_t handle, std::string_view name) const;
+    void begin_label(VkCommandBuffer commands, std::string_view name) const;
+    void end_label(VkCommandBuffer commands) const;
+
+    /// Device memory held now; Allocation keeps it.
+    std::atomic<uint64_t>& device_bytes() const { return device_bytes_; }
+
+private:
+    void create_device();
+    void load_labels();
+
+    Instance instance_;
+    Candidate chosen_;
+    VkPhysicalDeviceProperties properties_{};
+    VkPhysicalDeviceMemoryProperties memory_{};
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    UniquePipelineCache cache_;
+    std::filesystem::path cache_file_;
+    UniqueCommandPool pool_;
+    UniqueSemaphore timeline_;
+    mutable uint64_t timeline_value_ = 0;
+    mutable std::atomic<uint64_t> device_bytes_ = 0;
+    PFN_vkSetDebugUtilsObjectNameEXT set_object_name_ = nullptr;
+    PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
+};
+
+} // namespace prelight::gpu

@@ -1,0 +1,134 @@
+#include "device_selection.hpp"
+#include "check.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+
+namespace prelight::gpu {
+namespace {
+
+std::string type_name(VkPhysicalDeviceType type) {
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "software";
+    default: return "other";
+    }
+}
+
+/// Smaller is preferred by `auto`.
+int rank(const std::string& type) {
+    const char* order[] = {"discrete", "integrated", "virtual", "software"};
+    return static_cast<int>(std::find(std::begin(order), std::end(order), type) - order);
+}
+
+std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice physical) {
+    uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    for (uint32_t i = 0; i < count; ++i)
+        if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) &&
+            (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT))
+            return i;
+    return {};
+}
+
+void read_features(Candidate& candidate, const VkPhysicalDeviceFeatures& core) {
+    auto note = [&](bool has, const char* name) {
+        (has ? candidate.info.features : candidate.info.missing).push_back(name);
+        return has;
+    };
+    OptionalFeatures& o = candidate.optional;
+    o.anisotropy = note(core.samplerAnisotropy, "anisotropic filtering");
+    o.depth_clamp = note(core.depthClamp, "depth clamp");
+    o.depth_bounds = note(core.depthBounds, "depth bounds test");
+    o.multi_draw_indirect = note(core.multiDrawIndirect, "multi-draw indirect");
+    o.first_instance_indirect = note(core.drawIndirectFirstInstance, "first instance in indirect draws");
+    o.fragment_stores = note(core.fragmentStoresAndAtomics, "fragment atomics (--count-pairs)");
+    o.sample_rate_shading = note(core.sampleRateShading, "sample shading");
+    o.precise_occlusion = note(core.occlusionQueryPrecise, "precise occlusion queries");
+}
+
+Candidate examine(VkPhysicalDevice physical, uint32_t index) {
+    Candidate candidate;
+    candidate.physical = physical;
+    VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver, {}};
+    vkGetPhysicalDeviceProperties2(physical, &properties);
+    DeviceInfo& info = candidate.info;
+    info.index = index;
+    info.name = properties.properties.deviceName;
+    info.type = type_name(properties.properties.deviceType);
+    info.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
+
+    const uint32_t api = properties.properties.apiVersion;
+    if (api < VK_API_VERSION_1_3) {
+        info.why_not = fmt::format("Vulkan {}.{}, and 1.3 is needed", VK_API_VERSION_MAJOR(api),
+                                   VK_API_VERSION_MINOR(api));
+        return candidate;
+    }
+    VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+    v12.pNext = &v13;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12, {}};
+    vkGetPhysicalDeviceFeatures2(physical, &features);
+    read_features(candidate, features.features);
+    const std::optional<uint32_t> family = graphics_queue_family(physical);
+    if (!family)
+        info.why_not = "no queue for graphics and compute";
+    else if (!v13.dynamicRendering || !v13.synchronization2 || !v12.timelineSemaphore)
+        info.why_not = "dynamic rendering, synchronization2 or timeline semaphores are missing";
+    info.usable = info.why_not.empty();
+    candidate.queue_family = family.value_or(0);
+    return candidate;
+}
+
+std::vector<Candidate>::iterator find_named(std::vector<Candidate>& all, const std::string& select) {
+    const bool index = !select.empty() && std::all_of(select.begin(), select.end(),
+                                                      [](char c) { return c >= '0' && c <= '9'; });
+    return std::find_if(all.begin(), all.end(), [&](const Candidate& c) {
+        if (select == "cpu")
+            return c.info.type == "software" && c.info.usable;
+        return index ? std::to_string(c.info.index) == select
+                     : c.info.name.find(select) != std::string::npos;
+    });
+}
+
+} // namespace
+
+std::vector<Candidate> candidates(const Instance& instance) {
+    std::vector<Candidate> all;
+    for (VkPhysicalDevice physical : instance.physical_devices())
+        all.push_back(examine(physical, static_cast<uint32_t>(all.size())));
+    return all;
+}
+
+std::vector<Candidate> select_device(const Instance& instance, const std::string& select) {
+    std::vector<Candidate> all = candidates(instance);
+    auto chosen = all.end();
+    if (select == "auto") {
+        chosen = std::min_element(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+            return std::pair(!a.info.usable, rank(a.info.type)) <
+                   std::pair(!b.info.usable, rank(b.info.type));
+        });
+        if (chosen == all.end() || !chosen->info.usable)
+            throw Error(all.empty() ? std::string("Vulkan: no device")
+                                    : fmt::format("Vulkan: no usable device: {}: {}", chosen->info.name,
+                                                  chosen->info.why_not));
+        chosen->info.why_chosen = fmt::format("auto prefers discrete, integrated, virtual, software: "
+                                              "this is the first {} device", chosen->info.type);
+    } else {
+        chosen = find_named(all, select);
+        if (chosen == all.end())
+            throw UsageError(fmt::format("--device {}: no such device (prelight devices lists them)", select));
+        if (!chosen->info.usable)
+            throw Error(fmt::format("{}: {}", chosen->info.name, chosen->info.why_not));
+        chosen->info.why_chosen = "asked for by --device " + select;
+    }
+    chosen->info.chosen = true;
+    return all;
+}
+
+} // namespace prelight::gpu

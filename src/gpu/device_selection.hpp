@@ -1,0 +1,33 @@
+#pragma once
+#include "instance.hpp"
+#include <prelight/device.hpp>
+
+namespace prelight::gpu {
+
+/// Vulkan features that Prelight uses when a device has them.
+struct OptionalFeatures {
+    bool anisotropy = false;
+    bool depth_clamp = false;
+    bool depth_bounds = false;
+    bool multi_draw_indirect = false;
+    bool first_instance_indirect = false;
+    bool fragment_stores = false;
+    bool sample_rate_shading = false;
+    bool precise_occlusion = false;
+};
+
+struct Candidate {
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    uint32_t queue_family = 0;
+    OptionalFeatures optional;
+    DeviceInfo info;
+};
+
+/// Every device of the instance, with what it has and why it cannot be used, in the loader's order;
+/// the one that `select` takes is marked. `select`: auto, cpu, an index, or a part of a name.
+/// Throws UsageError when it names none, Error when none is usable.
+std::vector<Candidate> select_device(const Instance& instance, const std::string& select);
+/// The same without choosing.
+std::vector<Candidate> candidates(const Instance& instance);
+
+} // namespace prelight::gpu

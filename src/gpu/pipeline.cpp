@@ -1,0 +1,160 @@
+#include "pipeline.hpp"
+#include "check.hpp"
+#include "shaders.hpp"
+
+namespace prelight::gpu {
+namespace {
+
+UniqueShaderModule make_module(const Context& context, const std::string& name) {
+    const auto code = find_shader(name);
+    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    info.codeSize = code.size_bytes();
+    info.pCode = code.data();
+    VkShaderModule handle = VK_NULL_HANDLE;
+    check(vkCreateShaderModule(context.device(), &info, nullptr, &handle), name);
+    context.set_name(VK_OBJECT_TYPE_SHADER_MODULE, reinterpret_cast<uint64_t>(handle), name);
+    return {context.device(), handle};
+}
+
+/// Specialisation constants in the form Vulkan wants.
+struct Specialisation {
+    std::vector<VkSpecializationMapEntry> entries;
+    std::vector<uint32_t> values;
+    VkSpecializationInfo info{};
+
+    explicit Specialisation(const Constants& constants) {
+        for (const auto& [id, value] : constants) {
+            entries.push_back({id, static_cast<uint32_t>(values.size() * 4), 4});
+            values.push_back(value);
+        }
+        info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * 4, values.data()};
+    }
+};
+
+VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
+    VkPipelineDepthStencilStateCreateInfo state{
+        VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    state.depthTestEnable = test != DepthTest::none;
+    state.depthWriteEnable = test == DepthTest::write_nearer;
+    switch (test) {
+    case DepthTest::none: state.depthCompareOp = VK_COMPARE_OP_ALWAYS; break;
+    case DepthTest::write_nearer: state.depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; break;
+    case DepthTest::equal: state.depthCompareOp = VK_COMPARE_OP_EQUAL; break;
+    case DepthTest::behind_or_at: state.depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; break;
+    case DepthTest::before_or_at: state.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL; break;
+    }
+    return state;
+}
+
+std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipelineDesc& desc) {
+    VkPipelineColorBlendAttachmentState state{};
+    state.blendEnable = desc.blend == Blend::add;
+    state.srcColorBlendFactor = state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
+    state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
+    state.colorWriteMask = 0xf;
+    return std::vector<VkPipelineColorBlendAttachmentState>(desc.colour_formats.size(), state);
+}
+
+UniquePipelineLayout make_layout(const Context& context, const GraphicsPipelineDesc& desc) {
+    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    info.setLayoutCount = static_cast<uint32_t>(desc.sets.size());
+    info.pSetLayouts = desc.sets.data();
+    VkPipelineLayout handle = VK_NULL_HANDLE;
+    check(vkCreatePipelineLayout(context.device(), &info, nullptr, &handle), desc.name);
+    context.set_name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<uint64_t>(handle), desc.name);
+    return {context.device(), handle};
+}
+
+} // namespace
+
+GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelineDesc& desc)
+    : layout_(make_layout(context, desc)) {
+    const Specialisation constants(desc.constants);
+    const UniqueShaderModule vertex = make_module(context, desc.vertex);
+    UniqueShaderModule fragment;
+    std::vector<VkPipelineShaderStageCreateInfo> stages;
+    const auto add_stage = [&](VkShaderStageFlagBits stage, VkShaderModule module) {
+        VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+        info.stage = stage;
+        info.module = module;
+        info.pName = "main";
+        info.pSpecializationInfo = &constants.info;
+        stages.push_back(info);
+    };
+    add_stage(VK_SHADER_STAGE_VERTEX_BIT, vertex);
+    if (!desc.fragment.empty()) {
+        fragment = make_module(context, desc.fragment);
+        add_stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment);
+    }
+
+    std::vector<VkVertexInputBindingDescription> bindings;
+    for (const uint32_t stride : desc.vertex_strides)
+        bindings.push_back({static_cast<uint32_t>(bindings.size()), stride, VK_VERTEX_INPUT_RATE_VERTEX});
+    std::vector<VkVertexInputAttributeDescription> attributes;
+    for (const VertexAttribute& a : desc.attributes)
+        attributes.push_back({a.location, a.binding, a.format, a.offset});
+    VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    input.vertexBindingDescriptionCount = static_cast<uint32_t>(bindings.size());
+    input.pVertexBindingDescriptions = bindings.data();
+    input.vertexAttributeDescriptionCount = static_cast<uint32_t>(attributes.size());
+    input.pVertexAttributeDescriptions = attributes.data();
+
+    VkPipelineInputAssemblyStateCreateInfo assembly{
+        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    viewport.viewportCount = viewport.scissorCount = 1;
+    VkPipelineRasterizationStateCreateInfo raster{
+        VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    raster.lineWidth = 1;
+    raster.depthClampEnable = desc.depth_clamp && context.features().depth_clamp;
+    VkPipelineMultisampleStateCreateInfo samples{
+        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    const VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc.depth);
+    const auto blends = blend_states(desc);
+    VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    blend.attachmentCount = static_cast<uint32_t>(blends.size());
+    blend.pAttachments = blends.data();
+    const std::array dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                    VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    dynamic.dynamicStateCount = static_cast<uint32_t>(dynamic_states.size());
+    dynamic.pDynamicStates = dynamic_states.data();
+
+    VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+    rendering.colorAttachmentCount = static_cast<uint32_t>(desc.colour_formats.size());
+    rendering.pColorAttachmentFormats = desc.colour_formats.data();
+    rendering.depthAttachmentFormat = desc.depth_format;
+
+    VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+    info.stageCount = static_cast<uint32_t>(stages.size());
+    info.pStages = stages.data();
+    info.pVertexInputState = &input;
+    info.pInputAssemblyState = &assembly;
+    info.pViewportState = &viewport;
+    info.pRasterizationState = &raster;
+    info.pMultisampleState = &samples;
+    info.pDepthStencilState = &depth;
+    info.pColorBlendState = &blend;
+    info.pDynamicState = &dynamic;
+    info.layout = layout_;
+    VkPipeline handle = VK_NULL_HANDLE;
+    check(vkCreateGraphicsPipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle),
+          desc.name);
+    pipeline_ = {context.device(), handle};
+    context.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(handle), desc.name);
+}
+
+void GraphicsPipeline::bind(VkCommandBuffer commands) const {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+}
+
+void GraphicsPipeline::bind_set(VkCommandBuffer commands, uint32_t index, VkDescriptorSet set) const {
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, index, 1, &set, 0, nullptr);
+}
+
+} // namespace prelight::gpu

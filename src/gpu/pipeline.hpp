@@ -1,0 +1,57 @@
+#pragma once
+#include "context.hpp"
+#include <array>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace prelight::gpu {
+
+/// Values of specialisation constants: {constant id, value}. Booleans are 0 or 1.
+using Constants = std::vector<std::pair<uint32_t, uint32_t>>;
+
+struct VertexAttribute {
+    uint32_t location = 0;
+    uint32_t binding = 0;
+    VkFormat format = VK_FORMAT_R32G32B32_SFLOAT;
+    uint32_t offset = 0;
+};
+
+enum class Blend { none, add };
+enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at };
+
+/// Everything of a graphics pipeline that Prelight varies. Depth is reversed: nearer is greater, so
+/// that `write_nearer` is GREATER_OR_EQUAL. `behind_or_at`: a fragment passes where the stored
+/// surface lies behind it (front faces of a light volume); `before_or_at` is the opposite.
+/// Cull mode and front face are dynamic state.
+struct GraphicsPipelineDesc {
+    std::string name;
+    std::string vertex;                     ///< shader names
+    std::string fragment;                   ///< may be empty: depth only
+    Constants constants;                    ///< for both stages
+    std::vector<uint32_t> vertex_strides;   ///< one per vertex buffer binding
+    std::vector<VertexAttribute> attributes;
+    std::vector<VkFormat> colour_formats;
+    VkFormat depth_format = VK_FORMAT_UNDEFINED;
+    Blend blend = Blend::none;
+    DepthTest depth = DepthTest::none;
+    bool depth_clamp = false;               ///< where the device has it
+    std::vector<VkDescriptorSetLayout> sets;
+};
+
+class GraphicsPipeline {
+public:
+    GraphicsPipeline() = default;
+    GraphicsPipeline(const Context& context, const GraphicsPipelineDesc& desc);
+    /// Binds the pipeline with its default dynamic state: no culling, counter-clockwise front.
+    void bind(VkCommandBuffer commands) const;
+    VkPipelineLayout layout() const { return layout_; }
+    void bind_set(VkCommandBuffer commands, uint32_t index, VkDescriptorSet set) const;
+
+private:
+    UniquePipelineLayout layout_;
+    UniquePipeline pipeline_;
+};
+
+} // namespace prelight::gpu

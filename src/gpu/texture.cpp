@@ -1,0 +1,143 @@
+#include "texture.hpp"
+#include "check.hpp"
+#include <algorithm>
+#include <bit>
+#include <fmt/format.h>
+
+namespace prelight::gpu {
+namespace {
+
+VkImageMemoryBarrier2 level_barrier(VkImage image, uint32_t level, VkImageLayout from, VkImageLayout to,
+                                    VkAccessFlags2 source, VkAccessFlags2 target) {
+    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = source ? VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT : VK_PIPELINE_STAGE_2_NONE;
+    barrier.srcAccessMask = source;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    barrier.dstAccessMask = target;
+    barrier.oldLayout = from;
+    barrier.newLayout = to;
+    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = image;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, level, 1, 0, 1};
+    return barrier;
+}
+
+void submit(VkCommandBuffer commands, const VkImageMemoryBarrier2& barrier) {
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.imageMemoryBarrierCount = 1;
+    dependency.pImageMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+VkOffset3D corner(uint32_t size_x, uint32_t size_y, uint32_t level) {
+    return {static_cast<int32_t>(std::max(1u, size_x >> level)),
+            static_cast<int32_t>(std::max(1u, size_y >> level)), 1};
+}
+
+} // namespace
+
+Texture::Texture(const Context& context, MemoryPool& pool, const TextureImage& image, bool srgb) {
+    const std::string name = image.name.empty() ? "texture" : image.name;
+    const uint32_t limit = context.limits().maxImageDimension2D;
+    if (image.width > limit || image.height > limit)
+        throw Error(fmt::format("{}: image {}: {}x{} exceeds the device's limit of {}", context.name(),
+                                name, image.width, image.height, limit));
+    const uint32_t levels = static_cast<uint32_t>(std::bit_width(std::max(image.width, image.height)));
+    VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
+    info.extent = {image.width, image.height, 1};
+    info.mipLevels = levels;
+    info.arrayLayers = 1;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    VkImage handle = VK_NULL_HANDLE;
+    check(vkCreateImage(context.device(), &info, nullptr, &handle), name);
+    image_ = {context.device(), handle};
+    context.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(handle), name);
+    VkMemoryRequirements requirements{};
+    vkGetImageMemoryRequirements(context.device(), handle, &requirements);
+    const MemoryPool::Slice slice = pool.take(requirements);
+    check(vkBindImageMemory(context.device(), handle, slice.memory, slice.offset), name);
+
+    VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    view.image = handle;
+    view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view.format = info.format;
+    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, levels, 0, 1};
+    VkImageView view_handle = VK_NULL_HANDLE;
+    check(vkCreateImageView(context.device(), &view, nullptr, &view_handle), name);
+    view_ = {context.device(), view_handle};
+    context.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(view_handle), name);
+    fill(context, image, levels);
+}
+
+void Texture::fill(const Context& context, const TextureImage& image, uint32_t levels) const {
+    Buffer staging(context, "texture staging", image.rgba.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                   BufferPlace::upload);
+    std::copy(image.rgba.begin(), image.rgba.end(), staging.mapped<uint8_t>());
+    context.run("upload texture " + image.name, [&](VkCommandBuffer commands) {
+        constexpr auto write = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+        constexpr auto read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+        for (uint32_t level = 0; level < levels; ++level) {
+            submit(commands, level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0,
+                                           VK_ACCESS_2_TRANSFER_WRITE_BIT));
+            if (level == 0) {
+                VkBufferImageCopy copy{};
+                copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+                copy.imageExtent = {image.width, image.height, 1};
+                vkCmdCopyBufferToImage(commands, staging.handle(), image_, write, 1, &copy);
+            } else {
+                VkImageBlit blit{};
+                blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level - 1, 0, 1};
+                blit.srcOffsets[1] = corner(image.width, image.height, level - 1);
+                blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
+                blit.dstOffsets[1] = corner(image.width, image.height, level);
+                vkCmdBlitImage(commands, image_, read, image_, write, 1, &blit, VK_FILTER_LINEAR);
+            }
+            submit(commands, level_barrier(image_, level, write, read, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                           VK_ACCESS_2_TRANSFER_READ_BIT));
+        }
+        VkImageMemoryBarrier2 done =
+            level_barrier(image_, 0, read, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                          VK_ACCESS_2_TRANSFER_READ_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+        done.subresourceRange.levelCount = levels;
+        done.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+        submit(commands, done);
+    });
+}
+
+UniqueSampler make_sampler(const Context& context, const Sampler& sampler, TextureFilter filter) {
+    const auto address = [](Wrap wrap) {
+        return wrap == Wrap::repeat            ? VK_SAMPLER_ADDRESS_MODE_REPEAT
+               : wrap == Wrap::mirrored_repeat ? VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT
+                                               : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    };
+    const auto mode = [](Filter f) {
+        return f == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+    };
+    VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    info.addressModeU = address(sampler.wrap_s);
+    info.addressModeV = address(sampler.wrap_t);
+    info.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    if (filter == TextureFilter::bilinear) {
+        info.magFilter = info.minFilter = VK_FILTER_LINEAR;
+        info.maxLod = 0;
+    } else {
+        info.magFilter = mode(sampler.mag);
+        info.minFilter = mode(sampler.min);
+        info.mipmapMode = sampler.mip == MipFilter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR
+                                                           : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+        // Without mip maps a lod of 0.25 keeps minification apart from magnification (Vulkan spec).
+        info.maxLod = sampler.mip == MipFilter::none ? 0.25f : VK_LOD_CLAMP_NONE;
+        info.anisotropyEnable = context.features().anisotropy && sampler.mip == MipFilter::linear &&
+                                sampler.min == Filter::linear;
+        info.maxAnisotropy = std::min(8.0f, context.limits().maxSamplerAnisotropy);
+    }
+    VkSampler handle = VK_NULL_HANDLE;
+    check(vkCreateSampler(context.device(), &info, nullptr, &handle), "sampler");
+    return {context.device(), handle};
+}
+
+} // namespace prelight::gpu

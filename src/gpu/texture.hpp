@@ -1,0 +1,28 @@
+#pragma once
+#include "buffer.hpp"
+#include <prelight/scene.hpp>
+
+namespace prelight::gpu {
+
+/// A sampled RGBA8 picture with its full chain of mip maps.
+class Texture {
+public:
+    /// Uploads `image` and makes its mip maps by averaging (linear filtering in linear light when
+    /// `srgb`). Throws Error naming the image when it exceeds the device's limit.
+    Texture(const Context& context, MemoryPool& pool, const TextureImage& image, bool srgb);
+    VkImageView view() const { return view_; }
+
+private:
+    void fill(const Context& context, const TextureImage& image, uint32_t levels) const;
+    UniqueImage image_;
+    UniqueImageView view_;
+};
+
+/// How textures are filtered.
+enum class TextureFilter {
+    anisotropic, ///< as the scene's sampler says, with anisotropy where the device has it
+    bilinear,    ///< bilinear on level 0, whatever the sampler says: for comparing with the reference
+};
+UniqueSampler make_sampler(const Context& context, const Sampler& sampler, TextureFilter filter);
+
+} // namespace prelight::gpu

@@ -1,0 +1,149 @@
+// Recording a frame, its timestamps, and reading a kept image.
+#include "frame_graph.hpp"
+#include <algorithm>
+#include <cstring>
+#include <gpu/check.hpp>
+
+namespace prelight::graph {
+namespace {
+
+void pipeline_barrier(VkCommandBuffer commands, const std::vector<VkImageMemoryBarrier2>& images,
+                      const std::vector<VkBufferMemoryBarrier2>& buffers) {
+    if (images.empty() && buffers.empty())
+        return;
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.imageMemoryBarrierCount = static_cast<uint32_t>(images.size());
+    info.pImageMemoryBarriers = images.data();
+    info.bufferMemoryBarrierCount = static_cast<uint32_t>(buffers.size());
+    info.pBufferMemoryBarriers = buffers.data();
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
+VkAttachmentLoadOp load_op(Load load) {
+    return load == Load::clear  ? VK_ATTACHMENT_LOAD_OP_CLEAR
+           : load == Load::keep ? VK_ATTACHMENT_LOAD_OP_LOAD
+                                : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+}
+
+void cover(VkCommandBuffer commands, VkExtent2D extent) {
+    const VkViewport viewport{0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
+    const VkRect2D scissor{{0, 0}, extent};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
+} // namespace
+
+bool FrameGraph::needed_after(ImageId image, size_t pass_index) const {
+    return images_[image.index].last > pass_index;
+}
+
+void FrameGraph::begin_rendering(VkCommandBuffer commands, const Pass& pass, VkExtent2D extent) const {
+    const size_t index = static_cast<size_t>(
+        std::find_if(passes_.begin(), passes_.end(), [&](const auto& p) { return p.get() == &pass; }) -
+        passes_.begin());
+    std::vector<VkRenderingAttachmentInfo> colours;
+    for (const Pass::Attachment& attachment : pass.colours_) {
+        VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+        info.imageView = images_[attachment.image.index].view;
+        info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        info.loadOp = load_op(attachment.load);
+        info.storeOp = needed_after(attachment.image, index) ? VK_ATTACHMENT_STORE_OP_STORE
+                                                             : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+        std::memcpy(info.clearValue.color.float32, attachment.clear.data(), sizeof attachment.clear);
+        colours.push_back(info);
+    }
+    VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    if (pass.depth_) {
+        depth.imageView = images_[pass.depth_->image.index].view;
+        depth.imageLayout =
+            (pass.depth_writes_ ? Access::depth_write() : Access::depth_test()).layout;
+        depth.loadOp = load_op(pass.depth_->load);
+        depth.storeOp = !pass.depth_writes_                         ? VK_ATTACHMENT_STORE_OP_NONE
+                        : needed_after(pass.depth_->image, index) ? VK_ATTACHMENT_STORE_OP_STORE
+                                                                  : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    }
+    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea = {{0, 0}, extent};
+    info.layerCount = 1;
+    info.colorAttachmentCount = static_cast<uint32_t>(colours.size());
+    info.pColorAttachments = colours.data();
+    info.pDepthAttachment = pass.depth_ ? &depth : nullptr;
+    vkCmdBeginRendering(commands, &info);
+    cover(commands, extent);
+}
+
+void FrameGraph::record(VkCommandBuffer commands) {
+    vkCmdResetQueryPool(commands, queries_, 0, static_cast<uint32_t>(2 * passes_.size()));
+    for (uint32_t p = 0; p < passes_.size(); ++p) {
+        const Pass& pass = *passes_[p];
+        context_.begin_label(commands, pass.name_);
+        pipeline_barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
+        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * p);
+        const bool renders = !pass.colours_.empty() || pass.depth_;
+        PassContext pass_context{commands, pass.sets_[0], {}};
+        if (renders) {
+            const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
+            pass_context.extent = images_[target.index].desc.extent;
+            begin_rendering(commands, pass, pass_context.extent);
+        }
+        pass.record_(pass_context);
+        if (renders)
+            vkCmdEndRendering(commands);
+        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * p + 1);
+        context_.end_label(commands);
+    }
+    pipeline_barrier(commands, {}, host_barriers_);
+}
+
+std::vector<std::pair<std::string, double>> FrameGraph::pass_times() const {
+    std::vector<uint64_t> ticks(2 * passes_.size());
+    gpu::check(vkGetQueryPoolResults(context_.device(), queries_, 0, static_cast<uint32_t>(ticks.size()),
+                                     ticks.size() * 8, ticks.data(), 8,
+                                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT), "timestamps");
+    std::vector<std::pair<std::string, double>> times;
+    for (size_t p = 0; p < passes_.size(); ++p)
+        times.emplace_back(passes_[p]->name_, static_cast<double>(ticks[2 * p + 1] - ticks[2 * p]) *
+                                                  static_cast<double>(context_.limits().timestampPeriod) * 1e-6);
+    return times;
+}
+
+std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
+    const GraphImage& image = images_[id.index];
+    if (!image.kept || !image.usage)
+        throw Error("frame graph: image " + image.name + " was not kept");
+    const VkExtent2D extent = image.desc.extent;
+    const uint64_t size = uint64_t(extent.width) * extent.height * texel_bytes(image.desc.format);
+    const gpu::Buffer target(context_, "readback", size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                             gpu::BufferPlace::readback);
+    const VkImageAspectFlags aspect =
+        is_depth(image.desc.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+    context_.run("read back " + image.name, [&](VkCommandBuffer commands) {
+        VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+        barrier.srcStageMask = image.final_access.stages;
+        barrier.srcAccessMask = image.final_access.access;
+        barrier.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+        barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT;
+        barrier.oldLayout = image.final_access.layout;
+        barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+        barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+        barrier.image = image.image;
+        barrier.subresourceRange = {aspect, 0, 1, 0, 1};
+        pipeline_barrier(commands, {barrier}, {});
+        VkBufferImageCopy region{};
+        region.imageSubresource = {aspect, 0, 0, 1};
+        region.imageExtent = {extent.width, extent.height, 1};
+        vkCmdCopyImageToBuffer(commands, image.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                               target.handle(), 1, &region);
+        // The image goes back to the layout that the next read_back() or frame expects.
+        std::swap(barrier.oldLayout, barrier.newLayout);
+        barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+        barrier.srcAccessMask = 0;
+        barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT;
+        pipeline_barrier(commands, {barrier}, {});
+    });
+    return {target.mapped<std::byte>(), target.mapped<std::byte>() + size};
+}
+
+} // namespace prelight::graph

@@ -1,0 +1,137 @@
+#include "frame_graph.hpp"
+#include <algorithm>
+#include <gpu/check.hpp>
+
+namespace prelight::graph {
+
+void Pass::use(ImageId image, const Access& access) {
+    const auto same = std::find_if(images_.begin(), images_.end(),
+                                   [&](const ImageUse& use) { return use.image == image; });
+    if (same == images_.end())
+        images_.push_back({image, access});
+    else
+        same->access |= access;
+}
+
+Pass& Pass::colour(ImageId image, Load load, std::array<float, 4> clear) {
+    colours_.push_back({image, load, clear});
+    use(image, Access::colour());
+    return *this;
+}
+
+Pass& Pass::depth_write(ImageId image, Load load) {
+    depth_ = Attachment{image, load, {}};
+    depth_writes_ = true;
+    use(image, Access::depth_write());
+    return *this;
+}
+
+Pass& Pass::depth_test(ImageId image) {
+    depth_ = Attachment{image, Load::keep, {}};
+    use(image, Access::depth_test());
+    return *this;
+}
+
+Pass& Pass::sample(uint32_t binding, ImageId image) {
+    sampled_.emplace_back(binding, image);
+    return *this; // the access depends on the format: added by FrameGraph::compile
+}
+
+Pass& Pass::storage(uint32_t binding, BufferId buffer, bool writes) {
+    storages_.emplace_back(binding, buffer);
+    buffers_.push_back({buffer, Access::storage(writes)});
+    return *this;
+}
+
+Pass& Pass::prepare(std::function<void(const PassInterface&)> callback) {
+    prepare_ = std::move(callback);
+    return *this;
+}
+
+Pass& Pass::record(std::function<void(const PassContext&)> callback) {
+    record_ = std::move(callback);
+    return *this;
+}
+
+ImageId FrameGraph::image(std::string name, const ImageDesc& desc) {
+    GraphImage image;
+    image.name = std::move(name);
+    image.desc = desc;
+    images_.push_back(std::move(image));
+    return {static_cast<uint32_t>(images_.size() - 1)};
+}
+
+BufferId FrameGraph::buffer(std::string name, const gpu::Buffer& buffer) {
+    buffers_.push_back({std::move(name), buffer.handle()});
+    return {static_cast<uint32_t>(buffers_.size() - 1)};
+}
+
+Pass& FrameGraph::pass(std::string name) {
+    return *passes_.emplace_back(std::make_unique<Pass>(std::move(name)));
+}
+
+void FrameGraph::keep(ImageId image) { images_[image.index].kept = true; }
+
+void FrameGraph::compile() {
+    for (const auto& pass : passes_)
+        for (const auto& [binding, image] : pass->sampled_)
+            pass->use(image, Access::sampled(is_depth(images_[image.index].desc.format)));
+    cull_passes();
+    find_lifetimes();
+    create_images();
+    place_images();
+    create_views();
+    derive_barriers();
+    prepare_passes();
+
+    VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    info.queryCount = static_cast<uint32_t>(2 * passes_.size());
+    VkQueryPool pool = VK_NULL_HANDLE;
+    gpu::check(vkCreateQueryPool(context_.device(), &info, nullptr, &pool), "timestamps");
+    queries_ = {context_.device(), pool};
+    context_.set_name(VK_OBJECT_TYPE_QUERY_POOL, reinterpret_cast<uint64_t>(pool), "pass timestamps");
+}
+
+void FrameGraph::cull_passes() {
+    std::vector<bool> needed(images_.size());
+    for (size_t i = 0; i < images_.size(); ++i)
+        needed[i] = images_[i].kept;
+    for (auto it = passes_.rbegin(); it != passes_.rend(); ++it) {
+        Pass& pass = **it;
+        pass.alive_ =
+            std::any_of(pass.images_.begin(), pass.images_.end(), [&](const Pass::ImageUse& use) {
+                return use.access.writes && needed[use.image.index];
+            }) || std::any_of(pass.buffers_.begin(), pass.buffers_.end(),
+                              [](const Pass::BufferUse& use) { return use.access.writes; });
+        if (pass.alive_)
+            for (const Pass::ImageUse& use : pass.images_)
+                needed[use.image.index] = true;
+    }
+    std::erase_if(passes_, [](const auto& pass) { return !pass->alive_; });
+}
+
+void FrameGraph::prepare_passes() {
+    for (const auto& pass : passes_) {
+        std::vector<gpu::Binding> bindings;
+        for (const auto& [binding, image] : pass->sampled_) {
+            const GraphImage& source = images_[image.index];
+            bindings.push_back(gpu::Binding::sampled(
+                binding, source.view, Access::sampled(is_depth(source.desc.format)).layout));
+        }
+        for (const auto& [binding, buffer] : pass->storages_)
+            bindings.push_back(gpu::Binding::storage(binding, buffers_[buffer.index].handle));
+        pass->layout_ = gpu::make_set_layout(context_, pass->name_, bindings);
+        pass->sets_ = gpu::DescriptorSets(context_, pass->name_, pass->layout_, {{bindings}});
+
+        PassInterface interface{pass->layout_, {}, VK_FORMAT_UNDEFINED};
+        for (const Pass::Attachment& attachment : pass->colours_)
+            interface.colour_formats.push_back(images_[attachment.image.index].desc.format);
+        if (pass->depth_)
+            interface.depth_format = images_[pass->depth_->image.index].desc.format;
+        if (pass->prepare_)
+            pass->prepare_(interface);
+    }
+}
+
+} // namespace prelight::graph

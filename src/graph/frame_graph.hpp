@@ -1,0 +1,153 @@
+#pragma once
+#include "resources.hpp"
+#include <array>
+#include <functional>
+#include <gpu/buffer.hpp>
+#include <gpu/descriptors.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace prelight::graph {
+
+/// What a pass knows when its pipelines are made: the layout of descriptor set `inputs` (one binding
+/// for each sample() and storage()), and the formats of its attachments.
+struct PassInterface {
+    VkDescriptorSetLayout inputs = VK_NULL_HANDLE;
+    std::vector<VkFormat> colour_formats;
+    VkFormat depth_format = VK_FORMAT_UNDEFINED;
+};
+
+/// What a pass gets when it records a frame. Inside, dynamic rendering has begun when the pass has
+/// attachments; viewport and scissor cover them.
+struct PassContext {
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkDescriptorSet inputs = VK_NULL_HANDLE;
+    VkExtent2D extent{};
+};
+
+/// One pass: what it reads, what it writes, how it records. Barriers, layouts, load and store
+/// operations, lifetimes and labels follow from the declarations.
+class Pass {
+public:
+    explicit Pass(std::string name) : name_(std::move(name)) {}
+    /// Colour attachments in the order of the shader's outputs.
+    Pass& colour(ImageId image, Load load, std::array<float, 4> clear = {});
+    /// Depth attachment, cleared to 0: reversed depth, the far end.
+    Pass& depth_write(ImageId image, Load load = Load::clear);
+    /// Depth test without writing; the same image may be sampled too.
+    Pass& depth_test(ImageId image);
+    /// texelFetch of an image at `binding` of the inputs set.
+    Pass& sample(uint32_t binding, ImageId image);
+    /// Storage buffer at `binding` of the inputs set.
+    Pass& storage(uint32_t binding, BufferId buffer, bool writes);
+    Pass& prepare(std::function<void(const PassInterface&)> callback);
+    Pass& record(std::function<void(const PassContext&)> callback);
+    const std::string& name() const { return name_; }
+
+private:
+    friend class FrameGraph;
+    struct Attachment {
+        ImageId image;
+        Load load = Load::discard;
+        std::array<float, 4> clear{};
+    };
+    struct ImageUse {
+        ImageId image;
+        Access access;
+    };
+    struct BufferUse {
+        BufferId buffer;
+        Access access;
+    };
+    void use(ImageId image, const Access& access);
+
+    std::string name_;
+    std::vector<Attachment> colours_;
+    std::optional<Attachment> depth_;
+    bool depth_writes_ = false;
+    std::vector<ImageUse> images_;
+    std::vector<BufferUse> buffers_;
+    std::vector<std::pair<uint32_t, ImageId>> sampled_;
+    std::vector<std::pair<uint32_t, BufferId>> storages_;
+    std::function<void(const PassInterface&)> prepare_;
+    std::function<void(const PassContext&)> record_;
+
+    // Set by FrameGraph::compile.
+    bool alive_ = true;
+    std::vector<VkImageMemoryBarrier2> image_barriers_;
+    std::vector<VkBufferMemoryBarrier2> buffer_barriers_;
+    gpu::UniqueSetLayout layout_;
+    gpu::DescriptorSets sets_;
+};
+
+/// Passes in the order in which they were added, compiled once and recorded once a frame.
+/// Images belong to the graph and share memory where their lifetimes do not meet.
+class FrameGraph {
+public:
+    explicit FrameGraph(const gpu::Context& context) : context_(context) {}
+    FrameGraph(const FrameGraph&) = delete;
+    FrameGraph& operator=(const FrameGraph&) = delete;
+
+    ImageId image(std::string name, const ImageDesc& desc);
+    /// A buffer of the caller's, alive as long as the graph; host writes before a frame are seen.
+    BufferId buffer(std::string name, const gpu::Buffer& buffer);
+    Pass& pass(std::string name);
+    /// The image's content stays for read_back() after the frame.
+    void keep(ImageId image);
+    const ImageDesc& desc(ImageId image) const { return images_[image.index].desc; }
+    const std::string& name(ImageId image) const { return images_[image.index].name; }
+
+    /// Removes passes that nothing needs, places the images, derives the barriers, makes descriptor
+    /// sets and lets each pass make its pipelines. Throws Error.
+    void compile();
+    /// Records one frame, with a debug label and two timestamps for each pass.
+    void record(VkCommandBuffer commands);
+    /// Device time of each living pass in the last frame, milliseconds; the frame must be done.
+    std::vector<std::pair<std::string, double>> pass_times() const;
+    /// Texels of a kept image, row by row, tightly packed. Submits and waits.
+    std::vector<std::byte> read_back(ImageId image) const;
+    /// Memory that all images share, after aliasing.
+    uint64_t memory_bytes() const { return memory_.size(); }
+
+private:
+    struct GraphImage {
+        std::string name;
+        ImageDesc desc;
+        bool kept = false;
+        VkImageUsageFlags usage = 0;
+        uint32_t first = 0xffffffffu, last = 0; ///< living passes; last is huge when kept
+        VkMemoryRequirements requirements{};
+        uint64_t offset = 0;
+        gpu::UniqueImage image;
+        gpu::UniqueImageView view;
+        Access final_access;
+    };
+    struct GraphBuffer {
+        std::string name;
+        VkBuffer handle = VK_NULL_HANDLE;
+    };
+    void cull_passes();
+    void find_lifetimes();
+    void create_images();
+    void place_images();
+    void create_views();
+    void derive_barriers();
+    void derive_image_barriers(GraphImage& image, uint32_t index);
+    void derive_buffer_barriers(uint32_t index);
+    Access everything_that_shares_memory(const GraphImage& image) const;
+    void prepare_passes();
+    void begin_rendering(VkCommandBuffer commands, const Pass& pass, VkExtent2D extent) const;
+    bool needed_after(ImageId image, size_t pass_index) const;
+
+    const gpu::Context& context_;
+    std::vector<GraphImage> images_;
+    std::vector<GraphBuffer> buffers_;
+    std::vector<std::unique_ptr<Pass>> passes_;
+    std::vector<VkBufferMemoryBarrier2> host_barriers_; ///< at the frame's end
+    gpu::Allocation memory_;
+    gpu::UniqueQueryPool queries_;
+};
+
+} // namespace prelight::graph

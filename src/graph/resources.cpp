@@ -1,0 +1,83 @@
+#include "resources.hpp"
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+
+namespace prelight::graph {
+namespace {
+
+constexpr VkPipelineStageFlags2 depth_stages = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+                                               VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+constexpr VkPipelineStageFlags2 shader_stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
+                                                VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+                                                VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+
+struct FormatInfo {
+    VkFormat format;
+    uint32_t bytes;
+    const char* name;
+};
+constexpr FormatInfo formats[] = {
+    {VK_FORMAT_D32_SFLOAT, 4, "D32F"},
+    {VK_FORMAT_R8_UNORM, 1, "R8"},
+    {VK_FORMAT_R16_SFLOAT, 2, "R16F"},
+    {VK_FORMAT_R32_SFLOAT, 4, "R32F"},
+    {VK_FORMAT_R8G8B8A8_UNORM, 4, "RGBA8"},
+    {VK_FORMAT_A2B10G10R10_UNORM_PACK32, 4, "RGB10A2"},
+    {VK_FORMAT_B10G11R11_UFLOAT_PACK32, 4, "R11G11B10F"},
+    {VK_FORMAT_R16G16_UNORM, 4, "RG16"},
+    {VK_FORMAT_R16G16_SFLOAT, 4, "RG16F"},
+    {VK_FORMAT_R16G16B16A16_SFLOAT, 8, "RGBA16F"},
+};
+
+const FormatInfo& find(VkFormat format) {
+    for (const FormatInfo& info : formats)
+        if (info.format == format)
+            return info;
+    throw Error(fmt::format("frame graph: VkFormat {} is not in its table", static_cast<int>(format)));
+}
+
+} // namespace
+
+Access Access::colour() {
+    return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+            VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+            VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, true};
+}
+
+Access Access::depth_write() {
+    return {depth_stages,
+            VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+            VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, true};
+}
+
+Access Access::depth_test() {
+    return {depth_stages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+            VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL, false};
+}
+
+Access Access::sampled(bool depth) {
+    return {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+            depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                  : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+            false};
+}
+
+Access Access::storage(bool writes) {
+    return {shader_stages,
+            VK_ACCESS_2_SHADER_STORAGE_READ_BIT | (writes ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : 0),
+            VK_IMAGE_LAYOUT_GENERAL, writes};
+}
+
+Access& Access::operator|=(const Access& other) {
+    stages |= other.stages;
+    access |= other.access;
+    writes |= other.writes;
+    return *this;
+}
+
+bool is_depth(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT; }
+uint32_t texel_bytes(VkFormat format) { return find(format).bytes; }
+std::string format_name(VkFormat format) { return find(format).name; }
+
+} // namespace prelight::graph
