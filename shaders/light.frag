@@ -1,0 +1,75 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Stage 2: one light's share of the light buffer [L4], blended ONE/ONE.
+// [ggx]: diffuse = Σ N·L att colour, specular = Σ N·L att colour D V; alphas: luminance-weighted
+// (1 − V·H)⁵ of each (model=weighted). [phong]: equation 8.5.2. Packed: specular's luminance in alpha.
+#include "shared/gbuffer.glsl"
+#include "shared/lighting.glsl"
+
+layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
+layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
+layout(constant_id = CONSTANT_PACKED_LIGHT) const bool packed_light = false;
+layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
+layout(constant_id = CONSTANT_LIGHT_OUTPUT) const int light_output = LIGHT_OUTPUT_LIGHT;
+
+layout(early_fragment_tests) in;
+layout(location = 0) flat in uint in_light;
+layout(location = 0) out vec4 out_diffuse;
+layout(location = 1) out vec4 out_specular;
+
+// Two counters a row of pixels, so that no sum overflows 32 bits: evaluated, contributing.
+layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCounters { uint pair_counters[]; };
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    LightData light = lights[in_light];
+    vec3 world;
+    bool surface = read_position(pixel, world);
+    vec3 n = read_normal(pixel);
+    float roughness = max(read_roughness(pixel), 0.089);
+
+    vec3 l;
+    float att = attenuation(light, light.position.xyz - world * light.position.w, l);
+    float nl = surface ? clamp(dot(n, l), 0.0, 1.0) : 0.0;
+    vec3 v = to_viewer(world);
+    vec3 h = normalize(l + v);
+
+    vec3 light_in = light.colour.rgb * att;
+    vec3 diffuse = light_in * nl;
+    float lobe;
+    if (shading == SHADING_GGX) {
+        float alpha = roughness * roughness;
+        lobe = nl > 0.0 ? nl * specular_ggx(alpha, clamp(dot(n, h), 0.0, 1.0), nl, max(dot(n, v), 1e-4)) : 0.0;
+    } else {
+        float gate = specular_step_gate ? (nl > 0.0 ? 1.0 : 0.0) : nl;
+        lobe = gate > 0.0 ? gate * specular_phong(light.axis.w * shininess(roughness), n, l, v) : 0.0;
+    }
+    vec3 specular = light_in * lobe;
+
+    if (count_pairs) {
+        int row = 2 * pixel.y;
+        atomicAdd(pair_counters[row], 1u);
+        if (att > 0.0 && nl > 0.0)
+            atomicAdd(pair_counters[row + 1], 1u);
+    }
+    if (light_output == LIGHT_OUTPUT_COUNT) {
+        out_diffuse = vec4(1.0, att > 0.0 && nl > 0.0 ? 1.0 : 0.0, 0.0, 0.0);
+        out_specular = vec4(0.0);
+        return;
+    }
+
+    float grazing = 0.0;
+    if (shading == SHADING_GGX && model == MODEL_WEIGHTED) {
+        float m = clamp(1.0 - dot(v, h), 0.0, 1.0);
+        grazing = m * m * m * m * m;
+    }
+    vec4 limit = vec4(frame.ambient.w);
+    float scale = 1.0 / frame.light_buffer.x;
+    if (packed_light) {
+        out_diffuse = min(vec4(diffuse, luminance(specular)) * scale, limit);
+        out_specular = vec4(0.0);
+    } else {
+        out_diffuse = min(vec4(diffuse, luminance(diffuse) * grazing) * scale, limit);
+        out_specular = min(vec4(specular, luminance(specular) * grazing) * scale, limit);
+    }
+}

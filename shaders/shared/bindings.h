@@ -1,0 +1,100 @@
+// Numbers of descriptor sets, bindings, vertex locations and specialisation constants: the one place.
+#ifndef PRELIGHT_BINDINGS_H
+#define PRELIGHT_BINDINGS_H
+
+#define SET_FRAME 0
+#define FRAME_CONSTANTS 0
+#define FRAME_LIGHTS 1
+#define FRAME_OBJECTS 2
+#define FRAME_LIGHT_ORDER 3
+
+#define SET_INPUTS 1
+// light pass
+#define INPUT_DEPTH 0
+#define INPUT_NORMAL 1
+#define INPUT_ROUGHNESS 2
+#define INPUT_PAIR_COUNTERS 3
+// material pass
+#define INPUT_DIFFUSE_LIGHT 0
+#define INPUT_SPECULAR_LIGHT 1
+// tone mapping
+#define INPUT_COLOUR 0
+
+#define SET_MATERIAL 2
+#define MATERIAL_CONSTANTS 0
+#define MATERIAL_BASE_COLOUR 1
+#define MATERIAL_METALLIC_ROUGHNESS 2
+#define MATERIAL_NORMAL 3
+#define MATERIAL_OCCLUSION 4
+#define MATERIAL_EMISSIVE 5
+
+#define VERTEX_POSITION 0
+#define VERTEX_NORMAL 1
+#define VERTEX_TANGENT 2
+#define VERTEX_TEXCOORD_0 3
+#define VERTEX_TEXCOORD_1 4
+#define VERTEX_COLOUR 5
+
+// Specialisation constants: specialise rather than branch, for on a software device both sides of an
+// `if` run.
+#define CONSTANT_MATERIAL_FEATURES 0
+#define CONSTANT_NORMAL_ENCODING 1
+#define CONSTANT_NORMAL_SPACE 2
+#define CONSTANT_LINEAR_DEPTH 3
+#define CONSTANT_POSITION_FROM_RAY 4
+#define CONSTANT_SHADING 5
+#define CONSTANT_MODEL 6
+#define CONSTANT_PACKED_LIGHT 7
+#define CONSTANT_SPECULAR_STEP_GATE 8
+#define CONSTANT_REFLECTION_VECTOR 9
+#define CONSTANT_COUNT_PAIRS 10
+#define CONSTANT_LIGHT_OUTPUT 11
+#define CONSTANT_SEED_FALLOFF 12
+#define CONSTANT_MATERIAL_OUTPUT 13
+#define CONSTANT_AMBIENT_AS_LIGHT 14
+#define CONSTANT_TONEMAP 15
+#define CONSTANT_VIEW 16
+#define CONSTANT_VOLUME 17
+
+// Values of those constants.
+#define FEATURE_BASE_COLOUR_TEXTURE 1u
+#define FEATURE_METALLIC_ROUGHNESS_TEXTURE 2u
+#define FEATURE_NORMAL_TEXTURE 4u
+#define FEATURE_OCCLUSION_TEXTURE 8u
+#define FEATURE_EMISSIVE_TEXTURE 16u
+#define FEATURE_ALPHA_MASK 32u
+#define FEATURE_UNLIT 64u
+
+#define NORMAL_OCT24 0
+#define NORMAL_OCT32 1
+#define NORMAL_RGB10A2 2
+
+#define SHADING_PHONG 0
+#define SHADING_GGX 1
+
+#define MODEL_WEIGHTED 0
+#define MODEL_NV 1
+#define MODEL_MONO 2
+
+#define LIGHT_OUTPUT_LIGHT 0
+#define LIGHT_OUTPUT_COUNT 1
+
+#define MATERIAL_OUTPUT_SHADED 0
+#define MATERIAL_OUTPUT_ALBEDO 1
+
+#define VOLUME_SPHERE 0
+#define VOLUME_CONE 1
+
+#define TONEMAP_PBR_NEUTRAL 0
+#define TONEMAP_ACES 1
+#define TONEMAP_NONE 2
+
+#define VIEW_DEPTH 0
+#define VIEW_NORMAL 1
+#define VIEW_ROUGHNESS 2
+#define VIEW_LIGHT 3
+#define VIEW_LIGHT_ALPHA 4
+#define VIEW_COUNT 5
+#define VIEW_COLOUR 6
+
+#endif

@@ -1,0 +1,30 @@
+// Scene-linear light → display values.
+#ifndef PRELIGHT_DISPLAY_GLSL
+#define PRELIGHT_DISPLAY_GLSL
+
+vec3 srgb_encode(vec3 linear) {
+    linear = clamp(linear, 0.0, 1.0);
+    return mix(1.055 * pow(max(linear, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055, linear * 12.92,
+               lessThanEqual(linear, vec3(0.0031308)));
+}
+
+// Khronos PBR Neutral tone mapper, by its specification.
+vec3 tonemap_pbr_neutral(vec3 colour) {
+    const float start_compression = 0.8 - 0.04;
+    const float desaturation = 0.15;
+    float x = min(colour.r, min(colour.g, colour.b));
+    float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+    colour -= offset;
+    float peak = max(colour.r, max(colour.g, colour.b));
+    if (peak < start_compression)
+        return colour;
+    const float d = 1.0 - start_compression;
+    float new_peak = 1.0 - d * d / (peak + d - start_compression);
+    colour *= new_peak / peak;
+    float g = 1.0 - 1.0 / (desaturation * (peak - new_peak) + 1.0);
+    return mix(colour, vec3(new_peak), g);
+}
+
+// ACES filmic curve, Narkowicz 2015.
+vec3 tonemap_aces(vec3 x) { return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
+#endif

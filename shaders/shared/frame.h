@@ -1,0 +1,47 @@
+// Constant blocks and storage records of a frame. "World" below means camera-relative world space:
+// the world's axes, metres, with the camera at the origin, so that a scene far from the world's
+// origin keeps its precision.
+#ifndef PRELIGHT_FRAME_H
+#define PRELIGHT_FRAME_H
+#include "shared/interop.h"
+SHARED_BEGIN
+
+struct FrameConstants {
+    mat4 clip_from_world;  // reversed depth: near 1, far 0
+    mat4 world_from_clip;
+    mat4 view_from_world;  // rotation; the camera looks along −Z
+    vec4 ray_right;        // xyz: world vector of one unit of clip x at view depth 1 (perspective)
+                           // or at any depth (orthographic)
+    vec4 ray_up;           // xyz: the same for clip y
+    vec4 forward;          // xyz: unit; w: 1 perspective, 0 orthographic
+    vec4 depth;            // x, y: clip.z = −x · view depth + y; z: far end for views; w: near plane
+    vec4 size;             // width, height, 1/width, 1/height in pixels
+    vec4 ambient;          // rgb: radiance × exposure; w: largest value of one light in a target
+    vec4 light_buffer;     // x: scale that stored light is divided by (1 for float formats);
+                           // y: exposure factor
+};
+
+// One light; directional ones are point lights whose vector to the light is constant.
+struct LightData {
+    vec4 position;  // xyz: world position, or the unit vector to a directional light; w: 1 or 0
+    vec4 colour;    // rgb: colour · intensity · exposure; w: 1 / range, 0 when infinite
+    vec4 axis;      // xyz: unit vector the light shines along (spot); w: shininess
+    vec4 cone;      // x, y: scale and offset of the cone's falloff; z: falloff kind; w: outer angle
+};
+
+// One object; rows of the 3×4 matrix object → world, and of the inverse transpose.
+struct ObjectData {
+    vec4 world_row[3];
+    vec4 normal_row[3];  // w of the first: −1 when mirrored, else 1
+};
+
+struct MaterialConstants {
+    vec4 base_colour;
+    vec4 emissive;              // rgb × exposure; w: alpha cut-off
+    vec4 factors;               // metallic, roughness, normal scale, occlusion strength
+    vec4 uv_linear[5];          // per texture, in the order of MATERIAL_… bindings: columns of 2×2
+    vec4 uv_offset[5];          // xy: offset; z: texture-coordinate set
+};
+
+SHARED_END
+#endif

@@ -1,0 +1,58 @@
+// Depth and normals read back: position from depth by frustum ray or by inverse matrix [L3], normals
+// by their encoding [L1].
+#ifndef PRELIGHT_GBUFFER_GLSL
+#define PRELIGHT_GBUFFER_GLSL
+#extension GL_EXT_samplerless_texture_functions : require
+#include "shared/frame.glsl"
+#include "shared/normal_encoding.h"
+
+layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMAL_OCT24;
+layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
+layout(constant_id = CONSTANT_LINEAR_DEPTH) const bool linear_depth = false;
+layout(constant_id = CONSTANT_POSITION_FROM_RAY) const bool position_from_ray = true;
+
+layout(set = SET_INPUTS, binding = INPUT_DEPTH) uniform texture2D depth_buffer;
+layout(set = SET_INPUTS, binding = INPUT_NORMAL) uniform texture2D normal_buffer;
+layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform texture2D roughness_buffer;
+
+// Device depth (1 near, 0 far) → view depth in metres. clip.z = −x·z + y, clip.w = z or 1.
+float view_depth(float device_depth) {
+    float perspective = frame.forward.w;
+    return perspective > 0.5 ? frame.depth.y / (device_depth + frame.depth.x)
+                             : (frame.depth.y - device_depth) / frame.depth.x;
+}
+
+float device_depth(float z) {
+    return (frame.depth.y - frame.depth.x * z) / (frame.forward.w > 0.5 ? z : 1.0);
+}
+
+vec3 read_normal(ivec2 pixel) {
+    vec4 stored = texelFetch(normal_buffer, pixel, 0);
+    vec3 n = normal_encoding == NORMAL_OCT24   ? oct24_decode(stored.rgb)
+             : normal_encoding == NORMAL_OCT32 ? oct32_decode(stored.rg)
+                                               : rgb10_decode(stored.rgb);
+    return view_space ? n * mat3(frame.view_from_world) : n;
+}
+
+float read_roughness(ivec2 pixel) {
+    return normal_encoding == NORMAL_OCT24 ? texelFetch(normal_buffer, pixel, 0).a
+                                           : texelFetch(roughness_buffer, pixel, 0).r;
+}
+
+// False where no surface is.
+bool read_position(ivec2 pixel, out vec3 world) {
+    float stored = texelFetch(depth_buffer, pixel, 0).r;
+    bool surface = stored > 0.0;
+    vec2 clip = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
+    if (position_from_ray) {
+        float z = linear_depth ? stored : view_depth(max(stored, 1e-9));
+        vec3 across = clip.x * frame.ray_right.xyz + clip.y * frame.ray_up.xyz;
+        world = across * mix(1.0, z, frame.forward.w) + frame.forward.xyz * z;
+    } else {
+        float d = linear_depth ? device_depth(max(stored, 1e-6)) : max(stored, 1e-9);
+        vec4 h = frame.world_from_clip * vec4(clip, d, 1.0);
+        world = h.xyz / h.w;
+    }
+    return surface;
+}
+#endif

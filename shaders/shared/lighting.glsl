@@ -1,0 +1,49 @@
+// One light on one surface point: falloff and the terms that a light buffer sums.
+#ifndef PRELIGHT_LIGHTING_GLSL
+#define PRELIGHT_LIGHTING_GLSL
+#include "shared/frame.glsl"
+
+layout(constant_id = CONSTANT_SEED_FALLOFF) const bool seed_falloff = false;
+layout(constant_id = CONSTANT_SPECULAR_STEP_GATE) const bool specular_step_gate = false;
+layout(constant_id = CONSTANT_REFLECTION_VECTOR) const bool reflection_vector = false;
+
+// KHR_lights_punctual: clamp(1 − (d/range)⁴, 0, 1) / max(d, 0.01 m)², times the cone. `to_light` is
+// not normalised; for a directional light it is a unit vector and the result is 1.
+float attenuation(LightData light, vec3 to_light, out vec3 l) {
+    float d2 = dot(to_light, to_light);
+    float inverse = inversesqrt(max(d2, 1e-12));
+    l = to_light * inverse;
+    float x2 = d2 * light.colour.w * light.colour.w;
+    float window = clamp(1.0 - x2 * x2, 0.0, 1.0);
+    float falloff = window / max(d2, 1e-4);
+    if (seed_falloff) {
+        float linear = clamp(1.0 - sqrt(x2), 0.0, 1.0);
+        float quadratic = clamp(1.0 - x2, 0.0, 1.0);
+        falloff = light.cone.z < 0.5 ? falloff : light.cone.z < 1.5 ? linear : quadratic;
+    }
+    float cone = clamp(-dot(light.axis.xyz, l) * light.cone.x + light.cone.y, 0.0, 1.0);
+    return falloff * cone * cone;
+}
+
+// glTF 2.0, appendix B: Trowbridge-Reitz D times separable Smith visibility V. nl, nv > 0.
+float specular_ggx(float alpha, float nh, float nl, float nv) {
+    float a2 = alpha * alpha;
+    // (1 − nh²) + a2·nh² without cancellation near nh = 1 needs sin² from the caller; nh² is enough
+    // for alpha ≥ 0.089².
+    float f = nh * nh * (a2 - 1.0) + 1.0;
+    float d = a2 / (3.14159265 * f * f);
+    float v = 1.0 / ((nl + sqrt(a2 + (1.0 - a2) * nl * nl)) * (nv + sqrt(a2 + (1.0 - a2) * nv * nv)));
+    return d * v;
+}
+
+// [phong]: (N·H)^n or (R·V)^n without the gate.
+float specular_phong(float exponent, vec3 n, vec3 l, vec3 v) {
+    float base = reflection_vector ? dot(reflect(-l, n), v) : dot(n, normalize(l + v));
+    return pow(clamp(base, 1e-6, 1.0), exponent);
+}
+
+float shininess(float roughness) {
+    float alpha = max(roughness, 0.089) * max(roughness, 0.089);
+    return max(2.0 / (alpha * alpha) - 2.0, 0.0);
+}
+#endif

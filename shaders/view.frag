@@ -1,0 +1,46 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// A buffer drawn so that a person can read it.
+#include "shared/display.glsl"
+#include "shared/gbuffer.glsl"
+
+layout(constant_id = CONSTANT_VIEW) const int view = VIEW_DEPTH;
+layout(location = 0) out vec4 out_colour;
+
+// Black, blue, cyan, green, yellow, red, white at 0, 1, 4, 16, 64, 256, 1,024 lights.
+vec3 heat(float count) {
+    const vec3 stops[7] = vec3[](vec3(0), vec3(0, 0, 1), vec3(0, 1, 1), vec3(0, 1, 0), vec3(1, 1, 0), vec3(1, 0, 0), vec3(1));
+    float x = count < 1.0 ? count : 1.0 + log2(count) * 0.5;
+    vec3 colour = stops[0];
+    for (int i = 0; i < 6; ++i)
+        colour = mix(colour, stops[i + 1], clamp(x - float(i), 0.0, 1.0));
+    return colour;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    // Of the inputs, INPUT_NORMAL holds the buffer that is looked at.
+    vec4 value = texelFetch(normal_buffer, pixel, 0);
+    vec3 world;
+    bool surface = read_position(pixel, world);
+    vec3 colour;
+    if (view == VIEW_DEPTH) {
+        // 1 at the near plane, falling by half at each doubling of 1 + distance/10 m.
+        float z = dot(world, frame.forward.xyz);
+        colour = vec3(surface ? 1.0 / (1.0 + max(z - frame.depth.w, 0.0) / 10.0) : 0.0);
+    } else if (view == VIEW_NORMAL) {
+        colour = surface ? read_normal(pixel) * 0.5 + 0.5 : vec3(0.0);
+    } else if (view == VIEW_ROUGHNESS) {
+        colour = vec3(surface ? read_roughness(pixel) : 0.0);
+    } else if (view == VIEW_LIGHT) {
+        // As a white diffuse surface would show it.
+        colour = srgb_encode(tonemap_pbr_neutral(value.rgb * frame.light_buffer.x / 3.14159265));
+    } else if (view == VIEW_LIGHT_ALPHA) {
+        colour = srgb_encode(tonemap_pbr_neutral(value.aaa * frame.light_buffer.x / 3.14159265));
+    } else if (view == VIEW_COUNT) {
+        colour = heat(value.g);
+    } else {
+        colour = srgb_encode(value.rgb);
+    }
+    out_colour = vec4(colour, 1.0);
+}
