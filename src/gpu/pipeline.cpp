@@ -42,6 +42,7 @@ VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
     case DepthTest::equal: state.depthCompareOp = VK_COMPARE_OP_EQUAL; break;
     case DepthTest::behind_or_at: state.depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; break;
     case DepthTest::before_or_at: state.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL; break;
+    case DepthTest::surface_only: state.depthCompareOp = VK_COMPARE_OP_LESS; break;
     }
     return state;
 }

@@ -19,11 +19,12 @@ struct VertexAttribute {
 };
 
 enum class Blend { none, add };
-enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at };
+enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only };
 
 /// Everything of a graphics pipeline that Prelight varies. Depth is reversed: nearer is greater, so
 /// that `write_nearer` is GREATER_OR_EQUAL. `behind_or_at`: a fragment passes where the stored
-/// surface lies behind it (front faces of a light volume); `before_or_at` is the opposite.
+/// surface lies behind it (front faces of a light volume); `before_or_at` is the opposite;
+/// `surface_only`: at the far end, passes wherever a surface is.
 /// Cull mode and front face are dynamic state.
 struct GraphicsPipelineDesc {
     std::string name;

@@ -1,0 +1,58 @@
+#include "depth_normal.hpp"
+#include "surface_draws.hpp"
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+namespace {
+
+VkFormat target_format(NormalEncoding encoding) {
+    switch (encoding) {
+    case NormalEncoding::oct24: return VK_FORMAT_R8G8B8A8_UNORM;
+    case NormalEncoding::oct32: return VK_FORMAT_R16G16_UNORM;
+    case NormalEncoding::rgb10a2: return VK_FORMAT_A2B10G10R10_UNORM_PACK32;
+    }
+    return VK_FORMAT_UNDEFINED;
+}
+
+} // namespace
+
+gpu::Constants SurfaceFormat::constants() const {
+    return {{CONSTANT_NORMAL_ENCODING, static_cast<uint32_t>(normals)},
+            {CONSTANT_NORMAL_SPACE, view_space},
+            {CONSTANT_LINEAR_DEPTH, linear_depth},
+            {CONSTANT_POSITION_FROM_RAY, position_from_ray}};
+}
+
+SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+                                 const SurfaceFormat& format) {
+    const VkExtent2D extent = frame.extent();
+    const bool own_roughness = format.normals != NormalEncoding::oct24;
+    SurfaceBuffers out{format};
+    out.depth = out.depth_source = graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
+    out.normal = out.roughness = graph.image("normal", {target_format(format.normals), extent});
+
+    // Locations of depth_normal.frag: 0 normal, 1 roughness, 2 linear depth. A location that a format
+    // does not need before one that it needs is filled all the same.
+    graph::Pass& pass = graph.pass("depth-normal");
+    pass.depth_write(out.depth).colour(out.normal, graph::Load::clear);
+    if (own_roughness || format.linear_depth) {
+        const graph::ImageId roughness = graph.image("roughness", {VK_FORMAT_R16_SFLOAT, extent});
+        pass.colour(roughness, graph::Load::clear);
+        if (own_roughness)
+            out.roughness = roughness;
+    }
+    if (format.linear_depth) {
+        out.depth_source = graph.image("linear depth", {VK_FORMAT_R32_SFLOAT, extent});
+        pass.colour(out.depth_source, graph::Load::clear);
+    }
+    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) {
+        draws->emplace(frame, interface,
+                       SurfaceDraws::Desc{"depth-normal", "depth_normal.frag", format.constants(),
+                                          gpu::DepthTest::write_nearer, true});
+    });
+    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+    return out;
+}
+
+} // namespace prelight::passes

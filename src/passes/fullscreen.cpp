@@ -1,0 +1,27 @@
+#include "fullscreen.hpp"
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+
+void draw_fullscreen(graph::Pass& pass, const resident::Frame& frame, const std::string& fragment,
+                     const gpu::Constants& constants) {
+    auto pipeline = std::make_shared<gpu::GraphicsPipeline>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) {
+        gpu::GraphicsPipelineDesc desc;
+        desc.name = fragment;
+        desc.vertex = "fullscreen.vert";
+        desc.fragment = fragment;
+        desc.constants = constants;
+        desc.colour_formats = interface.colour_formats;
+        desc.sets = {frame.layout(), interface.inputs};
+        *pipeline = gpu::GraphicsPipeline(frame.context(), desc);
+    });
+    pass.record([=, &frame](const graph::PassContext& context) {
+        pipeline->bind(context.commands);
+        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
+        vkCmdDraw(context.commands, 3, 1, 0, 0);
+    });
+}
+
+} // namespace prelight::passes

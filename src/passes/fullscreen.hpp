@@ -1,0 +1,12 @@
+#pragma once
+#include <graph/frame_graph.hpp>
+#include <gpu/pipeline.hpp>
+#include <resident/frame.hpp>
+
+namespace prelight::passes {
+
+/// Gives `pass` a full-screen triangle with this fragment shader.
+void draw_fullscreen(graph::Pass& pass, const resident::Frame& frame, const std::string& fragment,
+                     const gpu::Constants& constants);
+
+} // namespace prelight::passes

@@ -1,0 +1,41 @@
+#include "materials.hpp"
+#include "surface_draws.hpp"
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+namespace {
+
+graph::ImageId draw(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
+                    const char* name, uint32_t output) {
+    const graph::ImageId target = graph.image(name, {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+    graph::Pass& pass = graph.pass(output == MATERIAL_OUTPUT_SHADED ? "material" : name);
+    pass.colour(target, graph::Load::clear)
+        .depth_test(inputs.depth)
+        .sample(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse)
+        .sample(INPUT_SPECULAR_LIGHT, inputs.light.specular);
+    gpu::Constants constants = inputs.model.constants();
+    constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
+    const std::string shader = inputs.model.shading == Shading::ggx ? "material_metallic_roughness.frag"
+                                                                    : "material_blinn_phong.frag";
+    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) {
+        draws->emplace(frame, interface,
+                       SurfaceDraws::Desc{"material", shader, constants, gpu::DepthTest::equal, false});
+    });
+    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+    return target;
+}
+
+} // namespace
+
+graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+                             const MaterialInputs& inputs) {
+    return draw(graph, frame, inputs, "linear", MATERIAL_OUTPUT_SHADED);
+}
+
+graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+                           const MaterialInputs& inputs) {
+    return draw(graph, frame, inputs, "albedo", MATERIAL_OUTPUT_ALBEDO);
+}
+
+} // namespace prelight::passes

@@ -1,0 +1,21 @@
+#include "view.hpp"
+#include "fullscreen.hpp"
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+
+graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                         ViewKind kind, const SurfaceBuffers& surface, graph::ImageId buffer) {
+    const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, frame.extent()});
+    graph::Pass& pass = graph.pass("view-" + name);
+    pass.colour(target, graph::Load::discard)
+        .sample(INPUT_DEPTH, surface.depth_source)
+        .sample(INPUT_NORMAL, buffer)
+        .sample(INPUT_ROUGHNESS, surface.roughness);
+    gpu::Constants constants = surface.format.constants();
+    constants.emplace_back(CONSTANT_VIEW, static_cast<uint32_t>(kind));
+    draw_fullscreen(pass, frame, "view.frag", constants);
+    return target;
+}
+
+} // namespace prelight::passes

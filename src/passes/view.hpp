@@ -1,0 +1,13 @@
+#pragma once
+#include "depth_normal.hpp"
+
+namespace prelight::passes {
+
+/// What a view pass makes of a buffer.
+enum class ViewKind { depth, normal, roughness, light, light_alpha, count, colour };
+
+/// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.
+graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                         ViewKind kind, const SurfaceBuffers& surface, graph::ImageId buffer);
+
+} // namespace prelight::passes

@@ -1,0 +1,165 @@
+#include "device_renderer.hpp"
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
+#include <gpu/check.hpp>
+#include <sys/resource.h>
+
+namespace prelight {
+namespace {
+
+double process_ms() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto ms = [](const timeval& t) { return double(t.tv_sec) * 1e3 + double(t.tv_usec) * 1e-3; };
+    return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+double wall_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D extent) {
+    Image image(extent.width, extent.height);
+    if (format == VK_FORMAT_R8G8B8A8_UNORM) {
+        for (size_t i = 0; i < image.pixels.size(); ++i)
+            for (int c = 0; c < 3; ++c)
+                image.pixels[i][c] = static_cast<float>(texels[4 * i + size_t(c)]) / 255.0f;
+        return image;
+    }
+    const auto* halves = reinterpret_cast<const uint16_t*>(texels.data());
+    for (size_t i = 0; i < image.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            image.pixels[i][c] = glm::unpackHalf1x16(halves[4 * i + size_t(c)]);
+    return image;
+}
+
+} // namespace
+
+DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
+    : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)) {
+    const uint32_t limit = std::min(context_.limits().maxImageDimension2D,
+                                    std::min(context_.limits().maxFramebufferWidth,
+                                             context_.limits().maxFramebufferHeight));
+    if (options.width == 0 || options.height == 0)
+        throw UsageError(fmt::format("--size {}x{}: a picture has at least one pixel", options.width, options.height));
+    if (options.width > limit || options.height > limit)
+        throw Error(fmt::format("{}: picture of {}x{}: the device's limit is {}", context_.name(),
+                                options.width, options.height, limit));
+    if (options.msaa != 1)
+        throw UsageError(fmt::format("--msaa {}: this renderer has one sample a pixel", options.msaa));
+    pair_counters_ = gpu::Buffer(context_, "pair counters", uint64_t(options.height) * 2 * sizeof(uint32_t),
+                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::readback);
+    VkCommandPoolCreateInfo info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    info.queueFamilyIndex = context_.queue_family();
+    VkCommandPool pool = VK_NULL_HANDLE;
+    gpu::check(vkCreateCommandPool(context_.device(), &info, nullptr, &pool), "command pool");
+    pool_ = {context_.device(), pool};
+    context_.set_name(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<uint64_t>(pool), "frame commands");
+}
+
+bool DeviceRenderer::wants(std::string_view view) const {
+    return std::find(options_.views.begin(), options_.views.end(), view) != options_.views.end();
+}
+
+resident::FrameSettings DeviceRenderer::frame_settings() const {
+    return {options_.width, options_.height, std::exp2(options_.exposure)};
+}
+
+void DeviceRenderer::set_world(const World& world) {
+    graph_.reset(); // before what its passes refer to
+    frame_ = std::make_unique<resident::Frame>(context_, world, frame_settings());
+    graph_ = std::make_unique<graph::FrameGraph>(context_);
+    world_ = &world;
+    views_ = build(*graph_, *frame_);
+    for (const auto& [name, image] : views_)
+        graph_->keep(image);
+    graph_->compile();
+}
+
+void DeviceRenderer::render_frame(VkCommandBuffer commands) {
+    std::fill_n(pair_counters_.mapped<uint32_t>(), size_t(options_.height) * 2, 0u);
+    gpu::check(vkResetCommandPool(context_.device(), pool_, 0), "command pool");
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    gpu::check(vkBeginCommandBuffer(commands, &begin), "frame");
+    graph_->record(commands);
+    gpu::check(vkEndCommandBuffer(commands), "frame");
+    context_.submit_and_wait(commands);
+}
+
+void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
+    if (!world_)
+        throw Error("renderer: set_world() comes before render()");
+    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = pool_;
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    gpu::check(vkAllocateCommandBuffers(context_.device(), &allocate, &commands), "command buffer");
+
+    // A software device compiles at a pipeline's first draw: one frame that does not count.
+    frame_->update(camera);
+    if (frames > 1)
+        render_frame(commands);
+
+    std::vector<double> wall, cpu, gpu_total;
+    std::vector<std::pair<std::string, std::vector<double>>> passes;
+    for (uint32_t f = 0; f < frames; ++f) {
+        const double wall_start = wall_ms(), cpu_start = process_ms();
+        frame_->update(camera);
+        render_frame(commands);
+        cpu.push_back(process_ms() - cpu_start);
+        wall.push_back(wall_ms() - wall_start);
+        double total = 0;
+        const auto times = graph_->pass_times();
+        passes.resize(times.size());
+        for (size_t p = 0; p < times.size(); ++p) {
+            passes[p].first = times[p].first;
+            passes[p].second.push_back(times[p].second);
+            total += times[p].second;
+        }
+        gpu_total.push_back(total);
+    }
+    vkFreeCommandBuffers(context_.device(), pool_, 1, &commands);
+
+    stats_ = {};
+    stats_.device = context_.name();
+    stats_.driver = context_.driver();
+    stats_.settings = settings_.all();
+    stats_.lights = world_->lights.size();
+    stats_.triangles = world_->triangles;
+    stats_.draws = frame_->geometry().draws.size();
+    stats_.frames = frames;
+    stats_.wall_ms = spread(wall);
+    stats_.cpu_ms = spread(cpu);
+    stats_.gpu_ms = spread(gpu_total);
+    for (auto& [name, times] : passes)
+        stats_.passes.push_back({name, spread(times)});
+    stats_.attachment_bytes = graph_->memory_bytes();
+    stats_.device_bytes = context_.device_bytes();
+    count_pairs();
+}
+
+void DeviceRenderer::count_pairs() {
+    stats_.pairs_counted = options_.count_pairs;
+    if (!options_.count_pairs)
+        return;
+    const uint32_t* rows = pair_counters_.mapped<uint32_t>();
+    for (size_t y = 0; y < options_.height; ++y) {
+        stats_.pairs_evaluated += rows[2 * y];
+        stats_.pairs_contributing += rows[2 * y + 1];
+    }
+}
+
+Image DeviceRenderer::read(std::string_view view) {
+    const auto found = views_.find(view);
+    if (found == views_.end())
+        throw UsageError(fmt::format("--view {}: was not asked for when the renderer was made", view));
+    const graph::ImageDesc& desc = graph_->desc(found->second);
+    return unpack(graph_->read_back(found->second), desc.format, desc.extent);
+}
+
+} // namespace prelight

@@ -1,0 +1,50 @@
+#pragma once
+#include "settings.hpp"
+#include <graph/frame_graph.hpp>
+#include <memory>
+#include <optional>
+#include <resident/frame.hpp>
+
+namespace prelight {
+
+/// What every architecture on a Vulkan device has in common: it takes a world in, builds its frame
+/// graph once, records it once a frame, and keeps the figures. An architecture adds its passes.
+class DeviceRenderer : public Renderer {
+public:
+    void set_world(const World& world) final;
+    void render(const PlacedCamera& camera, uint32_t frames) final;
+    Image read(std::string_view view) final;
+    Stats stats() const final { return stats_; }
+
+protected:
+    /// Throws UsageError and Error (a picture larger than the device can make).
+    DeviceRenderer(Device& device, const RenderOptions& options, Settings settings);
+    /// Images that read() gives, by view name; "final" and "linear" among them.
+    using Views = std::map<std::string, graph::ImageId, std::less<>>;
+    /// The architecture: its passes, in order.
+    virtual Views build(graph::FrameGraph& graph, const resident::Frame& frame) = 0;
+    virtual resident::FrameSettings frame_settings() const;
+
+    const gpu::Context& context() const { return context_; }
+    const RenderOptions& options() const { return options_; }
+    const Settings& settings() const { return settings_; }
+    bool wants(std::string_view view) const;
+    const gpu::Buffer& pair_counters() const { return pair_counters_; }
+
+private:
+    void render_frame(VkCommandBuffer commands);
+    void count_pairs();
+
+    const gpu::Context& context_;
+    RenderOptions options_;
+    Settings settings_;
+    gpu::Buffer pair_counters_;
+    gpu::UniqueCommandPool pool_;
+    const World* world_ = nullptr;
+    std::unique_ptr<resident::Frame> frame_;
+    std::unique_ptr<graph::FrameGraph> graph_;
+    Views views_;
+    Stats stats_;
+};
+
+} // namespace prelight

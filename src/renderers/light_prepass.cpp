@@ -1,0 +1,129 @@
+// Light pre-pass (Engel, ShaderX7 8.5; Lee's prelighting; Quandt's Round 2): depth and normals, then
+// all lights into the light buffer, then every object once more with its own material.
+#include "light_prepass.hpp"
+#include <passes/materials.hpp>
+#include <passes/tonemap.hpp>
+#include <passes/view.hpp>
+
+namespace prelight {
+namespace {
+
+passes::SurfaceFormat surface_format(const Settings& settings) {
+    const std::string& normals = settings.get("normals");
+    return {.normals = normals == "oct24"   ? passes::NormalEncoding::oct24
+                       : normals == "oct32" ? passes::NormalEncoding::oct32
+                                            : passes::NormalEncoding::rgb10a2,
+            .view_space = settings.is("normal-space", "view"),
+            .linear_depth = settings.is("depth", "r32f"),
+            .position_from_ray = settings.is("position", "ray")};
+}
+
+/// `model=auto` becomes what the light buffer can hold.
+passes::LightModel light_model(Settings& settings, Shading shading) {
+    const std::string& buffer = settings.get("light-buffer");
+    passes::LightModel model{.shading = shading,
+                             .buffer = buffer == "rgba16f"          ? passes::LightBufferFormat::rgba16f
+                                       : buffer == "packed-rgba16f" ? passes::LightBufferFormat::packed_rgba16f
+                                                                    : passes::LightBufferFormat::packed_rgba8,
+                             .step_gate = settings.is("specular-gate", "step"),
+                             .reflection_vector = settings.is("specular-vector", "reflection"),
+                             .ambient_as_light = settings.is("ambient", "light")};
+    if (settings.is("model", "auto"))
+        settings.resolve("model", model.packed() ? "mono" : "weighted");
+    const std::string& fresnel = settings.get("model");
+    if (fresnel == "full")
+        throw UsageError("--set model=full: a light buffer has no Fresnel of each light; renderer "
+                         "reference has");
+    if (model.packed() != (fresnel == "mono"))
+        throw UsageError("--set model=" + fresnel + ": " +
+                         (model.packed() ? "a packed light buffer holds model=mono only"
+                                         : "needs a packed light buffer (light-buffer=packed-rgba16f)"));
+    model.fresnel = fresnel == "weighted" ? passes::FresnelModel::weighted
+                    : fresnel == "nv"     ? passes::FresnelModel::nv
+                                          : passes::FresnelModel::mono;
+    return model;
+}
+
+class LightPrepass final : public DeviceRenderer {
+public:
+    LightPrepass(Device& device, const RenderOptions& options, Settings settings,
+                 const passes::LightModel& model)
+        : DeviceRenderer(device, options, std::move(settings)), model_(model) {}
+
+private:
+    resident::FrameSettings frame_settings() const override {
+        resident::FrameSettings frame = DeviceRenderer::frame_settings();
+        const bool bytes = model_.buffer == passes::LightBufferFormat::packed_rgba8;
+        frame.light_scale = bytes ? settings().number("light-scale") : 1;
+        frame.all_fullscreen = settings().is("light-culling", "fullscreen");
+        frame.texture_filter = settings().is("texture-filter", "bilinear")
+                                   ? gpu::TextureFilter::bilinear
+                                   : gpu::TextureFilter::anisotropic;
+        return frame;
+    }
+
+    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
+        const auto surface = passes::depth_normal_pass(graph, frame, surface_format(settings()));
+        const passes::LightVolumeInputs lighting{.surface = surface,
+                                                 .model = model_,
+                                                 .pair_counters = &pair_counters(),
+                                                 .count_pairs = options().count_pairs};
+        const auto light = passes::light_volume_pass(graph, frame, lighting);
+        const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_};
+        const auto linear = passes::material_pass(graph, frame, materials);
+        const auto final = passes::tonemap_pass(graph, frame, linear, options().tonemap);
+
+        Views views{{"linear", linear}, {"final", final}};
+        using passes::ViewKind;
+        const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
+            if (wants(name))
+                views[name] = passes::view_pass(graph, frame, name, kind, surface, buffer);
+        };
+        show("depth", ViewKind::depth, surface.depth_source);
+        show("normal", ViewKind::normal, surface.normal);
+        show("roughness", ViewKind::roughness, surface.normal);
+        show("diffuse-light", ViewKind::light, light.diffuse);
+        show("specular-light", model_.packed() ? ViewKind::light_alpha : ViewKind::light, light.specular);
+        if (wants("albedo"))
+            show("albedo", ViewKind::colour, passes::albedo_pass(graph, frame, materials));
+        if (wants("light-count"))
+            show("light-count", ViewKind::count, passes::light_count_pass(graph, frame, lighting));
+        return views;
+    }
+
+    passes::LightModel model_;
+};
+
+} // namespace
+
+RendererInfo light_prepass_info() {
+    return {.name = "light-prepass",
+            .description = "depth and normals, then all lights into a light buffer, then materials",
+            .settings =
+                {{"normals", {"oct24", "oct32", "rgb10a2"}, "oct24", "encoding of the normal buffer"},
+                 {"normal-space", {"world", "view"}, "world", "space of the stored normals"},
+                 {"depth", {"attachment", "r32f"}, "attachment", "what later passes read depth from"},
+                 {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
+                 {"light-buffer", {"rgba16f", "packed-rgba16f", "packed-rgba8"}, "rgba16f",
+                  "diffuse and specular pair, or specular packed into alpha"},
+                 {"light-scale", {"0.01 … 1000"}, "2", "packed-rgba8: the largest light that it stores"},
+                 {"model", {"auto", "weighted", "nv", "mono", "full"}, "auto",
+                  "Fresnel: mean over the lights, at N·V, or with monochrome specular (packed)"},
+                 {"light-culling", {"volumes", "fullscreen"}, "volumes", "how a light finds its pixels"},
+                 {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
+                 {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+                 {"ambient", {"material", "light"}, "material", "a material term, or a full-screen light"},
+                 {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
+                  "bilinear: level 0 only, for comparing with the reference"}},
+            .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
+                      "albedo", "light-count"},
+            .presets = {}};
+}
+
+std::unique_ptr<Renderer> make_light_prepass(Device& device, const RenderOptions& options) {
+    Settings settings(light_prepass_info(), options);
+    const passes::LightModel model = light_model(settings, options.shading);
+    return std::make_unique<LightPrepass>(device, options, std::move(settings), model);
+}
+
+} // namespace prelight

@@ -1,0 +1,90 @@
+#include "frame.hpp"
+#include "projection.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <shared/bindings.h>
+
+namespace prelight::resident {
+namespace {
+
+constexpr float half_max = 65504;
+
+gpu::Buffer make_upload(const gpu::Context& context, const char* name, uint64_t count, uint64_t stride,
+                        VkBufferUsageFlags usage) {
+    const uint64_t size = std::max<uint64_t>(count, 1) * stride;
+    const uint64_t limit = context.limits().maxStorageBufferRange;
+    if (size > limit)
+        throw Error(fmt::format("{}: {} {} need a buffer of {} bytes, and the device's limit is {}",
+                                context.name(), count, name, size, limit));
+    return gpu::Buffer(context, name, size, usage, gpu::BufferPlace::upload);
+}
+
+shared::ObjectData object_data(const Instance& instance, glm::dvec3 camera) {
+    glm::dmat4 m = instance.transform;
+    m[3] -= glm::dvec4(camera, 0);
+    const glm::dmat3 normal = glm::inverseTranspose(glm::dmat3(m));
+    // Only the direction counts: scaled so that float holds it.
+    const double scale = 1 / std::max({glm::length(normal[0]), glm::length(normal[1]), glm::length(normal[2])});
+    shared::ObjectData data{};
+    for (int r = 0; r < 3; ++r) {
+        data.world_row[r] = glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]);
+        data.normal_row[r] = glm::vec4(glm::dvec3(normal[0][r], normal[1][r], normal[2][r]) * scale, 0);
+    }
+    data.normal_row[0].w = instance.mirrored ? -1 : 1;
+    return data;
+}
+
+} // namespace
+
+Frame::Frame(const gpu::Context& context, const World& world, const FrameSettings& settings)
+    : context_(context), world_(world), settings_(settings),
+      geometry_(upload_geometry(context, world)),
+      materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)) {
+    make_buffers();
+}
+
+void Frame::make_buffers() {
+    constants_ = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
+                             VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);
+    constexpr auto storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const size_t lights = world_.lights.size();
+    lights_ = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
+    objects_ = make_upload(context_, "objects", world_.instances.size(), sizeof(shared::ObjectData), storage);
+    order_ = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
+    const std::vector<gpu::Binding> bindings{
+        gpu::Binding::uniform(FRAME_CONSTANTS, constants_.handle()),
+        gpu::Binding::storage(FRAME_LIGHTS, lights_.handle()),
+        gpu::Binding::storage(FRAME_OBJECTS, objects_.handle()),
+        gpu::Binding::storage(FRAME_LIGHT_ORDER, order_.handle())};
+    layout_ = gpu::make_set_layout(context_, "frame", bindings);
+    sets_ = gpu::DescriptorSets(context_, "frame", layout_, {{bindings}});
+}
+
+void Frame::update(const PlacedCamera& camera) {
+    shared::FrameConstants& constants = *constants_.mapped<shared::FrameConstants>();
+    shared::FrameConstants next{};
+    fill_camera(next, camera, settings_.width, settings_.height);
+    // Blended sums must stay below the largest half float; 32 lights at the limit on one pixel reach it.
+    const size_t overlap = std::clamp<size_t>(world_.lights.size(), 1, 32);
+    next.ambient = glm::vec4(world_.ambient * static_cast<float>(settings_.exposure),
+                             half_max / static_cast<float>(overlap));
+    next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, 0, 0);
+    constants = next;
+
+    shared::LightData* lights = lights_.mapped<shared::LightData>();
+    for (size_t i = 0; i < world_.lights.size(); ++i)
+        lights[i] = light_data(world_.lights[i], camera.position, settings_.exposure);
+    shared::ObjectData* objects = objects_.mapped<shared::ObjectData>();
+    for (size_t i = 0; i < world_.instances.size(); ++i)
+        objects[i] = object_data(world_.instances[i], camera.position);
+    groups_ = group_lights(world_.lights, camera, next, settings_.all_fullscreen);
+    std::copy(groups_.order.begin(), groups_.order.end(), order_.mapped<uint32_t>());
+}
+
+bool Frame::seed_falloff() const {
+    return std::any_of(world_.lights.begin(), world_.lights.end(),
+                       [](const PlacedLight& l) { return l.light.falloff != Falloff::gltf; });
+}
+
+} // namespace prelight::resident

@@ -1,0 +1,49 @@
+#pragma once
+#include "lights.hpp"
+#include "scene.hpp"
+#include <prelight/renderer.hpp>
+
+namespace prelight::resident {
+
+struct FrameSettings {
+    uint32_t width = 0, height = 0;
+    double exposure = 1;             ///< factor
+    double light_scale = 1;          ///< what stored light is divided by
+    bool all_fullscreen = false;     ///< light-culling=fullscreen
+    gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
+};
+
+/// A world on the device: what set 0 of every pass holds, geometry, materials, and this frame's
+/// lights. Alive as long as the frame graph that draws it.
+class Frame {
+public:
+    /// Throws Error when the world does not fit the device; no light is ever dropped.
+    Frame(const gpu::Context& context, const World& world, const FrameSettings& settings);
+    /// Writes constants, lights and objects for one picture; the device must be idle.
+    void update(const PlacedCamera& camera);
+
+    const gpu::Context& context() const { return context_; }
+    const World& world() const { return world_; }
+    const Geometry& geometry() const { return geometry_; }
+    const Materials& materials() const { return materials_; }
+    const LightGroups& lights() const { return groups_; }
+    VkExtent2D extent() const { return {settings_.width, settings_.height}; }
+    VkDescriptorSetLayout layout() const { return layout_; }
+    VkDescriptorSet set() const { return sets_[0]; }
+    /// Some light has a falloff of the source texts' own.
+    bool seed_falloff() const;
+
+private:
+    void make_buffers();
+    const gpu::Context& context_;
+    const World& world_;
+    FrameSettings settings_;
+    Geometry geometry_;
+    Materials materials_;
+    gpu::Buffer constants_, lights_, objects_, order_;
+    gpu::UniqueSetLayout layout_;
+    gpu::DescriptorSets sets_;
+    LightGroups groups_;
+};
+
+} // namespace prelight::resident

@@ -1,0 +1,96 @@
+#include "lights.hpp"
+#include <cmath>
+
+namespace prelight::resident {
+namespace {
+
+constexpr double widest_cone = 80.0 / 180.0 * 3.14159265358979323846;
+
+bool is_dark(const Light& light) {
+    return light.intensity <= 0 || (light.colour.x <= 0 && light.colour.y <= 0 && light.colour.z <= 0);
+}
+
+/// Signed test of a sphere against the planes of the view; world space relative to the camera.
+bool outside_view(const glm::dmat4& clip, glm::dvec3 centre, double radius) {
+    const auto row = [&](int r) { return glm::dvec4(clip[0][r], clip[1][r], clip[2][r], clip[3][r]); };
+    const glm::dvec4 w = row(3);
+    // Reversed depth: the near plane is clip.z = w, the far plane clip.z = 0.
+    for (const glm::dvec4 plane : {w + row(0), w - row(0), w + row(1), w - row(1), w - row(2), row(2)}) {
+        const double length = glm::length(glm::dvec3(plane));
+        if (length > 0 && glm::dot(glm::dvec3(plane), centre) + plane.w < -radius * length)
+            return true;
+    }
+    return false;
+}
+
+bool may_touch_near_plane(const PlacedCamera& placed, const shared::FrameConstants& constants,
+                          glm::dvec3 centre, double radius) {
+    const Camera& camera = placed.camera;
+    const glm::dvec3 forward(constants.forward);
+    const double along = glm::dot(centre, forward);
+    if (std::abs(along - camera.znear) > radius)
+        return along < camera.znear; // wholly behind counts as inside: its far side may still show
+    if (camera.kind == ProjectionKind::orthographic)
+        return true;
+    const double corner = glm::length(glm::dvec3(constants.ray_right) + glm::dvec3(constants.ray_up) + forward);
+    return glm::length(centre) <= radius + camera.znear * corner;
+}
+
+LightGroup group_of(const PlacedLight& light, const PlacedCamera& camera,
+                    const shared::FrameConstants& constants, glm::dvec3 centre, double radius) {
+    const bool cone = light.light.kind == LightKind::spot && light.light.outer_cone < widest_cone;
+    const bool inside = may_touch_near_plane(camera, constants, centre, radius);
+    if (cone)
+        return inside ? LightGroup::cone_inside : LightGroup::cone_outside;
+    return inside ? LightGroup::sphere_inside : LightGroup::sphere_outside;
+}
+
+} // namespace
+
+shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, double exposure) {
+    const Light& light = placed.light;
+    const bool directional = light.kind == LightKind::directional;
+    shared::LightData data{};
+    data.position = directional ? glm::vec4(-placed.direction, 0) : glm::vec4(placed.position - camera, 1);
+    const glm::dvec3 colour = glm::dvec3(light.colour) * (double(light.intensity) * exposure);
+    data.colour = glm::vec4(colour, directional || std::isinf(light.range) ? 0.0 : 1.0 / light.range);
+    data.axis = glm::vec4(placed.direction, light.shininess);
+    double scale = 0, offset = 1;
+    if (light.kind == LightKind::spot) {
+        const double outer = std::cos(double(light.outer_cone)), inner = std::cos(double(light.inner_cone));
+        scale = 1 / std::max(1e-3, inner - outer);
+        offset = -outer * scale;
+    }
+    const double falloff = directional ? 0 : static_cast<double>(light.falloff);
+    data.cone = glm::vec4(scale, offset, falloff, light.outer_cone);
+    return data;
+}
+
+LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
+                         const shared::FrameConstants& constants, bool all_fullscreen) {
+    std::array<std::vector<uint32_t>, light_group_count> members;
+    const glm::dmat4 clip(constants.clip_from_world);
+    for (uint32_t i = 0; i < lights.size(); ++i) {
+        const PlacedLight& light = lights[i];
+        if (is_dark(light.light))
+            continue;
+        LightGroup group = LightGroup::fullscreen;
+        if (light.light.kind != LightKind::directional && !std::isinf(light.light.range)) {
+            const glm::dvec3 centre = light.position - camera.position;
+            if (outside_view(clip, centre, light.light.range))
+                continue;
+            if (!all_fullscreen)
+                group = group_of(light, camera, constants, centre, light.light.range * volume_slack);
+        }
+        members[static_cast<size_t>(group)].push_back(i);
+    }
+    LightGroups groups;
+    for (size_t g = 0; g < light_group_count; ++g) {
+        groups.first[g] = static_cast<uint32_t>(groups.order.size());
+        groups.count[g] = static_cast<uint32_t>(members[g].size());
+        groups.order.insert(groups.order.end(), members[g].begin(), members[g].end());
+    }
+    return groups;
+}
+
+} // namespace prelight::resident

@@ -1,0 +1,33 @@
+#pragma once
+#include <array>
+#include <prelight/scene.hpp>
+#include <shared/frame.h>
+#include <span>
+#include <vector>
+
+namespace prelight::resident {
+
+/// How a light finds its pixels: full screen, or a volume seen from outside or inside [V1] [V3].
+enum class LightGroup { fullscreen, sphere_outside, sphere_inside, cone_outside, cone_inside };
+inline constexpr size_t light_group_count = 5;
+
+/// Indices of lights that can reach the picture, group by group; within a group in the world's order.
+struct LightGroups {
+    std::vector<uint32_t> order;
+    std::array<uint32_t, light_group_count> first{};
+    std::array<uint32_t, light_group_count> count{};
+};
+
+/// The device's record of a light; `exposure` multiplies its colour.
+shared::LightData light_data(const PlacedLight& light, glm::dvec3 camera, double exposure);
+
+/// Leaves out what is dark or outside the view, and sorts the rest. A light is drawn "inside" (back
+/// faces, reversed depth test) as soon as its volume may touch the near plane. `all_fullscreen`:
+/// every light by a full-screen triangle.
+LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
+                         const shared::FrameConstants& constants, bool all_fullscreen);
+
+/// Largest factor by which the volumes' meshes exceed a light's range.
+inline constexpr double volume_slack = 1.1;
+
+} // namespace prelight::resident

@@ -1,0 +1,60 @@
+#pragma once
+#include <gpu/buffer.hpp>
+#include <gpu/descriptors.hpp>
+#include <gpu/texture.hpp>
+#include <map>
+#include <prelight/scene.hpp>
+#include <vector>
+
+namespace prelight::resident {
+
+/// One indexed draw of one object.
+struct Draw {
+    uint32_t first_index = 0;
+    uint32_t index_count = 0;
+    int32_t vertex_offset = 0;
+    uint32_t object = 0;    ///< index into World::instances: gl_InstanceIndex
+    uint32_t material = 0;
+    uint32_t features = 0;  ///< FEATURE_… bits of its material
+    bool mirrored = false;
+    bool double_sided = false;
+};
+
+/// All vertices of a world in three device buffers, and the draws that show it, sorted so that
+/// pipeline and material change least.
+struct Geometry {
+    gpu::Buffer positions;  ///< vec3, object space
+    gpu::Buffer attributes; ///< VertexAttributes
+    gpu::Buffer indices;    ///< uint32
+    std::vector<Draw> draws;
+};
+
+/// The second vertex stream.
+struct VertexAttributes {
+    glm::vec3 normal;
+    glm::vec4 tangent;
+    glm::vec2 texcoord_0;
+    glm::vec2 texcoord_1;
+    uint16_t colour[4]; ///< unsigned normalised
+};
+
+/// Textures, samplers and one descriptor set a material.
+struct Materials {
+    explicit Materials(const gpu::Context& context) : pool(context) {}
+    gpu::MemoryPool pool;
+    std::map<std::pair<uint32_t, bool>, gpu::Texture> textures; ///< {image, sRGB}
+    std::vector<gpu::UniqueSampler> samplers;
+    gpu::Buffer constants;
+    gpu::UniqueSetLayout layout;
+    gpu::DescriptorSets sets; ///< by material index
+};
+
+/// FEATURE_… bits of a material.
+uint32_t features_of(const Material& material);
+
+Geometry upload_geometry(const gpu::Context& context, const World& world);
+/// `exposure`: factor on emissive light. Throws Error naming an image that the device cannot hold.
+Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter,
+                           double exposure);
+
+} // namespace prelight::resident
