@@ -30,6 +30,7 @@ struct ReferencePicture {
     std::vector<glm::dvec3> geometric_normal; ///< of the triangle, facing the camera
     std::vector<double> depth;           ///< along the camera's axis, metres; infinity: background
     std::vector<uint64_t> shadow_mask;   ///< hash of the outcomes of all shadow rays; 0 when off
+    std::vector<uint64_t> mask_outcome;  ///< hash of the alpha tests along the ray; 0: none
 
     /// One byte per pixel: 1 where a pixel lies beside (8 neighbours) one of another instance,
     /// primitive's alpha mask or shadow outcome, with a normal more than 30° away, or lying off its
