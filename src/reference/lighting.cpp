@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <reference/lighting.hpp>
+
+namespace prelight::reference {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double luminance(glm::dvec3 colour) { // ITU-R BT.709
+    return 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
+}
+
+double clamped_dot(glm::dvec3 a, glm::dvec3 b) {
+    return std::clamp(glm::dot(a, b), 0.0, 1.0);
+}
+
+double fifth_power(double x) {
+    return x * x * x * x * x;
+}
+
+/// F0 + (1 − F0)·s, Schlick 1994 with s = (1 − cos)⁵.
+glm::dvec3 schlick(glm::dvec3 f0, double s) {
+    return f0 + (1.0 - f0) * s;
+}
+
+glm::dvec3 half_vector(glm::dvec3 to_light, glm::dvec3 view) {
+    const glm::dvec3 sum = to_light + view;
+    const double length = glm::length(sum);
+    return length > 0 ? sum / length : glm::dvec3(0);
+}
+
+} // namespace
+
+Lighting::Lighting(const ReferenceForm& form, const Surface& surface)
+    : form_(form), surface_(surface), diffuse_colour_(surface.base_colour * (1 - surface.metallic)),
+      f0_(glm::mix(glm::dvec3(0.04), surface.base_colour, surface.metallic)),
+      alpha_(surface.roughness * surface.roughness),
+      exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)) {}
+
+double Lighting::cosine(const Incident& light) const {
+    return clamped_dot(surface_.normal, light.to_light);
+}
+
+void Lighting::add(const Incident& light) {
+    const double nl = cosine(light);
+    if (nl <= 0 || light.radiance == glm::dvec3(0))
+        return;
+    ++sums_.contributing;
+    if (form_.shading == Shading::ggx)
+        add_ggx(light, nl);
+    else
+        add_phong(light, nl);
+}
+
+// glTF 2.0, appendix B.3: Trowbridge-Reitz distribution, separable Smith visibility, Schlick.
+void Lighting::add_ggx(const Incident& light, double nl) {
+    const glm::dvec3 half = half_vector(light.to_light, surface_.view);
+    const double nv = std::clamp(glm::dot(surface_.normal, surface_.view), 1e-4, 1.0);
+    const double nh = clamped_dot(surface_.normal, half);
+    const double s = fifth_power(1 - clamped_dot(surface_.view, half));
+
+    const double a2 = alpha_ * alpha_;
+    const double spread = nh * nh * (a2 - 1) + 1;
+    const double distribution = a2 / (pi * spread * spread);
+    const double visibility = 1 / ((nl + std::sqrt(a2 + (1 - a2) * nl * nl)) *
+                                   (nv + std::sqrt(a2 + (1 - a2) * nv * nv)));
+
+    const glm::dvec3 diffuse = nl * light.radiance;
+    const glm::dvec3 specular = diffuse * (distribution * visibility);
+    sums_.diffuse += diffuse;
+    sums_.specular += specular;
+    sums_.diffuse_fresnel += luminance(diffuse) * s;
+    sums_.specular_fresnel += luminance(specular) * s;
+    const glm::dvec3 fresnel = schlick(f0_, s);
+    sums_.full += diffuse_colour_ / pi * (1.0 - fresnel) * diffuse + fresnel * specular;
+}
+
+// Engel's equation 8.5.1/8.5.2 with the choices of systems.md.
+void Lighting::add_phong(const Incident& light, double nl) {
+    double cosine = 0;
+    if (form_.reflection_vector) {
+        const glm::dvec3 reflected = 2 * nl * surface_.normal - light.to_light;
+        cosine = clamped_dot(reflected, surface_.view);
+    } else {
+        cosine = clamped_dot(surface_.normal, half_vector(light.to_light, surface_.view));
+    }
+    const double gate = form_.gate_by_step ? 1 : nl; // nl > 0 here
+    sums_.diffuse += nl * light.radiance;
+    sums_.specular += gate * std::pow(cosine, light.shininess * exponent_) * light.radiance;
+}
+
+glm::dvec3 Lighting::compose_ggx() const {
+    using Fresnel = ReferenceForm::Fresnel;
+    if (form_.fresnel == Fresnel::full)
+        return sums_.full;
+    glm::dvec3 specular = sums_.specular;
+    double s_diffuse = 0, s_specular = 0;
+    if (form_.fresnel == Fresnel::weighted) {
+        const double diffuse_luminance = luminance(sums_.diffuse);
+        const double specular_luminance = luminance(sums_.specular);
+        if (diffuse_luminance > 0)
+            s_diffuse = sums_.diffuse_fresnel / diffuse_luminance;
+        if (specular_luminance > 0)
+            s_specular = sums_.specular_fresnel / specular_luminance;
+    } else {
+        s_diffuse = s_specular = fifth_power(1 - clamped_dot(surface_.normal, surface_.view));
+        if (form_.fresnel == Fresnel::mono)
+            specular = glm::dvec3(luminance(specular));
+    }
+    return diffuse_colour_ / pi * (1.0 - schlick(f0_, s_diffuse)) * sums_.diffuse +
+           schlick(f0_, s_specular) * specular;
+}
+
+glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
+    if (surface_.unlit)
+        return surface_.base_colour;
+    const bool ggx = form_.shading == Shading::ggx;
+    glm::dvec3 result = surface_.emissive;
+    if (form_.ambient_as_light) {
+        // Uniform radiance gives irradiance π·L; it comes from everywhere, so it has no half vector
+        // and adds nothing to the Fresnel sums.
+        const glm::dvec3 irradiance = ggx ? pi * ambient : ambient;
+        sums_.diffuse += irradiance;
+        sums_.full += diffuse_colour_ / pi * (1.0 - f0_) * irradiance;
+    } else {
+        result += ambient * surface_.occlusion * (diffuse_colour_ + f0_);
+    }
+    if (ggx)
+        return result + compose_ggx();
+    const glm::dvec3 specular = form_.mono_specular ? glm::dvec3(luminance(sums_.specular))
+                                                    : sums_.specular;
+    return result + diffuse_colour_ * sums_.diffuse + f0_ * specular;
+}
+
+} // namespace prelight::reference

@@ -1,0 +1,44 @@
+#pragma once
+#include <prelight/reference.hpp>
+#include <reference/light_tree.hpp>
+#include <reference/surface.hpp>
+
+namespace prelight::reference {
+
+/// The sums of all lights at one point, equations in docs/lighting-model.md.
+struct LightSums {
+    glm::dvec3 diffuse{0};      ///< [ggx] E = Σ N·L·radiance; [phong] the same
+    glm::dvec3 specular{0};     ///< [ggx] S = Σ N·L·radiance·D·V; [phong] Σ gate·radiance·(N·H)^n
+    double diffuse_fresnel = 0; ///< Σ luminance(E_i)·(1 − V·H)⁵
+    double specular_fresnel = 0; ///< Σ luminance(S_i)·(1 − V·H)⁵
+    glm::dvec3 full{0};         ///< `full`: Σ of the whole model, Fresnel light by light
+    uint32_t contributing = 0;  ///< lights with attenuation and N·L above zero
+};
+
+/// Evaluates one form of the lighting model at one surface.
+class Lighting {
+public:
+    Lighting(const ReferenceForm& form, const Surface& surface);
+
+    /// N·L; a light with N·L ≤ 0 or without radiance gives nothing and need not be added.
+    double cosine(const Incident& light) const;
+    void add(const Incident& light);
+    /// Radiance towards the viewer, not exposed. `ambient`: the environment's radiance.
+    glm::dvec3 radiance(glm::dvec3 ambient);
+    const LightSums& sums() const { return sums_; }
+
+private:
+    void add_ggx(const Incident& light, double nl);
+    void add_phong(const Incident& light, double nl);
+    glm::dvec3 compose_ggx() const;
+
+    ReferenceForm form_;
+    const Surface& surface_;
+    glm::dvec3 diffuse_colour_; ///< base · (1 − metallic)
+    glm::dvec3 f0_;             ///< reflectance at normal incidence
+    double alpha_;              ///< roughness²
+    double exponent_;           ///< [phong] 2/α² − 2
+    LightSums sums_;
+};
+
+} // namespace prelight::reference

@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <cmath>
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <prelight/error.hpp>
+#include <reference/ray_scene.hpp>
+
+namespace prelight::reference {
+namespace {
+
+/// A masked surface that let the ray pass.
+struct Hole {
+    double distance;
+    uint32_t draw;
+};
+
+/// Embree hands this to the filter with every ray.
+struct Context {
+    RTCIntersectContext embree; // first, so that the pointers are the same
+    const RayScene* scene;
+    std::vector<Hole>* holes; ///< null for shadow rays
+};
+
+/// Finaliser of splitmix64 (Steele, Lea, Flood 2014): spreads a small number over 64 bits.
+uint64_t scattered(uint64_t x) {
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+/// Inverse transpose without dividing by the determinant, which a flat scale makes zero.
+glm::dmat3 normal_matrix(const glm::dmat3& m, bool mirrored) {
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
+                               glm::cross(m[0], m[1]));
+    return mirrored ? -cofactors : cofactors;
+}
+
+RTCRay to_embree(const Ray& ray) {
+    RTCRay out{};
+    out.org_x = static_cast<float>(ray.origin.x);
+    out.org_y = static_cast<float>(ray.origin.y);
+    out.org_z = static_cast<float>(ray.origin.z);
+    out.dir_x = static_cast<float>(ray.direction.x);
+    out.dir_y = static_cast<float>(ray.direction.y);
+    out.dir_z = static_cast<float>(ray.direction.z);
+    out.tnear = static_cast<float>(ray.near);
+    out.tfar = static_cast<float>(ray.far);
+    out.mask = 0xffffffffu;
+    return out;
+}
+
+} // namespace
+
+struct RayScene::Embree {
+    // One thread: the tree, and with it the choice between two equal hits, is the same every time.
+    RTCDevice device = rtcNewDevice("threads=1");
+    RTCScene scene = device ? rtcNewScene(device) : nullptr;
+
+    Embree() { check(); }
+    ~Embree() {
+        if (scene)
+            rtcReleaseScene(scene);
+        if (device)
+            rtcReleaseDevice(device);
+    }
+    Embree(const Embree&) = delete;
+    Embree& operator=(const Embree&) = delete;
+    void check() const {
+        const RTCError error = rtcGetDeviceError(device);
+        if (error == RTC_ERROR_OUT_OF_MEMORY)
+            throw Error("reference: Embree: out of memory");
+        if (!device || !scene || error != RTC_ERROR_NONE)
+            throw Error(fmt::format("reference: Embree: error {}", static_cast<int>(error)));
+    }
+};
+
+RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textures)
+    : textures_(textures), embree_(std::make_unique<Embree>()) {
+    const Scene& scene = *world.scene;
+    rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
+    for (uint32_t i = 0; i < world.instances.size(); ++i) {
+        const Instance& instance = world.instances[i];
+        glm::dmat4 to_world = instance.transform;
+        to_world[3] -= glm::dvec4(origin, 0);
+        const glm::dmat3 linear(to_world);
+        const bool mirrored = glm::determinant(linear) < 0;
+        const Mesh& mesh = scene.meshes.at(instance.mesh);
+        for (uint32_t p = 0; p < mesh.primitives.size(); ++p) {
+            const Primitive& primitive = mesh.primitives[p];
+            draws_.push_back({i, p, &primitive, &scene.materials.at(primitive.material), to_world,
+                              normal_matrix(linear, mirrored), mirrored});
+        }
+    }
+    for (const Draw& draw : draws_)
+        add(draw, world);
+    rtcCommitScene(embree_->scene);
+    embree_->check();
+}
+
+RayScene::~RayScene() = default;
+
+void RayScene::add(const Draw& draw, const World& world) {
+    const Primitive& primitive = *draw.primitive;
+    const size_t vertices = primitive.positions.size(), triangles = primitive.indices.size() / 3;
+    for (const uint32_t index : primitive.indices)
+        if (index >= vertices)
+            throw Error(fmt::format("{}: mesh {}: primitive {}: index {} is beyond its {} vertices",
+                                    world.scene->name, world.instances[draw.instance].mesh,
+                                    draw.primitive_index, index, vertices));
+    for (const TextureRef* ref :
+         {&draw.material->base_colour_texture, &draw.material->metallic_roughness_texture,
+          &draw.material->normal_texture, &draw.material->occlusion_texture,
+          &draw.material->emissive_texture})
+        if (*ref && (ref->image >= world.scene->images.size() ||
+                     world.scene->images[ref->image].rgba.empty()))
+            throw Error(fmt::format("{}: material {}: image {} is not there", world.scene->name,
+                                    draw.material->name, ref->image));
+    if (triangles == 0)
+        return;
+
+    const RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* out = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof(float), vertices));
+    auto* indices = static_cast<uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(uint32_t), triangles));
+    if (out && indices) {
+        for (const glm::vec3& position : primitive.positions) {
+            const glm::dvec3 world_position(draw.to_world * glm::dvec4(position, 1));
+            for (int axis = 0; axis < 3; ++axis)
+                *out++ = static_cast<float>(world_position[axis]);
+        }
+        std::copy_n(primitive.indices.begin(), triangles * 3, indices);
+        rtcSetGeometryIntersectFilterFunction(geometry, filter);
+        if (draw.material->alpha_mode == AlphaMode::mask)
+            rtcSetGeometryOccludedFilterFunction(geometry, filter);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(embree_->scene, geometry,
+                              static_cast<unsigned>(&draw - draws_.data()));
+    }
+    rtcReleaseGeometry(geometry);
+    embree_->check();
+}
+
+void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
+    const auto& context = *reinterpret_cast<const Context*>(arguments->context);
+    const auto& ray = *reinterpret_cast<const RTCRay*>(arguments->ray);
+    const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
+    const Draw& draw = context.scene->draws_[hit.geomID];
+    const bool shadow = context.holes == nullptr;
+
+    if (!shadow && !draw.material->double_sided) {
+        const float against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
+        if (draw.mirrored ? against <= 0 : against >= 0) {
+            arguments->valid[0] = 0;
+            return;
+        }
+    }
+    if (draw.material->alpha_mode != AlphaMode::mask)
+        return;
+    const double u = hit.u, v = hit.v;
+    if (context.scene->base_colour(draw, hit.primID, {1 - u - v, u, v}).a >=
+        static_cast<double>(draw.material->alpha_cutoff))
+        return;
+    arguments->valid[0] = 0;
+    if (!shadow)
+        context.holes->push_back({ray.tfar, hit.geomID});
+}
+
+bool RayScene::closest(const Ray& ray, Hit& hit) const {
+    std::vector<Hole> holes;
+    Context context{{}, this, &holes};
+    rtcInitIntersectContext(&context.embree);
+    RTCRayHit query{to_embree(ray), {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(embree_->scene, &context.embree, &query);
+
+    const bool found = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    hit = {};
+    // Embree asks about triangles in any order: a hole behind the hit tells nothing.
+    for (const Hole& hole : holes)
+        if (!found || hole.distance < static_cast<double>(query.ray.tfar))
+            hit.mask_outcome += scattered(hole.draw * uint64_t(2));
+    if (!found)
+        return false;
+    hit.draw = query.hit.geomID;
+    hit.triangle = query.hit.primID;
+    if (draws_[hit.draw].material->alpha_mode == AlphaMode::mask)
+        hit.mask_outcome += scattered(hit.draw * uint64_t(2) + 1);
+    refine(ray, hit, {query.hit.u, query.hit.v}, query.ray.tfar);
+    return true;
+}
+
+void RayScene::refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights,
+                      double embree_distance) const {
+    const Draw& draw = draws_[hit.draw];
+    const uint32_t* index = &draw.primitive->indices[size_t(hit.triangle) * 3];
+    glm::dvec3 corner[3];
+    double extent = 0;
+    for (int i = 0; i < 3; ++i) {
+        corner[i] =
+            glm::dvec3(draw.to_world * glm::dvec4(draw.primitive->positions[index[i]], 1));
+        const glm::dvec3 size = glm::abs(corner[i]);
+        extent = std::max({extent, size.x, size.y, size.z});
+    }
+    const glm::dvec3 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];
+    const glm::dvec3 across = glm::cross(edge1, edge2);
+    const double facing = glm::dot(across, ray.direction), area = glm::dot(across, across);
+
+    double u = embree_weights.x, v = embree_weights.y;
+    hit.distance = embree_distance;
+    // The ray against the triangle's plane, in double. A ray along the plane or a needle of a
+    // triangle throws the point out of it: Embree's own answer is the better one then.
+    const double t = glm::dot(across, corner[0] - ray.origin) / facing;
+    const glm::dvec3 inside = ray.origin + t * ray.direction - corner[0];
+    const double exact_u = glm::dot(glm::cross(inside, edge2), across) / area;
+    const double exact_v = glm::dot(glm::cross(edge1, inside), across) / area;
+    constexpr double slack = 1e-3;
+    if (exact_u > -slack && exact_v > -slack && exact_u + exact_v < 1 + slack) {
+        u = exact_u;
+        v = exact_v;
+        hit.distance = t;
+    }
+    hit.weights = {1 - u - v, u, v};
+    hit.position = corner[0] + u * edge1 + v * edge2;
+    hit.geometric_normal = glm::normalize(facing > 0 ? -across : across);
+    hit.back = draw.material->double_sided && (facing > 0) != draw.mirrored;
+    // Thirty times the rounding of the farthest corner to float.
+    hit.offset = extent * 2e-6;
+}
+
+bool RayScene::blocked(const Ray& ray) const {
+    Context context{{}, this, nullptr};
+    rtcInitIntersectContext(&context.embree);
+    RTCRay query = to_embree(ray);
+    rtcOccluded1(embree_->scene, &context.embree, &query);
+    return query.tfar < 0; // Embree's sign for "something there"
+}
+
+glm::dvec4 RayScene::base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights) const {
+    const Material& material = *draw.material;
+    glm::dvec4 colour = material.base_colour;
+    if (const TextureRef& ref = material.base_colour_texture) {
+        const auto& uvs = draw.primitive->texcoords[ref.texcoord & 1];
+        const glm::dvec2 uv =
+            uvs.empty() ? glm::dvec2(0) : interpolate(uvs, draw, triangle, weights);
+        colour *= textures_.sample(ref, uv, Encoding::srgb);
+    }
+    if (!draw.primitive->colours.empty())
+        colour *= interpolate(draw.primitive->colours, draw, triangle, weights);
+    return colour;
+}
+
+} // namespace prelight::reference

@@ -1,0 +1,82 @@
+#pragma once
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <prelight/scene.hpp>
+#include <reference/texture.hpp>
+#include <vector>
+
+struct RTCFilterFunctionNArguments;
+
+namespace prelight::reference {
+
+/// A ray relative to the scene's origin. `direction` need not have unit length; distances along the
+/// ray are multiples of it.
+struct Ray {
+    glm::dvec3 origin{0}, direction{0, 0, -1};
+    double near = 0, far = std::numeric_limits<double>::infinity();
+};
+
+/// One primitive of one instance.
+struct Draw {
+    uint32_t instance, primitive_index;
+    const Primitive* primitive;
+    const Material* material;
+    glm::dmat4 to_world;    ///< object → world, relative to the scene's origin
+    glm::dmat3 normal_to_world; ///< inverse transpose, up to a positive factor
+    bool mirrored;
+};
+
+struct Hit {
+    uint32_t draw = 0, triangle = 0;
+    double distance = 0;          ///< along the ray
+    glm::dvec3 weights{1, 0, 0};  ///< barycentric, of the triangle's three corners
+    glm::dvec3 position{0};       ///< relative to the scene's origin
+    glm::dvec3 geometric_normal{0}; ///< unit, facing the ray's origin
+    bool back = false;            ///< the back face of a double-sided material
+    double offset = 0;            ///< metres: how far a shadow ray starts off the surface
+    uint64_t mask_outcome = 0;    ///< hash of the alpha tests that the ray met up to the hit
+};
+
+/// The world's triangles in Embree. Vertices are made relative to `origin` (the camera) in double
+/// precision before they are rounded to float, and a hit's place in its triangle is computed again
+/// in double precision: 10 km from the world's origin nothing is lost.
+/// Back faces of single-sided materials are not there, nor is a masked surface below its cutoff.
+class RayScene {
+public:
+    /// Throws Error when an index is out of range or Embree fails.
+    RayScene(const World& world, glm::dvec3 origin, const Textures& textures);
+    ~RayScene();
+    RayScene(const RayScene&) = delete;
+    RayScene& operator=(const RayScene&) = delete;
+
+    /// The nearest hit within [near, far]. Returns false when there is none.
+    bool closest(const Ray& ray, Hit& hit) const;
+    /// Whether anything lies on the ray; here both faces of every triangle count.
+    bool blocked(const Ray& ray) const;
+    const Draw& draw(uint32_t index) const { return draws_[index]; }
+    size_t draw_count() const { return draws_.size(); }
+    /// Base colour RGBA of a point: factor × texture × vertex colour.
+    glm::dvec4 base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights) const;
+
+private:
+    struct Embree;
+    void add(const Draw& draw, const World& world);
+    void refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights, double embree_distance) const;
+    static void filter(const RTCFilterFunctionNArguments* arguments);
+
+    const Textures& textures_;
+    std::vector<Draw> draws_;
+    std::unique_ptr<Embree> embree_;
+};
+
+/// Value of an attribute at a point of a triangle.
+template <typename Vector>
+auto interpolate(const std::vector<Vector>& values, const Draw& draw, uint32_t triangle,
+                 glm::dvec3 weights) {
+    using Result = glm::vec<Vector::length(), double>;
+    const uint32_t* index = &draw.primitive->indices[size_t(triangle) * 3];
+    return weights.x * Result(values[index[0]]) + weights.y * Result(values[index[1]]) +
+           weights.z * Result(values[index[2]]);
+}
+
+} // namespace prelight::reference

@@ -1,1 +1,0 @@
-#include <prelight/reference.hpp>

@@ -1,0 +1,23 @@
+#pragma once
+#include <reference/ray_scene.hpp>
+
+namespace prelight::reference {
+
+/// What the lighting model knows of a point. Directions are unit vectors in world space.
+struct Surface {
+    glm::dvec3 position{0};         ///< relative to the camera
+    glm::dvec3 normal{0, 0, 1};     ///< shading normal, after the normal map
+    glm::dvec3 view{0, 0, 1};       ///< towards the viewer
+    glm::dvec3 base_colour{0};      ///< linear
+    glm::dvec3 emissive{0};         ///< linear radiance
+    double metallic = 0;
+    double roughness = 1;           ///< perceptual, ≥ 0.089
+    double occlusion = 1;           ///< on ambient light; strength is worked in
+    bool unlit = false;
+};
+
+/// Reads the material at a hit. `view` points towards the viewer.
+Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
+                         glm::dvec3 view);
+
+} // namespace prelight::reference

@@ -1,0 +1,183 @@
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <mutex>
+#include <prelight/error.hpp>
+#include <reference/light_tree.hpp>
+#include <reference/lighting.hpp>
+#include <reference/ray_scene.hpp>
+#include <reference/surface.hpp>
+#include <reference/trace.hpp>
+#include <thread>
+
+namespace prelight::reference {
+namespace {
+
+constexpr uint32_t no_instance = 0xffffffffu;
+
+/// Rays through pixel centres, relative to the camera's position. A ray's direction has length 1
+/// along the camera's axis, so that distances along a ray are depths.
+class Lens {
+public:
+    Lens(const PlacedCamera& placed, uint32_t width, uint32_t height)
+        : placed_(placed), width_(width), height_(height) {
+        const Camera& camera = placed.camera;
+        half_height_ = camera.kind == ProjectionKind::perspective ? std::tan(camera.yfov / 2)
+                                                                  : camera.ymag;
+        half_width_ = half_height_ * width / height;
+    }
+
+    Ray ray(uint32_t x, uint32_t y) const {
+        const Camera& camera = placed_.camera;
+        const double across = (2 * (x + 0.5) / width_ - 1) * half_width_;
+        const double up = (1 - 2 * (y + 0.5) / height_) * half_height_;
+        const glm::dvec3 offset = placed_.axes[0] * across + placed_.axes[1] * up;
+        if (camera.kind == ProjectionKind::perspective)
+            return {glm::dvec3(0), offset - placed_.axes[2], camera.znear, camera.zfar};
+        return {offset, -placed_.axes[2], camera.znear, camera.zfar};
+    }
+
+private:
+    const PlacedCamera& placed_;
+    double width_, height_, half_width_ = 1, half_height_ = 1;
+};
+
+class Tracer {
+public:
+    Tracer(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
+           double exposure, const ReferenceForm& form, ReferenceBuffers* buffers)
+        : form_(form), textures_(*world.scene, form.bilinear_level0),
+          scene_(world, camera.position, textures_), lights_(world, camera.position),
+          lens_(camera, width, height), origin_(camera.position), ambient_(world.ambient),
+          factor_(std::exp2(exposure)), buffers_(buffers) {
+        const size_t pixels = size_t(width) * height;
+        picture.linear = Image(width, height);
+        picture.instance.assign(pixels, no_instance);
+        picture.primitive.assign(pixels, no_instance);
+        picture.position.assign(pixels, glm::dvec3(0));
+        picture.normal.assign(pixels, glm::dvec3(0));
+        picture.geometric_normal.assign(pixels, glm::dvec3(0));
+        picture.depth.assign(pixels, std::numeric_limits<double>::infinity());
+        picture.shadow_mask.assign(pixels, 0);
+        picture.mask_outcome.assign(pixels, 0);
+        if (buffers)
+            *buffers = {Image(width, height), Image(width, height), Image(width, height),
+                        std::vector<uint32_t>(pixels, 0)};
+    }
+
+    void trace_row(uint32_t y) {
+        std::vector<uint32_t> reached;
+        for (uint32_t x = 0; x < picture.linear.width; ++x)
+            trace_pixel(x, y, reached);
+    }
+
+    ReferencePicture picture;
+
+private:
+    void trace_pixel(uint32_t x, uint32_t y, std::vector<uint32_t>& reached) {
+        const size_t pixel = size_t(y) * picture.linear.width + x;
+        const Ray ray = lens_.ray(x, y);
+        Hit hit;
+        const bool found = scene_.closest(ray, hit);
+        picture.mask_outcome[pixel] = hit.mask_outcome;
+        if (!found)
+            return;
+        const Draw& draw = scene_.draw(hit.draw);
+        const Surface surface =
+            evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
+        picture.instance[pixel] = draw.instance;
+        picture.primitive[pixel] = draw.primitive_index;
+        picture.position[pixel] = origin_ + hit.position;
+        picture.normal[pixel] = surface.normal;
+        picture.geometric_normal[pixel] = hit.geometric_normal;
+        picture.depth[pixel] = hit.distance;
+
+        Lighting lighting(form_, surface);
+        if (!surface.unlit) {
+            lights_.reach(surface.position, reached);
+            for (const uint32_t index : reached) {
+                const Incident light = lights_.incident(index, surface.position);
+                if (lighting.cosine(light) <= 0 || light.radiance == glm::dvec3(0))
+                    continue;
+                if (form_.shadows && shadowed(hit, light))
+                    picture.shadow_mask[pixel] += (index + uint64_t(1)) * 0x9e3779b97f4a7c15u;
+                else
+                    lighting.add(light);
+            }
+        }
+        if (buffers_) {
+            buffers_->albedo.pixels[pixel] = glm::vec3(surface.base_colour);
+            buffers_->diffuse_light.pixels[pixel] = glm::vec3(lighting.sums().diffuse);
+            buffers_->specular_light.pixels[pixel] = glm::vec3(lighting.sums().specular);
+            buffers_->light_count[pixel] = lighting.sums().contributing;
+        }
+        picture.linear.pixels[pixel] = glm::vec3(lighting.radiance(ambient_) * factor_);
+    }
+
+    bool shadowed(const Hit& hit, const Incident& light) const {
+        const glm::dvec3 start = hit.position + hit.geometric_normal * hit.offset;
+        return scene_.blocked({start, light.to_light, 0, light.distance - hit.offset});
+    }
+
+    ReferenceForm form_;
+    Textures textures_;
+    RayScene scene_;
+    LightTree lights_;
+    Lens lens_;
+    glm::dvec3 origin_, ambient_;
+    double factor_;
+    ReferenceBuffers* buffers_;
+};
+
+/// Calls `work(row)` for every row, on all processors. Rows do not depend on each other, so that
+/// the picture does not depend on the number of threads. Passes on the first exception.
+template <typename Work>
+void for_rows(uint32_t rows, Work work) {
+    std::atomic<uint32_t> next{0};
+    std::exception_ptr failure;
+    std::mutex failure_lock;
+    const auto run = [&] {
+        try {
+            for (uint32_t row = next++; row < rows; row = next++)
+                work(row);
+        } catch (...) {
+            const std::lock_guard guard(failure_lock);
+            failure = std::current_exception();
+            next = rows;
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+            threads.emplace_back(run);
+        run();
+    }
+    if (failure)
+        std::rethrow_exception(failure);
+}
+
+} // namespace
+
+ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t width,
+                       uint32_t height, double exposure, const ReferenceForm& form,
+                       ReferenceBuffers* buffers) {
+    if (width == 0 || height == 0 || width > 65536 || height > 65536)
+        throw Error(fmt::format("reference: a picture of {}x{} pixels is not rendered", width,
+                                height));
+    Tracer tracer(world, camera, width, height, exposure, form, buffers);
+    for_rows(height, [&](uint32_t row) { tracer.trace_row(row); });
+    return std::move(tracer.picture);
+}
+
+} // namespace prelight::reference
+
+namespace prelight {
+
+ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width,
+                                  uint32_t height, double exposure, const ReferenceForm& form) {
+    return reference::trace(world, camera, width, height, exposure, form);
+}
+
+} // namespace prelight
