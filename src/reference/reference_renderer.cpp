@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <prelight/error.hpp>
+#include <reference/reference_renderer.hpp>
+#include <reference/reference_views.hpp>
+#include <reference/trace.hpp>
+#include <sys/resource.h>
+
+namespace prelight {
+namespace {
+
+using Settings = std::map<std::string, std::string>;
+
+double process_cpu_ms() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto ms = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_usec) * 1e-3;
+    };
+    return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+Spread spread_of(std::vector<double> samples) {
+    std::sort(samples.begin(), samples.end());
+    const size_t half = samples.size() / 2;
+    return {samples.front(),
+            samples.size() % 2 ? samples[half] : (samples[half - 1] + samples[half]) / 2,
+            samples.back()};
+}
+
+/// Every setting with the value in force.
+Settings checked_settings(const RendererInfo& info, const RenderOptions& options) {
+    Settings settings;
+    for (const SettingInfo& setting : info.settings)
+        settings[setting.key] = setting.default_value;
+    for (const auto& [key, value] : options.settings) {
+        const auto setting = std::find_if(info.settings.begin(), info.settings.end(),
+                                          [&](const SettingInfo& s) { return s.key == key; });
+        if (setting == info.settings.end()) {
+            std::vector<std::string> keys;
+            for (const SettingInfo& known : info.settings)
+                keys.push_back(known.key);
+            throw UsageError(fmt::format("reference: unknown setting {} (there are: {})", key,
+                                         fmt::join(keys, ", ")));
+        }
+        if (std::find(setting->values.begin(), setting->values.end(), value) ==
+            setting->values.end())
+            throw UsageError(fmt::format("reference: {}={}: not one of {}", key, value,
+                                         fmt::join(setting->values, ", ")));
+        settings[key] = value;
+    }
+    return settings;
+}
+
+ReferenceForm form_of(const Settings& settings, Shading shading) {
+    using Fresnel = ReferenceForm::Fresnel;
+    static const std::map<std::string, Fresnel> forms{{"weighted", Fresnel::weighted},
+                                                      {"nv", Fresnel::nv},
+                                                      {"mono", Fresnel::mono},
+                                                      {"full", Fresnel::full}};
+    return {.shading = shading,
+            .fresnel = forms.at(settings.at("model")),
+            .mono_specular = settings.at("specular-light") == "mono",
+            .gate_by_step = settings.at("specular-gate") == "step",
+            .reflection_vector = settings.at("specular-vector") == "reflection",
+            .ambient_as_light = settings.at("ambient") == "light",
+            .shadows = settings.at("shadows") == "on",
+            .bilinear_level0 = settings.at("texture-filter") == "bilinear"};
+}
+
+class ReferenceRenderer final : public Renderer {
+public:
+    explicit ReferenceRenderer(const RenderOptions& options) : options_(options) {
+        const RendererInfo info = reference_info();
+        stats_.settings = checked_settings(info, options);
+        form_ = form_of(stats_.settings, options.shading);
+        if (!options.preset.empty())
+            throw UsageError(fmt::format("reference: unknown preset {} (it has none)",
+                                         options.preset));
+        if (options.msaa != 1)
+            throw UsageError(fmt::format(
+                "reference: {} samples a pixel: it casts one ray through each pixel's centre",
+                options.msaa));
+        if (options.width == 0 || options.height == 0)
+            throw UsageError(fmt::format("reference: a picture of {}x{} pixels", options.width,
+                                         options.height));
+        for (const std::string& view : options.views)
+            if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
+                throw UsageError(fmt::format("reference: unknown view {} (there are: {})", view,
+                                             fmt::join(info.views, ", ")));
+        stats_.device = "CPU";
+        stats_.driver = "Embree 3";
+    }
+
+    void set_world(const World& world) override {
+        world_ = &world;
+        stats_.lights = world.lights.size();
+        stats_.triangles = world.triangles;
+        stats_.draws = 0;
+        for (const Instance& instance : world.instances)
+            stats_.draws += world.scene->meshes.at(instance.mesh).primitives.size();
+    }
+
+    void render(const PlacedCamera& camera, uint32_t frames) override {
+        if (!world_)
+            throw Error("reference: no world was given");
+        std::vector<double> wall, cpu;
+        for (uint32_t frame = 0; frame < std::max(frames, 1u); ++frame) {
+            const auto start = std::chrono::steady_clock::now();
+            const double cpu_start = process_cpu_ms();
+            picture_ = reference::trace(*world_, camera, options_.width, options_.height,
+                                        options_.exposure, form_, &buffers_);
+            const std::chrono::duration<double, std::milli> time =
+                std::chrono::steady_clock::now() - start;
+            wall.push_back(time.count());
+            cpu.push_back(process_cpu_ms() - cpu_start);
+        }
+        stats_.frames = static_cast<uint32_t>(wall.size());
+        stats_.wall_ms = spread_of(wall);
+        stats_.cpu_ms = spread_of(cpu);
+    }
+
+    Image read(std::string_view view) override {
+        if (stats_.frames == 0)
+            throw Error("reference: nothing has been rendered");
+        if (view == "linear")
+            return picture_.linear;
+        if (view == "final")
+            return tonemap(picture_.linear, options_.tonemap);
+        if (std::find(options_.views.begin(), options_.views.end(), view) == options_.views.end())
+            throw UsageError(fmt::format("reference: view {} was not asked for", view));
+        return reference::draw_view(view, picture_, buffers_, std::exp2(options_.exposure),
+                                    options_.tonemap);
+    }
+
+    Stats stats() const override { return stats_; }
+
+private:
+    RenderOptions options_;
+    ReferenceForm form_;
+    const World* world_ = nullptr;
+    ReferencePicture picture_;
+    reference::ReferenceBuffers buffers_;
+    Stats stats_;
+};
+
+} // namespace
+
+RendererInfo reference_info() {
+    return {
+        .name = "reference",
+        .description = "rays cast with Embree, lighting in double precision: what the others are "
+                       "checked against",
+        .settings =
+            {
+                {"model", {"weighted", "nv", "mono", "full"}, "full",
+                 "[ggx] Fresnel: weighted mean, at N·V, at N·V with monochrome specular, per light"},
+                {"specular-gate", {"factor", "step"}, "factor",
+                 "[phong] specular light times N·L, or only where N·L > 0"},
+                {"specular-vector", {"half", "reflection"}, "half",
+                 "[phong] (N·H)^n or (R·V)^n"},
+                {"specular-light", {"colour", "mono"}, "colour",
+                 "[phong] specular light in colour or as its luminance"},
+                {"ambient", {"material", "light"}, "material",
+                 "ambient as a term of the material, or as a light in the diffuse sum"},
+                {"shadows", {"off", "on"}, "off", "a shadow ray for every light"},
+                {"texture-filter", {"bilinear", "sampler"}, "bilinear",
+                 "level 0: always bilinear, or the sampler's magnification filter"},
+            },
+        .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light",
+                  "specular-light", "light-count"},
+        .presets = {},
+        .needs_device = false,
+    };
+}
+
+std::unique_ptr<Renderer> make_reference_renderer(const RenderOptions& options) {
+    return std::make_unique<ReferenceRenderer>(options);
+}
+
+} // namespace prelight
