@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+#include <prelight/scene_io.hpp>
+#include <scene/procedural/lights.hpp>
+#include <scene/procedural/spheres.hpp>
+
+namespace prelight {
+namespace {
+
+constexpr uint32_t max_lights = 65536;
+
+struct Entry {
+    BuiltinScene scene;
+    Scene (*make)(uint32_t lights, uint64_t seed);
+};
+
+/// A new built-in scene is one line here.
+constexpr auto entries = std::to_array<Entry>({
+    {{"spheres", "shininess x metalness grid of spheres", 8}, make_spheres_scene},
+    {{"lights", "yardstick for speed: 144 spheres, 121 columns, small point lights", 1024},
+     make_lights_scene},
+});
+
+} // namespace
+
+std::vector<BuiltinScene> builtin_scenes() {
+    std::vector<BuiltinScene> list;
+    for (const Entry& entry : entries)
+        list.push_back(entry.scene);
+    return list;
+}
+
+Scene make_scene(std::string_view name, uint32_t lights, uint64_t seed) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(),
+                     [&](const Entry& entry) { return entry.scene.name == name; });
+    if (found == entries.end()) {
+        std::string known;
+        for (const Entry& entry : entries)
+            known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.scene.name);
+        throw UsageError(fmt::format("scene {}: unknown; built-in scenes are {}", name, known));
+    }
+    if (lights < 1 || lights > max_lights)
+        throw UsageError(
+            fmt::format("scene {}: lights: {} is outside 1 … {}", name, lights, max_lights));
+    return found->make(lights, seed);
+}
+
+} // namespace prelight

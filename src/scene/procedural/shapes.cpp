@@ -1,0 +1,89 @@
+#include <array>
+#include <cmath>
+#include <glm/vec3.hpp>
+#include <numbers>
+#include <scene/procedural/shapes.hpp>
+
+namespace prelight {
+namespace {
+
+/// Two triangles for each cell of a (columns + 1) × (rows + 1) grid of vertices stored row by row;
+/// counter-clockwise where the columns run to the right and the rows run down.
+void add_grid_indices(Primitive& primitive, uint32_t columns, uint32_t rows) {
+    for (uint32_t row = 0; row < rows; ++row)
+        for (uint32_t column = 0; column < columns; ++column) {
+            const uint32_t a = row * (columns + 1) + column;
+            const uint32_t b = a + columns + 1;
+            primitive.indices.insert(primitive.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
+        }
+}
+
+/// k / n of a turn, exact at the quarters, so that poles and seams meet.
+glm::dvec2 cos_sin(uint32_t k, uint32_t n) {
+    constexpr std::array<glm::dvec2, 4> quarters{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+    if (4 * k % n == 0)
+        return quarters[4 * k / n % 4];
+    const double angle = 2 * std::numbers::pi * k / n;
+    return {std::cos(angle), std::sin(angle)};
+}
+
+} // namespace
+
+Primitive make_sphere(float radius, uint32_t slices, uint32_t stacks) {
+    Primitive sphere;
+    for (uint32_t row = 0; row <= stacks; ++row)
+        for (uint32_t column = 0; column <= slices; ++column) {
+            const glm::dvec2 polar = cos_sin(row, 2 * stacks);
+            const glm::dvec2 around = cos_sin(column, slices);
+            const glm::vec3 normal(polar.y * around.x, polar.x, -polar.y * around.y);
+            sphere.positions.push_back(radius * normal);
+            sphere.normals.push_back(normal);
+            sphere.texcoords[0].emplace_back(static_cast<double>(column) / slices,
+                                             static_cast<double>(row) / stacks);
+        }
+    add_grid_indices(sphere, slices, stacks);
+    return sphere;
+}
+
+Primitive make_box(glm::vec3 low, glm::vec3 high) {
+    // Each face: the normal's axis, then two axes right and up with right × up = normal.
+    struct Face {
+        glm::vec3 normal, right, up;
+    };
+    constexpr std::array<Face, 6> faces{{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+                                         {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                                         {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
+                                         {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                                         {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}}};
+    Primitive box;
+    for (const Face& face : faces) {
+        const auto first = static_cast<uint32_t>(box.positions.size());
+        for (const glm::vec2& corner : {glm::vec2{-1, 1}, {-1, -1}, {1, -1}, {1, 1}}) {
+            const glm::vec3 side = face.normal + corner.x * face.right + corner.y * face.up;
+            box.positions.emplace_back(side.x > 0 ? high.x : low.x, side.y > 0 ? high.y : low.y,
+                                       side.z > 0 ? high.z : low.z);
+            box.normals.push_back(face.normal);
+            box.texcoords[0].emplace_back(corner.x > 0 ? 1 : 0, corner.y > 0 ? 0 : 1);
+        }
+        for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
+            box.indices.push_back(first + corner);
+    }
+    return box;
+}
+
+Primitive make_ground(glm::vec2 size, uint32_t quads) {
+    Primitive ground;
+    for (uint32_t row = 0; row <= quads; ++row)
+        for (uint32_t column = 0; column <= quads; ++column) {
+            const glm::dvec2 at(static_cast<double>(column) / quads,
+                                static_cast<double>(row) / quads);
+            ground.positions.emplace_back((at.x - 0.5) * size.x, 0, (at.y - 0.5) * size.y);
+            ground.normals.emplace_back(0, 1, 0);
+            ground.texcoords[0].emplace_back(at);
+        }
+    add_grid_indices(ground, quads, quads);
+    return ground;
+}
+
+} // namespace prelight
