@@ -4,9 +4,18 @@
 
 namespace prelight {
 
-/// MikkTSpace tangents; may unshare vertices. Needs normals and texcoords[set].
+/// Tangents as MikkTSpace defines them (M. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited",
+/// 2008, and its published algorithm "mikktspace" that bakers share), which glTF 2.0 asks for where
+/// a file has none. Needs normals and texcoords[texcoord_set], as long as `positions`, and indices
+/// below that length; earlier tangents are replaced. Vertices where tangents differ (mirrored
+/// texture coordinates, seams) are split: one of them keeps the old place, the others are appended.
+/// w has glTF's sense: texture coordinates run down, so the bitangent w · (N × T) points to smaller v.
+/// Every tangent is finite and of unit length; where texture coordinates say nothing it is (1, 0, 0).
 void generate_tangents(Primitive& primitive, uint32_t texcoord_set);
-/// Flat normals: unshares every vertex, discards tangents.
+
+/// Normals of the triangles themselves: every corner gets a vertex of its own (attributes are
+/// repeated, indices become 0, 1, 2 …) and tangents are discarded, as glTF 2.0 asks. A triangle
+/// without area gets (0, 0, 1).
 void make_flat_normals(Primitive& primitive);
 
 } // namespace prelight
