@@ -100,12 +100,12 @@ TEST(Tangents, HostileMeshesTakeNoSquareTime) {
         hub.indices.insert(hub.indices.end(), {0, 2 * i + 2, 2 * i + 3});
         edge.indices.insert(edge.indices.end(), {0, 1, 2 * i + 2});
     }
-    Primitive fan = make_sphere(1, count, 2); // two poles with many neighbours
+    Primitive fan = make_sphere(1, count, 2); // all directions of u around its poles
     for (glm::vec2& uv : fan.texcoords[0])
         uv = {uv.y - 0.5f, uv.x * 0.001f};
     for (size_t i = 0; i <= count; ++i) { // one vertex for the pole, so that it is one group
         fan.positions[i] = {0, 1, 0};
-        fan.texcoords[0][i] = {0, 0};
+        fan.texcoords[0][i] = {-0.5f, 0};
     }
     for (Primitive* mesh : {&hub, &edge, &fan}) {
         mesh->normals.resize(mesh->positions.size(), {0, 1, 0});
