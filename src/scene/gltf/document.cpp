@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <scene/gltf/document.hpp>
+#include <scene/gltf/uri.hpp>
+
+namespace prelight::gltf {
+namespace {
+namespace fs = std::filesystem;
+
+/// Nesting that the parser follows; real files stay below 20.
+constexpr size_t max_depth = 128;
+/// simdjson's tape, strings and indices take up to 15 bytes per byte of JSON, our tables up to 8.
+constexpr uint64_t json_cost = 24;
+
+constexpr std::array<std::pair<const char*, const char*>, table_count> table_names{{
+    {"buffers", "buffer"}, {"bufferViews", "bufferView"}, {"accessors", "accessor"},
+    {"images", "image"}, {"samplers", "sampler"}, {"textures", "texture"},
+    {"materials", "material"}, {"meshes", "mesh"}, {"cameras", "camera"},
+    {"lights", "light"}, {"nodes", "node"}, {"scenes", "scene"},
+}};
+
+constexpr std::array known_extensions{
+    "KHR_lights_punctual", "KHR_materials_unlit", "KHR_materials_emissive_strength",
+    "KHR_texture_transform", "KHR_mesh_quantization", "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression", "EXT_texture_webp", "EXT_mesh_gpu_instancing",
+};
+
+/// Reads a whole regular file, with `padding` zero bytes after it. Throws UriError with a reason.
+Bytes read_bytes(const fs::path& path, size_t padding) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error))
+        throw UriError(error ? "cannot be read: " + error.message() : "is not a file");
+    const uint64_t size = fs::file_size(path, error);
+    std::ifstream stream(path, std::ios::binary);
+    if (error || !stream)
+        throw UriError("cannot be read");
+    Bytes bytes(size + padding);
+    stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
+    if (uint64_t(stream.gcount()) != size)
+        throw UriError("cannot be read to its end");
+    return bytes;
+}
+
+uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
+    uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+
+} // namespace
+
+Document::Document(const fs::path& path) : path_(path), file_(path.string()) {
+    try {
+        bytes_ = read_bytes(path, simdjson::SIMDJSON_PADDING);
+    } catch (const UriError& error) {
+        throw Error(fmt::format("{}: file: {}", file_, error.what()));
+    }
+    budget_.add_input(bytes_.size() - simdjson::SIMDJSON_PADDING);
+    split_glb();
+    check_version();
+    check_extensions();
+}
+
+void Document::split_glb() {
+    const std::span<const uint8_t> all(bytes_.data(), bytes_.size() - simdjson::SIMDJSON_PADDING);
+    if (all.size() < 4 || std::memcmp(all.data(), "glTF", 4) != 0)
+        return parse(all);
+    if (all.size() < 12)
+        fail("header", "the file is truncated");
+    if (read_u32(all, 4) != 2)
+        fail("header", fmt::format("GLB version {} is not 2", read_u32(all, 4)));
+    const uint32_t length = read_u32(all, 8);
+    if (length > all.size())
+        fail("header", fmt::format("the file is truncated: {} of {} bytes", all.size(), length));
+    constexpr uint32_t json_type = 0x4e4f534a, bin_type = 0x004e4942;
+    std::span<const uint8_t> json;
+    size_t at = 12;
+    for (uint32_t chunk = 0; at < length; ++chunk) {
+        if (length - at < 8)
+            fail(fmt::format("chunk {}", chunk), "its header is cut short");
+        const uint32_t size = read_u32(all, at), type = read_u32(all, at + 4);
+        at += 8;
+        if (size > length - at)
+            fail(fmt::format("chunk {}", chunk),
+                 fmt::format("its length {} is beyond the file's end ({} bytes left)", size,
+                             length - at));
+        if (chunk == 0 && type != json_type)
+            fail("chunk 0", "is not JSON");
+        if (chunk == 0)
+            json = all.subspan(at, size);
+        else if (chunk == 1 && type == bin_type)
+            binary_ = all.subspan(at, size);
+        at += size;
+        at = std::min<size_t>((at + 3) & ~size_t(3), length);
+    }
+    if (json.empty())
+        fail("chunk 0", "there is no JSON");
+    parse(json);
+}
+
+void Document::parse(std::span<const uint8_t> json) {
+    charge("JSON", json.size(), json_cost);
+    constexpr uint8_t byte_order_mark[] = {0xef, 0xbb, 0xbf};
+    if (json.size() >= 3 && std::memcmp(json.data(), byte_order_mark, 3) == 0)
+        json = json.subspan(3);
+    // A little capacity even for nothing: simdjson reports an empty text as such.
+    simdjson::error_code error = parser_.allocate(std::max<size_t>(json.size(), 64), max_depth);
+    simdjson::dom::element top;
+    if (!error)
+        error = parser_.parse(json.data(), json.size(), false).get(top);
+    if (error == simdjson::DEPTH_ERROR)
+        fail("JSON", fmt::format("is nested deeper than {}", max_depth));
+    if (error)
+        fail("JSON", simdjson::error_message(error));
+    root_.emplace(file_, "JSON", top);
+    for (size_t t = 0; t < table_count; ++t) {
+        std::optional<Item> holder = *root_;
+        if (Table(t) == Table::lights)
+            holder = root_->extension("KHR_lights_punctual");
+        const auto value = holder ? holder->find(table_names[t].first) : std::nullopt;
+        simdjson::dom::array array;
+        if (!value)
+            continue;
+        if (value->get(array) != simdjson::SUCCESS)
+            fail("JSON", fmt::format("{} is not an array", table_names[t].first));
+        for (const simdjson::dom::element element : array)
+            tables_[t].push_back(element);
+    }
+}
+
+void Document::check_version() const {
+    const auto asset = root_->object("asset");
+    if (!asset)
+        fail("asset", "is missing: this is not glTF 2.0");
+    const std::string version = asset->text("version"), least = asset->text("minVersion");
+    if (version.substr(0, 2) != "2.")
+        fail("asset", fmt::format("version \"{}\" is not 2.x", printable(version)));
+    if (!least.empty() && least != "2.0")
+        fail("asset", fmt::format("minVersion \"{}\" is beyond 2.0", printable(least)));
+}
+
+void Document::check_extensions() {
+    const auto known = [](const std::string& name) {
+        return std::find(known_extensions.begin(), known_extensions.end(), name) !=
+               known_extensions.end();
+    };
+    for (const std::string& name : root_->texts("extensionsRequired"))
+        if (!known(name))
+            fail(fmt::format("extension {}", printable(name)),
+                 "the file requires it, and it is not supported");
+    std::string unknown;
+    size_t count = 0;
+    for (const std::string& name : root_->texts("extensionsUsed"))
+        if (!known(name) && ++count <= 8)
+            unknown += (count > 1 ? ", " : "") + printable(name);
+    if (count > 0)
+        warn("not supported, left out", unknown + (count > 8 ? " and others" : ""));
+}
+
+std::string Document::label(Table table, size_t i) const {
+    return fmt::format("{} {}", table_names[size_t(table)].second, i);
+}
+
+Item Document::item(Table table, size_t i) const {
+    return Item(file_, label(table, i), tables_[size_t(table)][i]);
+}
+
+std::span<const uint8_t> Document::read_uri(const std::string& uri, const std::string& object) {
+    try {
+        if (is_data_uri(uri)) {
+            charge(object, data_uri_size(uri), 1);
+            return *data_uris_.emplace_back(std::make_unique<Bytes>(decode_data_uri(uri)));
+        }
+        const fs::path target = resolve_uri(path_.parent_path(), uri);
+        auto found = files_.find(target.string());
+        if (found == files_.end()) {
+            found = files_.emplace(target.string(), read_bytes(target, 0)).first;
+            budget_.add_input(found->second.size());
+        }
+        return found->second;
+    } catch (const UriError& error) {
+        fail(object, error.what());
+    }
+}
+
+void Document::charge(const std::string& object, uint64_t count, uint64_t size) {
+    try {
+        budget_.charge(Budget::Pool::geometry, count, size);
+    } catch (const Budget::Exceeded& error) {
+        fail(object, error.what());
+    }
+}
+
+void Document::warn(const std::string& kind, const std::string& object) {
+    const auto found = std::find_if(warnings_.begin(), warnings_.end(),
+                                    [&](const auto& entry) { return entry.first == kind; });
+    if (found == warnings_.end())
+        warnings_.push_back({kind, {object, 1}});
+    else
+        ++found->second.count;
+}
+
+std::vector<std::string> Document::warnings() const {
+    std::vector<std::string> out;
+    for (const auto& [kind, warning] : warnings_)
+        out.push_back(fmt::format("{}: {}: {}{}", file_, warning.first, kind,
+                                  warning.count > 1 ? fmt::format(" ({} in all)", warning.count)
+                                                    : ""));
+    return out;
+}
+
+} // namespace prelight::gltf

@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <prelight/scene.hpp>
+#include <scene/gltf/budget.hpp>
+#include <scene/gltf/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace prelight::gltf {
+
+using Bytes = std::vector<uint8_t>;
+
+/// The top-level arrays that the reader uses.
+enum class Table {
+    buffers, buffer_views, accessors, images, samplers, textures, materials, meshes, cameras, lights,
+    nodes, scenes
+};
+inline constexpr size_t table_count = 12;
+
+/// The file's JSON and binary chunk, its limits, and the warnings that gather while it is read.
+class Document {
+public:
+    /// Reads the file's bytes, splits a .glb, parses the JSON, checks version and extensions.
+    explicit Document(const std::filesystem::path& path);
+
+    const std::string& file() const { return file_; }
+    const Item& root() const { return *root_; }
+    size_t count(Table table) const { return tables_[size_t(table)].size(); }
+    /// The object `i` of a table, named as in messages ("node 3"). `i` < count(table).
+    Item item(Table table, size_t i) const;
+    std::string label(Table table, size_t i) const;
+    /// The .glb's BIN chunk; empty when there is none.
+    std::span<const uint8_t> binary_chunk() const { return binary_; }
+    /// Reads a data: URI or a file beside the scene; both stay owned by the document. A file is read
+    /// once however many objects name it. Throws Error naming `object`.
+    std::span<const uint8_t> read_uri(const std::string& uri, const std::string& object);
+
+    /// Charges for memory that `object` is about to take; throws Error when it is too much.
+    void charge(const std::string& object, uint64_t count, uint64_t size);
+    Budget& budget() { return budget_; }
+    [[noreturn]] void fail(std::string_view object, std::string_view reason) const {
+        gltf::fail(file_, object, reason);
+    }
+
+    /// Counts one more object with this trouble; they end in one line a kind.
+    void warn(const std::string& kind, const std::string& object);
+    std::vector<std::string> warnings() const;
+
+private:
+    void split_glb();
+    void parse(std::span<const uint8_t> json);
+    void check_version() const;
+    void check_extensions();
+    std::span<const uint8_t> read_file(const std::string& uri, const std::string& object);
+
+    struct Warning {
+        std::string first;
+        uint64_t count = 0;
+    };
+    std::filesystem::path path_;
+    std::string file_;
+    Budget budget_;
+    Bytes bytes_;
+    std::span<const uint8_t> binary_;
+    simdjson::dom::parser parser_;
+    std::optional<Item> root_;
+    std::array<std::vector<simdjson::dom::element>, table_count> tables_;
+    std::map<std::string, Bytes> files_; ///< by canonical path
+    std::vector<std::unique_ptr<Bytes>> data_uris_;
+    std::vector<std::pair<std::string, Warning>> warnings_;
+};
+
+} // namespace prelight::gltf

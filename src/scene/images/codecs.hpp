@@ -1,0 +1,12 @@
+#pragma once
+#include <scene/images/decode.hpp>
+
+// One file each, called by decode.cpp after the format is known.
+namespace prelight::images {
+
+Cost inspect_stb(std::span<const uint8_t> bytes, Format format);
+TextureImage decode_stb(std::span<const uint8_t> bytes, const Cost& cost);
+Cost inspect_webp(std::span<const uint8_t> bytes);
+TextureImage decode_webp(std::span<const uint8_t> bytes, const Cost& cost);
+
+} // namespace prelight::images
