@@ -9,8 +9,8 @@
 namespace prelight {
 namespace {
 
-/// Vertex transforms that bounds may cost; beyond it a mesh's box stands for its vertices, so that a
-/// file with a million instances of a million vertices cannot stall the program.
+/// Vertex transforms that bounds may cost; beyond it a mesh's box stands for its vertices, so that
+/// a file with a million instances of a million vertices cannot stall the program.
 constexpr uint64_t max_exact_vertices = uint64_t(1) << 27;
 
 struct Bounds {
@@ -29,9 +29,9 @@ struct Bounds {
 /// What the walk needs of a mesh, gathered once.
 struct MeshFacts {
     uint64_t triangles = 0;
-    uint64_t vertices = 0; ///< that a triangle uses
+    uint64_t vertices = 0;                   ///< that a triangle uses
     std::vector<std::vector<uint32_t>> used; ///< per primitive, sorted; empty: every vertex
-    Bounds box;            ///< object space
+    Bounds box;                              ///< object space
 };
 
 MeshFacts facts_of(const Mesh& mesh) {
@@ -68,9 +68,10 @@ bool is_finite(const glm::dmat4& m) {
 double unit_determinant(const glm::dmat4& m) {
     glm::dmat3 axes(m);
     for (int i = 0; i < 3; ++i) {
-        // Divided by the largest part first: squares of very small or large numbers leave the range.
-        const double largest = std::max({std::abs(axes[i].x), std::abs(axes[i].y),
-                                         std::abs(axes[i].z)});
+        // Divided by the largest part first: squares of very small or large numbers leave the
+        // range.
+        const double largest =
+            std::max({std::abs(axes[i].x), std::abs(axes[i].y), std::abs(axes[i].z)});
         if (largest == 0)
             return 0;
         axes[i] = glm::normalize(axes[i] / largest);
@@ -167,8 +168,8 @@ public:
 private:
     void check_finite(const glm::dmat4& transform, uint32_t node) const {
         if (!is_finite(transform))
-            throw Error(fmt::format("{}: node {}: its world transform is not finite", scene_.name,
-                                    node));
+            throw Error(
+                fmt::format("{}: node {}: its world transform is not finite", scene_.name, node));
     }
 
     void visit(const Node& node, uint32_t index, const glm::dmat4& world) {
@@ -243,8 +244,8 @@ private:
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index) {
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
-        throw Error(fmt::format("{}: scene {}: the file has {}", scene.name, index,
-                                scene.scenes.size()));
+        throw Error(
+            fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
     return Resolver(scene).run(index);
 }
 

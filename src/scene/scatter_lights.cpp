@@ -24,7 +24,8 @@ struct Random {
 double disc_in_rectangle(double r, double a, double b) {
     if (r * r >= a * a + b * b)
         return 4 * a * b;
-    // Circular segments cut off beyond each side; they do not overlap while the corners are outside.
+    // Circular segments cut off beyond each side; they do not overlap while the corners are
+    // outside.
     const auto segment = [r](double h) {
         return h >= r ? 0.0 : r * r * std::acos(h / r) - h * std::sqrt(r * r - h * h);
     };
@@ -43,8 +44,8 @@ double share_within(double r, glm::dvec3 h) {
     return sum / slices * top / (4 * h.x * h.y * h.z);
 }
 
-/// Range with which `count` lights, uniform in the box, put 8 on its middle; the diagonal when there
-/// are no more than 8. A flat box counts as one a thousandth as thick as long.
+/// Range with which `count` lights, uniform in the box, put 8 on its middle; the diagonal when
+/// there are no more than 8. A flat box counts as one a thousandth as thick as long.
 double range_for(uint32_t count, glm::dvec3 size) {
     const double longest = std::max({size.x, size.y, size.z});
     if (longest <= 0)

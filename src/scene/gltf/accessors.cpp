@@ -129,9 +129,11 @@ const uint8_t* Accessors::locate(const Item& item, uint32_t view_index, uint64_t
         item.fail(fmt::format("its elements of {} bytes overlap (byteStride {})", size, stride));
     const uint64_t length = view.bytes.size();
     // Subtractions only, each of a number proven smaller: nothing here can overflow.
-    if (offset > length || size > length - offset || (count - 1) > (length - offset - size) / stride)
+    if (offset > length || size > length - offset ||
+        (count - 1) > (length - offset - size) / stride)
         item.fail(fmt::format("{} elements of {} bytes from byte {} lie beyond bufferView {} "
-                              "({} bytes)", count, size, offset, view_index, length));
+                              "({} bytes)",
+                              count, size, offset, view_index, length));
     return view.bytes.data() + offset;
 }
 

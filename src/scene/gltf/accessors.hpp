@@ -5,11 +5,18 @@
 namespace prelight::gltf {
 
 /// glTF's component types (OpenGL's numbers).
-enum class Component : uint16_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
+enum class Component : uint16_t {
+    i8 = 5120,
+    u8 = 5121,
+    i16 = 5122,
+    u16 = 5123,
+    u32 = 5125,
+    f32 = 5126
+};
 uint32_t size_of(Component component); ///< bytes
 
-/// Checked elements to read: `count` elements of `width` components, which surely lie in memory that
-/// outlives the view. Filled from an accessor or from a decoded Draco attribute.
+/// Checked elements to read: `count` elements of `width` components, which surely lie in memory
+/// that outlives the view. Filled from an accessor or from a decoded Draco attribute.
 struct Elements {
     std::string label;             ///< for messages
     const uint8_t* base = nullptr; ///< null: all zero before `sparse`
@@ -17,9 +24,9 @@ struct Elements {
     uint32_t count = 0;
     uint32_t width = 1; ///< components, 1 … 4
     Component component = Component::f32;
-    bool normalized = false; ///< integers mean 0 … 1 or −1 … 1
-    std::vector<uint32_t> map; ///< element → place in `base`; empty: the same (Draco)
-    std::vector<uint32_t> sparse;  ///< replaced elements, increasing
+    bool normalized = false;      ///< integers mean 0 … 1 or −1 … 1
+    std::vector<uint32_t> map;    ///< element → place in `base`; empty: the same (Draco)
+    std::vector<uint32_t> sparse; ///< replaced elements, increasing
     const uint8_t* sparse_values = nullptr; ///< packed
 
     const uint8_t* at(uint32_t element) const; ///< null: zero

@@ -10,7 +10,7 @@ namespace prelight::gltf {
 /// The limits are those that docs/gltf.md states: per byte read, and a constant for small files.
 class Budget {
 public:
-    static constexpr uint64_t multiple = 128;                       ///< bytes per byte of input
+    static constexpr uint64_t multiple = 128;                         ///< bytes per byte of input
     static constexpr uint64_t geometry_constant = uint64_t(64) << 20; ///< bytes
     static constexpr uint64_t image_constant = uint64_t(512) << 20;   ///< bytes
 

@@ -90,7 +90,8 @@ Buffers::View Buffers::decode_meshopt(const Item& extension) {
     else if (mode == "TRIANGLES")
         error = meshopt_decodeIndexBuffer(out.data(), count, stride, source.data(), source.size());
     else
-        error = meshopt_decodeIndexSequence(out.data(), count, stride, source.data(), source.size());
+        error =
+            meshopt_decodeIndexSequence(out.data(), count, stride, source.data(), source.size());
     if (error != 0)
         extension.fail("its data does not decode");
     if (filter.empty() || filter == "NONE")

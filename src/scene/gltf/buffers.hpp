@@ -25,7 +25,7 @@ private:
 
     Document& document_;
     std::vector<std::optional<std::span<const uint8_t>>> buffers_; ///< empty: a fallback, no data
-    std::vector<std::optional<View>> views_;                        ///< empty: not decoded yet
+    std::vector<std::optional<View>> views_;                       ///< empty: not decoded yet
     std::vector<std::unique_ptr<Bytes>> decoded_;
 };
 

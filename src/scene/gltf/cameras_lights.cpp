@@ -43,7 +43,8 @@ void read_cone(const Item& item, Light& light) {
     const double outer = spot->number("outerConeAngle", quarter);
     // A little beyond π/2 is a rounded π/2.
     if (!(inner >= 0 && inner < outer && outer <= half + 1e-5))
-        spot->fail(fmt::format("cone angles {} and {} are not 0 ≤ inner < outer ≤ π/2", inner, outer));
+        spot->fail(
+            fmt::format("cone angles {} and {} are not 0 ≤ inner < outer ≤ π/2", inner, outer));
     light.inner_cone = float(inner);
     light.outer_cone = float(std::min(outer, half));
     if (!(light.inner_cone < light.outer_cone)) // equal only after rounding

@@ -15,16 +15,24 @@ constexpr size_t max_depth = 128;
 constexpr uint64_t json_cost = 24;
 
 constexpr std::array<std::pair<const char*, const char*>, table_count> table_names{{
-    {"buffers", "buffer"}, {"bufferViews", "bufferView"}, {"accessors", "accessor"},
-    {"images", "image"}, {"samplers", "sampler"}, {"textures", "texture"},
-    {"materials", "material"}, {"meshes", "mesh"}, {"cameras", "camera"},
-    {"lights", "light"}, {"nodes", "node"}, {"scenes", "scene"},
+    {"buffers", "buffer"},
+    {"bufferViews", "bufferView"},
+    {"accessors", "accessor"},
+    {"images", "image"},
+    {"samplers", "sampler"},
+    {"textures", "texture"},
+    {"materials", "material"},
+    {"meshes", "mesh"},
+    {"cameras", "camera"},
+    {"lights", "light"},
+    {"nodes", "node"},
+    {"scenes", "scene"},
 }};
 
 constexpr std::array known_extensions{
-    "KHR_lights_punctual", "KHR_materials_unlit", "KHR_materials_emissive_strength",
-    "KHR_texture_transform", "KHR_mesh_quantization", "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression", "EXT_texture_webp", "EXT_mesh_gpu_instancing",
+    "KHR_lights_punctual",     "KHR_materials_unlit",   "KHR_materials_emissive_strength",
+    "KHR_texture_transform",   "KHR_mesh_quantization", "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression", "EXT_texture_webp",      "EXT_mesh_gpu_instancing",
 };
 
 /// Reads a whole regular file, with `padding` zero bytes after it. Throws UriError with a reason.
@@ -205,9 +213,9 @@ void Document::warn(const std::string& kind, const std::string& object) {
 std::vector<std::string> Document::warnings() const {
     std::vector<std::string> out;
     for (const auto& [kind, warning] : warnings_)
-        out.push_back(fmt::format("{}: {}: {}{}", file_, warning.first, kind,
-                                  warning.count > 1 ? fmt::format(" ({} in all)", warning.count)
-                                                    : ""));
+        out.push_back(
+            fmt::format("{}: {}: {}{}", file_, warning.first, kind,
+                        warning.count > 1 ? fmt::format(" ({} in all)", warning.count) : ""));
     return out;
 }
 

@@ -16,8 +16,18 @@ using Bytes = std::vector<uint8_t>;
 
 /// The top-level arrays that the reader uses.
 enum class Table {
-    buffers, buffer_views, accessors, images, samplers, textures, materials, meshes, cameras, lights,
-    nodes, scenes
+    buffers,
+    buffer_views,
+    accessors,
+    images,
+    samplers,
+    textures,
+    materials,
+    meshes,
+    cameras,
+    lights,
+    nodes,
+    scenes
 };
 inline constexpr size_t table_count = 12;
 
@@ -35,8 +45,8 @@ public:
     std::string label(Table table, size_t i) const;
     /// The .glb's BIN chunk; empty when there is none.
     std::span<const uint8_t> binary_chunk() const { return binary_; }
-    /// Reads a data: URI or a file beside the scene; both stay owned by the document. A file is read
-    /// once however many objects name it. Throws Error naming `object`.
+    /// Reads a data: URI or a file beside the scene; both stay owned by the document. A file is
+    /// read once however many objects name it. Throws Error naming `object`.
     std::span<const uint8_t> read_uri(const std::string& uri, const std::string& object);
 
     /// Charges for memory that `object` is about to take; throws Error when it is too much.

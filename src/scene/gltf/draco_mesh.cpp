@@ -52,7 +52,8 @@ private:
         return !too_large_;
     }
 
-    /// Reads ahead in the connectivity's header (Draco bitstream 2.2) and says what decoding it takes.
+    /// Reads ahead in the connectivity's header (Draco bitstream 2.2) and says what decoding it
+    /// takes.
     uint64_t connectivity_bytes() {
         draco::DecoderBuffer ahead = *this->buffer();
         if constexpr (std::is_same_v<Base, draco::MeshEdgebreakerDecoder>) {
@@ -122,7 +123,8 @@ DracoMesh::~DracoMesh() = default;
 
 DracoMesh::DracoMesh(Document& document, Buffers& buffers, const Item& extension)
     : decoded_(std::make_unique<Decoded>()), extension_(extension) {
-    const uint32_t view = extension.required_index("bufferView", document.count(Table::buffer_views));
+    const uint32_t view =
+        extension.required_index("bufferView", document.count(Table::buffer_views));
     const std::span<const uint8_t> bytes = buffers.view(view).bytes;
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -152,8 +154,12 @@ DracoMesh::DracoMesh(Document& document, Buffers& buffers, const Item& extension
                                            mesh.num_points()));
 }
 
-uint32_t DracoMesh::points() const { return decoded_->mesh.num_points(); }
-uint64_t DracoMesh::corners() const { return uint64_t(decoded_->mesh.num_faces()) * 3; }
+uint32_t DracoMesh::points() const {
+    return decoded_->mesh.num_points();
+}
+uint64_t DracoMesh::corners() const {
+    return uint64_t(decoded_->mesh.num_faces()) * 3;
+}
 
 std::vector<uint32_t> DracoMesh::indices() const {
     std::vector<uint32_t> out;

@@ -35,7 +35,9 @@ std::optional<dom::element> Item::find(std::string_view key) const {
     return value;
 }
 
-bool Item::has(std::string_view key) const { return find(key).has_value(); }
+bool Item::has(std::string_view key) const {
+    return find(key).has_value();
+}
 
 std::string Item::text(std::string_view key) const {
     const auto value = find(key);

@@ -10,7 +10,8 @@
 
 namespace prelight::gltf {
 
-/// Text from a file made fit for a one-line message: control characters become '?', long text is cut.
+/// Text from a file made fit for a one-line message: control characters become '?', long text is
+/// cut.
 std::string printable(std::string_view text);
 
 /// Throws Error "FILE: OBJECT: REASON".
@@ -30,7 +31,7 @@ public:
     std::string text(std::string_view key) const; ///< empty when absent
     bool flag(std::string_view key, bool absent = false) const;
     double number(std::string_view key, double absent) const;
-    float real(std::string_view key, float absent) const; ///< finite as float
+    float real(std::string_view key, float absent) const;        ///< finite as float
     std::optional<uint64_t> integer(std::string_view key) const; ///< non-negative
     uint64_t integer_or(std::string_view key, uint64_t absent) const;
     uint64_t required_integer(std::string_view key) const;

@@ -49,7 +49,8 @@ glm::dmat4 read_local(const Item& item) {
 }
 
 /// EXT_mesh_gpu_instancing: TRANSLATION, ROTATION, SCALE, each optional, all as long.
-std::vector<glm::dmat4> read_instances(Document& document, Accessors& accessors, const Item& extension) {
+std::vector<glm::dmat4> read_instances(Document& document, Accessors& accessors,
+                                       const Item& extension) {
     const auto attributes = extension.object("attributes");
     const auto find = [&](const char* name, uint32_t width) -> const Elements* {
         const auto index =
@@ -78,7 +79,8 @@ std::vector<glm::dmat4> read_instances(Document& document, Accessors& accessors,
     std::vector<glm::dmat4> out;
     out.reserve(count);
     for (uint32_t i = 0; i < count; ++i) {
-        const glm::dvec3 t = translation ? glm::dvec3(glm::vec3(translation->vec(i))) : glm::dvec3(0);
+        const glm::dvec3 t =
+            translation ? glm::dvec3(glm::vec3(translation->vec(i))) : glm::dvec3(0);
         const glm::dvec4 r = rotation ? glm::dvec4(rotation->vec(i)) : glm::dvec4(0, 0, 0, 1);
         const glm::dvec3 s = scale ? glm::dvec3(glm::vec3(scale->vec(i))) : glm::dvec3(1);
         if (!std::isfinite(glm::dot(r, glm::dvec4(1))))
@@ -97,8 +99,9 @@ void check_forest(const Document& document, const std::vector<Node>& nodes) {
     for (uint32_t i = 0; i < nodes.size(); ++i)
         for (const uint32_t child : nodes[i].children) {
             if (parent[child] != no_image)
-                document.fail(document.label(Table::nodes, child),
-                              fmt::format("is a child of node {} and of node {}", parent[child], i));
+                document.fail(
+                    document.label(Table::nodes, child),
+                    fmt::format("is a child of node {} and of node {}", parent[child], i));
             parent[child] = i;
         }
     std::vector<bool> met(nodes.size());
@@ -135,7 +138,8 @@ void read_nodes(Document& document, Accessors& accessors, Scene& scene) {
             node.light = light->required_index("light", scene.lights.size());
         if (item.has("skin"))
             document.warn("skins, morph targets and animations are not evaluated", item.label());
-        if (const auto instancing = item.extension("EXT_mesh_gpu_instancing"); instancing && node.mesh)
+        if (const auto instancing = item.extension("EXT_mesh_gpu_instancing");
+            instancing && node.mesh)
             node.instances = read_instances(document, accessors, *instancing);
     }
     check_forest(document, scene.nodes);

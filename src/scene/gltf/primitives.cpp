@@ -52,8 +52,8 @@ private:
         return {};
     }
 
-    /// Indices as a triangle list over `used_`, the vertices that are really needed: many primitives
-    /// may share one large buffer.
+    /// Indices as a triangle list over `used_`, the vertices that are really needed: many
+    /// primitives may share one large buffer.
     void read_topology(Mode mode) {
         if (const auto extension = item_.extension("KHR_draco_mesh_compression")) {
             draco_.emplace(document_, buffers_, *extension);
@@ -123,7 +123,8 @@ private:
         if (found->width < least || found->component == Component::u32)
             item_.fail(fmt::format("{}: its type is not fit for that", name));
         if (vertices_ != 0 && found->count != vertices_)
-            item_.fail(fmt::format("{}: has {} values for {} vertices", name, found->count, vertices_));
+            item_.fail(
+                fmt::format("{}: has {} values for {} vertices", name, found->count, vertices_));
         return found;
     }
 
@@ -177,7 +178,8 @@ private:
 
     /// A vertex with the attributes that the primitive has or will get.
     uint64_t vertex_bytes() const {
-        return 12 + 12 + 2 * 8 + (needs_tangents() ? 16 : 0) + (attributes_->has("COLOR_0") ? 16 : 0);
+        return 12 + 12 + 2 * 8 + (needs_tangents() ? 16 : 0) +
+               (attributes_->has("COLOR_0") ? 16 : 0);
     }
 
     const Material& material() const { return scene_.materials[primitive_.material]; }
@@ -204,8 +206,9 @@ private:
 
     void fill_missing_texcoords() {
         const Material& m = material();
-        for (const TextureRef* ref : {&m.base_colour_texture, &m.metallic_roughness_texture,
-                                      &m.normal_texture, &m.occlusion_texture, &m.emissive_texture}) {
+        for (const TextureRef* ref :
+             {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,
+              &m.occlusion_texture, &m.emissive_texture}) {
             if (!*ref || !primitive_.texcoords[ref->texcoord].empty())
                 continue;
             document_.warn("a texture without its texture coordinates is drawn at (0, 0)",
@@ -239,7 +242,7 @@ private:
         for (size_t i = 0; i < normals.size(); ++i)
             if (bad[i])
                 normals[i] = glm::length(sums[i]) > 0 ? glm::vec3(glm::normalize(sums[i]))
-                                                       : glm::vec3(0, 0, 1);
+                                                      : glm::vec3(0, 0, 1);
         document_.warn("zero normals are taken from the triangles", item_.label());
     }
 
@@ -285,7 +288,8 @@ void read_meshes(Document& document, Buffers& buffers, Accessors& accessors, Sce
         for (const Item& primitive : item.items("primitives", "primitive")) {
             document.charge(primitive.label(), 1, sizeof(Primitive));
             try {
-                if (auto read = PrimitiveReader(document, buffers, accessors, scene, primitive).read())
+                if (auto read =
+                        PrimitiveReader(document, buffers, accessors, scene, primitive).read())
                     scene.meshes[i].primitives.push_back(std::move(*read));
             } catch (const Budget::Exceeded& error) {
                 primitive.fail(error.what());

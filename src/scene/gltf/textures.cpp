@@ -40,7 +40,8 @@ TextureRef Textures::read(const Item& material, std::string_view key) {
     uint64_t texcoord = info->integer_or("texCoord", 0);
     read_transform(*info, ref, texcoord);
     if (texcoord > 1) {
-        document_.warn("texture coordinates beyond set 1 are not read; set 0 is used", info->label());
+        document_.warn("texture coordinates beyond set 1 are not read; set 0 is used",
+                       info->label());
         texcoord = 0;
     }
     ref.texcoord = uint32_t(texcoord);
@@ -58,8 +59,8 @@ void Textures::read_transform(const Item& info, TextureRef& ref, uint64_t& texco
     // Counter-clockwise in an image whose v points down, as the extension's example and the Khronos
     // sample viewer have it (the formula in the extension's text turns the other way).
     const double c = std::cos(rotation), s = std::sin(rotation);
-    ref.uv_linear = glm::mat2(glm::vec2(c * scale[0], -s * scale[0]),
-                              glm::vec2(s * scale[1], c * scale[1]));
+    ref.uv_linear =
+        glm::mat2(glm::vec2(c * scale[0], -s * scale[0]), glm::vec2(s * scale[1], c * scale[1]));
     ref.uv_offset = glm::vec2(offset[0], offset[1]);
     const glm::vec2 sum = ref.uv_linear[0] + ref.uv_linear[1] + ref.uv_offset;
     if (!std::isfinite(sum.x) || !std::isfinite(sum.y))
@@ -82,9 +83,9 @@ Sampler Textures::read_sampler(uint32_t index) const {
     // 9984 … 9987: the low bit filters within a level, the next one between levels.
     const bool mips = min >= first_mip;
     sampler.min = (min & 1) == 0 ? Filter::nearest : Filter::linear;
-    sampler.mip = !mips                   ? MipFilter::none
+    sampler.mip = !mips                 ? MipFilter::none
                   : min < first_mip + 2 ? MipFilter::nearest
-                                          : MipFilter::linear;
+                                        : MipFilter::linear;
     return sampler;
 }
 

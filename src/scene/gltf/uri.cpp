@@ -6,8 +6,12 @@ namespace prelight::gltf {
 namespace {
 namespace fs = std::filesystem;
 
-bool is_alpha(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_alpha(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
 
 /// RFC 3986 3.1: a letter, then letters, digits, '+', '-', '.', up to a colon.
 bool has_scheme(std::string_view uri) {
@@ -65,9 +69,13 @@ int base64_digit(char c) {
 
 } // namespace
 
-bool is_data_uri(std::string_view uri) { return uri.substr(0, 5) == "data:"; }
+bool is_data_uri(std::string_view uri) {
+    return uri.substr(0, 5) == "data:";
+}
 
-uint64_t data_uri_size(std::string_view uri) { return data_of(uri).size() / 4 * 3 + 3; }
+uint64_t data_uri_size(std::string_view uri) {
+    return data_of(uri).size() / 4 * 3 + 3;
+}
 
 std::vector<uint8_t> decode_data_uri(std::string_view uri) {
     std::string_view data = data_of(uri);

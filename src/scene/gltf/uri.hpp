@@ -18,8 +18,8 @@ bool is_data_uri(std::string_view uri);
 uint64_t data_uri_size(std::string_view uri);
 /// The bytes of a base64 data: URI. Throws UriError.
 std::vector<uint8_t> decode_data_uri(std::string_view uri);
-/// The regular file that a relative reference (RFC 3986, percent-encoded) names, canonical, proven to
-/// lie in `folder` or below it with every symbolic link followed. Throws UriError.
+/// The regular file that a relative reference (RFC 3986, percent-encoded) names, canonical, proven
+/// to lie in `folder` or below it with every symbolic link followed. Throws UriError.
 std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::string_view uri);
 
 } // namespace prelight::gltf

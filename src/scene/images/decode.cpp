@@ -24,12 +24,12 @@ Cost inspect(std::span<const uint8_t> bytes) {
     // The codecs' interfaces count in int.
     if (bytes.size() > 0x7fffffff)
         throw DecodeError("is larger than 2 GiB");
-    const Cost cost =
-        format == Format::webp ? inspect_webp(bytes) : inspect_stb(bytes, format);
+    const Cost cost = format == Format::webp ? inspect_webp(bytes) : inspect_stb(bytes, format);
     if (cost.width == 0 || cost.height == 0 || cost.width > max_side || cost.height > max_side ||
         uint64_t(cost.width) * cost.height > max_pixels)
-        throw DecodeError(fmt::format("{} × {} pixels are beyond the limit of {} a side and {} in all",
-                                      cost.width, cost.height, max_side, max_pixels));
+        throw DecodeError(
+            fmt::format("{} × {} pixels are beyond the limit of {} a side and {} in all",
+                        cost.width, cost.height, max_side, max_pixels));
     return cost;
 }
 

@@ -104,8 +104,9 @@ Cost inspect_stb(std::span<const uint8_t> bytes, Format format) {
         throw DecodeError(fmt::format("does not decode ({})", stbi_failure_reason()));
     if (format == Format::jpeg)
         check_jpeg_markers(bytes);
-    // 8-bit PNG: unpacked lines, picture, de-interlaced picture, at most 4 bytes a pixel each; JPEG:
-    // coefficients, planes, picture, 13 in all. 16-bit PNG: the same twice as wide, and converted.
+    // 8-bit PNG: unpacked lines, picture, de-interlaced picture, at most 4 bytes a pixel each;
+    // JPEG: coefficients, planes, picture, 13 in all. 16-bit PNG: the same twice as wide, and
+    // converted.
     const bool wide = stbi_is_16_bit_from_memory(bytes.data(), int(bytes.size())) != 0;
     const uint64_t pixels = uint64_t(width) * uint64_t(height);
     return {uint32_t(width), uint32_t(height),
