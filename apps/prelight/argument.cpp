@@ -1,0 +1,129 @@
+#include "argument.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <prelight/scene_io.hpp>
+#include <set>
+
+namespace prelight::app {
+namespace {
+
+/// The whole text as a number; false for anything else, a sign or a space included.
+template <typename T> bool whole_number(std::string_view text, T& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && text.front() != '-';
+}
+
+[[noreturn]] void refuse(std::string_view option, const std::string& text,
+                         const std::string& reason) {
+    throw UsageError(fmt::format("{} {}: {}", option, text.empty() ? "\"\"" : text, reason));
+}
+
+} // namespace
+
+std::pair<uint32_t, uint32_t> parse_size(std::string_view option, const std::string& text) {
+    uint32_t width = 0, height = 0;
+    const size_t cross = text.find('x');
+    if (cross == std::string::npos ||
+        !whole_number(std::string_view(text).substr(0, cross), width) ||
+        !whole_number(std::string_view(text).substr(cross + 1), height))
+        refuse(option, text, "not WIDTHxHEIGHT in pixels, as in 1280x720");
+    if (width == 0 || height == 0)
+        refuse(option, text, "a picture without pixels");
+    return {width, height};
+}
+
+uint32_t parse_count(std::string_view option, const std::string& text, uint32_t least) {
+    uint32_t value = 0;
+    if (!whole_number(text, value) || value < least)
+        refuse(option, text,
+               fmt::format("not a whole number from {} to {}", least,
+                           std::numeric_limits<uint32_t>::max()));
+    return value;
+}
+
+uint64_t parse_seed(std::string_view option, const std::string& text) {
+    uint64_t value = 0;
+    if (!whole_number(text, value))
+        refuse(option, text, "not a whole number of 64 bits");
+    return value;
+}
+
+double parse_number(std::string_view option, const std::string& text, double least, double most) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
+        value < least || value > most)
+        refuse(option, text, fmt::format("not a number from {} to {}", least, most));
+    return value;
+}
+
+std::pair<std::string, std::string> parse_pair(std::string_view option, const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        refuse(option, text, "not of the form KEY=VALUE");
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    return extension;
+}
+
+std::string builtin_names() {
+    std::string names;
+    for (const BuiltinScene& scene : builtin_scenes())
+        names += (names.empty() ? "" : ", ") + std::string(scene.name);
+    return names;
+}
+
+void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
+    bool named = false;
+    for (const std::string& text : texts) {
+        if (text.find('=') != std::string::npos) {
+            auto [view, file] = parse_pair("--view", text);
+            command.more_views.push_back({std::move(view), std::move(file)});
+        } else if (named || text.empty()) {
+            refuse("--view", text, "a second buffer needs a file of its own: BUFFER=FILE.png");
+        } else {
+            command.view = text;
+            named = true;
+        }
+    }
+    for (const ViewFile& more : command.more_views)
+        command.options.views.push_back(more.view);
+    command.options.views.push_back(command.view);
+    std::ranges::sort(command.options.views);
+    const auto repeated = std::ranges::unique(command.options.views);
+    command.options.views.erase(repeated.begin(), repeated.end());
+}
+
+void check_outputs(const RenderCommand& command) {
+    std::set<std::filesystem::path> seen;
+    const auto once = [&](const std::filesystem::path& file) {
+        if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
+            throw UsageError(file.string() + ": named for two outputs");
+    };
+    const std::string extension = lower_extension(command.output);
+    if (extension != ".png" && extension != ".exr")
+        refuse("-o", command.output.string(), "the name must end in .png or .exr");
+    // EXR holds scene-linear light; a buffer that is drawn for the eye has no such values.
+    if (extension == ".exr" && command.view != "final")
+        refuse("--view", command.view, "an EXR holds the final picture only; use .png");
+    once(command.output);
+    for (const ViewFile& more : command.more_views) {
+        if (lower_extension(more.file) != ".png")
+            refuse("--view", more.view + "=" + more.file.string(), "the name must end in .png");
+        once(more.file);
+    }
+    if (!command.stats.empty())
+        once(command.stats);
+}
+
+} // namespace prelight::app

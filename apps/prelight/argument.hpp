@@ -1,0 +1,46 @@
+#pragma once
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+#include <string_view>
+#include <utility>
+
+namespace prelight::app {
+
+// Each turns the text of one argument into a value, or throws UsageError "OPTION TEXT: REASON".
+
+/// "WxH", both 1 … 2³² − 1. Whether a device can do it is the renderer's to say.
+std::pair<uint32_t, uint32_t> parse_size(std::string_view option, const std::string& text);
+/// A whole decimal number, `least` … 2³² − 1.
+uint32_t parse_count(std::string_view option, const std::string& text, uint32_t least);
+/// A whole decimal number of 64 bits.
+uint64_t parse_seed(std::string_view option, const std::string& text);
+/// A finite decimal number, `least` … `most`.
+double parse_number(std::string_view option, const std::string& text, double least, double most);
+/// "KEY=VALUE", neither empty.
+std::pair<std::string, std::string> parse_pair(std::string_view option, const std::string& text);
+
+template <typename T>
+T parse_word(std::string_view option, const std::string& text,
+             const std::vector<std::pair<std::string_view, T>>& words) {
+    std::string known;
+    for (const auto& [word, value] : words) {
+        if (word == text)
+            return value;
+        known += (known.empty() ? "" : ", ") + std::string(word);
+    }
+    throw UsageError(fmt::format("{} {}: not one of {}", option, text, known));
+}
+
+/// The extension in lower case, with its dot.
+std::string lower_extension(const std::filesystem::path& path);
+/// "city, lights, …" for messages.
+std::string builtin_names();
+
+/// Sorts the texts of --view into the command: the buffer for `output`, and those with files.
+void take_views(RenderCommand& command, const std::vector<std::string>& texts);
+/// Each output has an extension that suits its content, and no two outputs are one file.
+void check_outputs(const RenderCommand& command);
+
+} // namespace prelight::app

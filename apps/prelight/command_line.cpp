@@ -1,0 +1,163 @@
+// The only unit that includes CLI11: it takes seconds to compile.
+#include "command_line.hpp"
+
+#include "argument.hpp"
+
+#include <CLI/CLI.hpp>
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+namespace {
+
+constexpr const char* program_footer = R"(Examples:
+  prelight render city --lights 1024 -o night.png
+  prelight render helmet.glb --camera 1 --size 1920x1080 -o helmet.exr
+  prelight make spheres -o spheres.glb
+  prelight renderers light-prepass
+Exit status: 0 done, 1 the work failed, 2 wrong usage.)";
+
+constexpr const char* render_footer = R"(Examples:
+  prelight render city --lights 4096 --seed 7 -o city.png --stats city.json
+  prelight render helmet.glb --set normals=oct32 --shading phong -o helmet.png
+  prelight render city -o city.png --view normal=normal.png --view depth=depth.png
+  prelight render city --view diffuse-light -o light.png
+  prelight render city --renderer reference --size 320x180 -o truth.exr
+A name ending in .exr receives exposed scene-linear values, without tone mapping.
+`prelight renderers NAME` lists what --set, --view and --preset accept.)";
+
+/// Everything `render` is given as text, before it is checked.
+struct RenderText {
+    std::string size = "1280x720", shading = "ggx", tonemap = "pbr-neutral", output, stats;
+    std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0";
+    std::vector<std::string> settings, views;
+};
+
+struct MakeText {
+    std::string output, lights, seed = "1";
+};
+
+void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
+    auto& sub = *app.add_subcommand("render", "Render a scene into a picture");
+    const auto option = [&](const char* names, auto& target, const char* word, const char* help) {
+        return sub.add_option(names, target, help)->type_name(word)->allow_extra_args(false);
+    };
+    sub.footer(render_footer);
+    sub.add_option("SCENE", command.scene, "A .gltf or .glb file, or a built-in scene: see `make`")
+        ->required()
+        ->type_name("");
+    option("-o,--output", text.output, "IMAGE", "The picture: PNG, or EXR when the name ends so")
+        ->required();
+    option("--renderer", command.renderer, "NAME", "Architecture (default light-prepass)");
+    option("--preset", command.options.preset, "NAME", "A source text's own configuration");
+    option("--set", text.settings, "KEY=VALUE", "One setting of the renderer; repeatable");
+    option("--size", text.size, "WxH", "Picture size in pixels (default 1280x720)");
+    option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
+    option("--frames", text.frames, "N", "Frames to render and time (default 1)");
+    option("--lights", text.lights, "N",
+           "Light count of a built-in scene; adds N random point lights to any other");
+    option("--seed", text.seed, "S", "Seed of what is random (default 1)");
+    option("--view", text.views, "BUFFER[=FILE]",
+           "Write this buffer in place of the picture; with =FILE.png, beside it; repeatable");
+    option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
+    option("--shading", text.shading, "MODEL", "ggx (default) or phong");
+    option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
+    option("--exposure", text.exposure, "EV", "Multiplies light by 2^EV (default 0)");
+    option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
+    option("--stats", text.stats, "FILE", "Write the run's figures as JSON");
+    sub.add_flag("--count-pairs", command.options.count_pairs,
+                 "Count light x pixel pairs for --stats (not for timing)");
+    sub.add_flag("--validate", command.validate,
+                 "Run with Vulkan validation; any message is a failure");
+    sub.add_flag("--watch", command.watch, "Render again whenever the scene file changes");
+}
+
+void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
+    auto& sub = *app.add_subcommand("make", "Write a built-in scene as glTF");
+    sub.footer("Example:\n  prelight make city --lights 256 --seed 3 -o city.glb\n"
+               "Built-in scenes: " + builtin_names() + ".");
+    sub.add_option("NAME", command.scene, "A built-in scene")->required()->type_name("");
+    sub.add_option("-o,--output", text.output, "The file to write")->required()->type_name("GLB");
+    sub.add_option("--lights", text.lights, "Number of lights, 1 to 65536")->type_name("N");
+    sub.add_option("--seed", text.seed, "Seed of what is random (default 1)")->type_name("S");
+}
+
+void finish(RenderCommand& command, const RenderText& text) {
+    std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
+    command.options.shading = parse_word<Shading>("--shading", text.shading,
+                                                  {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
+    command.options.tonemap = parse_word<Tonemap>("--tonemap", text.tonemap,
+                                                  {{"pbr-neutral", Tonemap::pbr_neutral},
+                                                   {"aces", Tonemap::aces},
+                                                   {"none", Tonemap::none}});
+    command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
+    command.options.msaa = parse_count("--msaa", text.msaa, 1);
+    command.frames = parse_count("--frames", text.frames, 1);
+    command.seed = parse_seed("--seed", text.seed);
+    if (!text.lights.empty())
+        command.lights = parse_count("--lights", text.lights, 1);
+    for (const std::string& setting : text.settings) {
+        const auto [key, value] = parse_pair("--set", setting);
+        command.options.settings[key] = value;
+    }
+    command.output = text.output;
+    command.stats = text.stats;
+    take_views(command, text.views);
+    check_outputs(command);
+}
+
+void finish(MakeCommand& command, const MakeText& text) {
+    command.output = text.output;
+    if (lower_extension(command.output) != ".glb")
+        throw UsageError("-o " + text.output + ": the name must end in .glb");
+    command.seed = parse_seed("--seed", text.seed);
+    if (!text.lights.empty())
+        command.lights = parse_count("--lights", text.lights, 1);
+}
+
+} // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+    CLI::App app("Prelight renders scenes with very many dynamic lights.", "prelight");
+    app.set_version_flag("--version", "prelight " PRELIGHT_VERSION);
+    app.require_subcommand(1);
+    app.footer(program_footer);
+
+    RenderCommand render;
+    RenderText render_text;
+    MakeCommand make;
+    MakeText make_text;
+    RenderersCommand renderers;
+    add_render(app, render, render_text);
+    add_make(app, make, make_text);
+    app.add_subcommand("devices", "Show the Vulkan devices and which would be taken");
+    auto& list = *app.add_subcommand("renderers", "List renderers, or what one of them can do");
+    list.add_option("NAME", renderers.name, "Show keys, values, views, presets")->type_name("");
+
+    // CLI11 would only say that a command is missing, not that this one is unknown.
+    if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1]))
+        throw UsageError(fmt::format("{}: not a command (render, make, devices, renderers)", argv[1]));
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return PrintCommand{app.help()};
+    } catch (const CLI::CallForVersion& version) {
+        return PrintCommand{std::string(version.what()) + "\n"};
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(std::string(error.what()) + " (see prelight --help)");
+    }
+
+    if (app.got_subcommand("render")) {
+        finish(render, render_text);
+        return render;
+    }
+    if (app.got_subcommand("make")) {
+        finish(make, make_text);
+        return make;
+    }
+    if (app.got_subcommand("renderers"))
+        return renderers;
+    return DevicesCommand{};
+}
+
+} // namespace prelight::app

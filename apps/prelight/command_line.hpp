@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <prelight/renderer.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace prelight::app {
+
+/// A buffer of the frame and the file that receives it (`--view NAME=FILE`).
+struct ViewFile {
+    std::string view;
+    std::filesystem::path file;
+};
+
+/// `prelight render`
+struct RenderCommand {
+    std::string scene; ///< a file, or the name of a built-in scene
+    std::filesystem::path output;
+    std::string view = "final"; ///< the buffer that `output` receives
+    std::vector<ViewFile> more_views;
+    std::string renderer = "light-prepass";
+    RenderOptions options;
+    std::string camera; ///< name or index; empty: the scene's first
+    uint32_t frames = 1;
+    std::optional<uint32_t> lights;
+    uint64_t seed = 1;
+    std::string device = "auto";
+    bool validate = false;
+    bool watch = false;
+    std::filesystem::path stats; ///< empty: none
+};
+
+/// `prelight make`
+struct MakeCommand {
+    std::string scene;
+    std::filesystem::path output;
+    std::optional<uint32_t> lights;
+    uint64_t seed = 1;
+};
+
+/// `prelight devices`
+struct DevicesCommand {};
+
+/// `prelight renderers [NAME]`
+struct RenderersCommand {
+    std::string name; ///< empty: all, one line each
+};
+
+/// `--help`, `--version`: text that goes to stdout, and nothing else to do.
+struct PrintCommand {
+    std::string text;
+};
+
+using Command =
+    std::variant<RenderCommand, MakeCommand, DevicesCommand, RenderersCommand, PrintCommand>;
+
+/// Throws UsageError with one line that names the argument and the reason.
+Command parse_command_line(int argc, const char* const* argv);
+
+} // namespace prelight::app

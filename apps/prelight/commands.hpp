@@ -1,0 +1,13 @@
+#pragma once
+#include "command_line.hpp"
+
+namespace prelight::app {
+
+// One file a command. Each returns when its work is done; throws Error or UsageError.
+void run(const RenderCommand& command);
+void run(const MakeCommand& command);
+void run(const DevicesCommand& command);
+void run(const RenderersCommand& command);
+void run(const PrintCommand& command);
+
+} // namespace prelight::app

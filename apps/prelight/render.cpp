@@ -1,0 +1,123 @@
+#include "argument.hpp"
+#include "commands.hpp"
+#include "output.hpp"
+#include "renderer_info.hpp"
+#include "scene_source.hpp"
+#include "stats_json.hpp"
+#include "watch.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <prelight/device.hpp>
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+namespace {
+
+/// What outlives one picture: `--watch` shows scene after scene with it.
+struct Session {
+    std::unique_ptr<Device> device; ///< null for a renderer that needs none
+    std::unique_ptr<Renderer> renderer;
+};
+
+/// A picture in memory, and where it goes.
+struct Picture {
+    Image image;
+    std::filesystem::path file;
+};
+
+void check_before_work(const RenderCommand& command, const RendererInfo& info) {
+    for (const std::string& view : command.options.views)
+        if (view != "final" && std::ranges::find(info.views, view) == info.views.end())
+            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name,
+                                         fmt::join(info.views, ", ")));
+    if (command.watch && !names_file(command.scene))
+        throw UsageError(fmt::format("--watch: {} is not a file that could change", command.scene));
+    check_writable(command.output);
+    for (const ViewFile& more : command.more_views)
+        check_writable(more.file);
+    if (!command.stats.empty())
+        check_writable(command.stats);
+}
+
+std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& command) {
+    const bool exr = lower_extension(command.output) == ".exr";
+    std::vector<Picture> pictures;
+    pictures.push_back({renderer.read(exr ? "linear" : command.view), command.output});
+    for (const ViewFile& more : command.more_views)
+        pictures.push_back({renderer.read(more.view), more.file});
+    return pictures;
+}
+
+/// Throws Error when validation had something to say; each message is a line of stderr.
+void check_validation(const Device& device) {
+    const std::vector<std::string> messages = device.validation_messages();
+    for (const std::string& message : messages)
+        fmt::print(stderr, "validation: {}\n", message);
+    if (!messages.empty())
+        throw Error(fmt::format("{}: {} validation message{}", device.name(), messages.size(),
+                                messages.size() == 1 ? "" : "s"));
+}
+
+void write(const std::vector<Picture>& pictures) {
+    for (const Picture& picture : pictures) {
+        const WriteGuard guard;
+        if (lower_extension(picture.file) == ".exr")
+            save_exr(picture.image, picture.file);
+        else
+            save_png(picture.image, picture.file);
+    }
+}
+
+void render_once(Session& session, const RenderCommand& command, const LoadedScene& loaded) {
+    const PlacedCamera& camera = command.camera.empty()
+                                     ? loaded.world.cameras.at(0)
+                                     : find_camera(loaded.world, command.camera);
+    session.renderer->set_world(loaded.world);
+    session.renderer->render(camera, command.frames);
+    const std::vector<Picture> pictures = read_pictures(*session.renderer, command);
+    const Stats stats = session.renderer->stats();
+    if (command.validate && !command.watch)
+        session.renderer.reset(); // taking everything down is checked too
+    if (session.device)
+        check_validation(*session.device);
+    write(pictures);
+    if (!command.stats.empty())
+        save_text(stats_json(command, stats), command.stats);
+    fmt::print("{}: {}x{}, {}, {} lights, {} triangles, {:.1f} ms a frame on {}\n",
+               command.output.string(), command.options.width, command.options.height,
+               command.renderer, stats.lights, stats.triangles, stats.wall_ms.median, stats.device);
+    std::fflush(stdout);
+}
+
+} // namespace
+
+void run(const RenderCommand& command) {
+    const RendererInfo info = find_renderer(command.renderer);
+    check_before_work(command, info);
+
+    // The renderer comes before the scene: wrong usage is told before a long load.
+    Session session;
+    if (info.needs_device)
+        session.device = Device::create({.select = command.device, .validate = command.validate});
+    session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+    FileWatch watch(command.scene);
+    std::unique_ptr<LoadedScene> loaded = load_scene(command.scene, command.lights, command.seed);
+    render_once(session, command, *loaded);
+
+    while (command.watch) {
+        watch.wait();
+        std::unique_ptr<LoadedScene> changed;
+        try {
+            changed = load_scene(command.scene, command.lights, command.seed);
+            render_once(session, command, *changed);
+        } catch (const Error& error) {
+            // Mostly a file caught half written: the next change sets it right.
+            fmt::print(stderr, "prelight: {}\n", error.what());
+        }
+        if (changed) // the renderer may point into it from now on
+            loaded = std::move(changed);
+    }
+}
+
+} // namespace prelight::app

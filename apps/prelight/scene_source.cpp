@@ -1,0 +1,50 @@
+#include "scene_source.hpp"
+
+#include "argument.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <prelight/scene_io.hpp>
+
+namespace prelight::app {
+namespace {
+
+const BuiltinScene* find_builtin(const std::vector<BuiltinScene>& scenes, const std::string& name) {
+    const auto found = std::ranges::find(scenes, std::string_view(name), &BuiltinScene::name);
+    return found == scenes.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+bool names_file(const std::string& name) {
+    const std::string extension = lower_extension(name);
+    std::error_code ignored;
+    return extension == ".gltf" || extension == ".glb" ||
+           std::filesystem::is_regular_file(name, ignored);
+}
+
+Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed) {
+    const std::vector<BuiltinScene> scenes = builtin_scenes();
+    const BuiltinScene* builtin = find_builtin(scenes, name);
+    if (!builtin)
+        throw UsageError(fmt::format("{}: not a built-in scene ({})", name, builtin_names()));
+    return make_scene(name, lights.value_or(builtin->default_lights), seed);
+}
+
+std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
+                                        uint64_t seed) {
+    auto loaded = std::make_unique<LoadedScene>();
+    const bool file = names_file(name);
+    if (!file && !find_builtin(builtin_scenes(), name))
+        throw Error(fmt::format("{}: neither a file nor a built-in scene ({})", name,
+                                builtin_names()));
+    loaded->scene = file ? load_gltf(name) : make_builtin(name, lights, seed);
+    for (const std::string& warning : loaded->scene.warnings)
+        fmt::print(stderr, "warning: {}\n", warning);
+    loaded->world = resolve(loaded->scene);
+    if (file && lights)
+        scatter_lights(loaded->world, *lights, seed);
+    return loaded;
+}
+
+} // namespace prelight::app

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Builds the program: scripts/build.sh [--tests] [PRESET]   (presets: release (default), debug, asan)
+# The program is then build/PRESET/prelight. With --tests the test binaries are built too.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+preset=release
+target=prelight_app
+tests=OFF
+# An existing build folder keeps its tests: switching them off and on would configure it anew.
+if pkg-config --exists gtest gmock 2>/dev/null; then
+    tests=ON
+fi
+for argument in "$@"; do
+    case $argument in
+    --tests) target=all tests=ON ;;
+    -*) echo "usage: scripts/build.sh [--tests] [PRESET]" >&2; exit 2 ;;
+    *) preset=$argument ;;
+    esac
+done
+
+log=build/$preset-configure.log
+mkdir -p build
+if ! cmake --preset "$preset" -DPRELIGHT_TESTS=$tests >"$log" 2>&1; then
+    cat "$log" >&2
+    exit 1
+fi
+cmake --build --preset "$preset" --target $target

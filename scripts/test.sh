@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# Every test: installs what is missing, builds Release and the fuzz target, runs all test binaries.
+#   scripts/test.sh [NAME…]   only these, of: image scene reference gpu render cli fuzz …
+# One line for each binary; the last line counts the tests. FUZZ_SECONDS (default 60) is how long
+# the fuzz target runs.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+root=$PWD
+build=$root/build/release
+logs=$build/test-logs
+jobs=2
+
+scripts/setup.sh --tests
+scripts/build.sh --tests
+if [ -f tests/oracle/package.json ]; then
+    # The oracles are extra witnesses: without a network their tests say that they were skipped.
+    if ! (cd tests/oracle && npm ci --no-audit --no-fund --silent >"$build/npm.log" 2>&1); then
+        echo "SKIPPED npm ci in tests/oracle failed (see $build/npm.log): no oracle tests"
+    fi
+fi
+
+# Mesa's compiled shaders, shared by all tests; and nothing in the user's own cache folder.
+export MESA_SHADER_CACHE_DIR=$root/build/shader-cache
+export XDG_CACHE_HOME=$root/build/test-cache
+mkdir -p "$MESA_SHADER_CACHE_DIR" "$XDG_CACHE_HOME" "$logs"
+rm -f "$logs"/*
+
+# Which binaries, fast ones first; those not named here come after them.
+declare -a names=() known=(image scene reference gpu render cli)
+for name in "${known[@]}"; do
+    [ -x "$build/tests/test_$name" ] && names+=("$name")
+done
+for binary in "$build"/tests/test_*; do
+    name=${binary##*/test_}
+    [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
+done
+[ -d tests/fuzz ] && names+=(fuzz)
+if [ $# -gt 0 ]; then
+    names=("$@")
+fi
+
+# Runs one GoogleTest binary and writes "PASSED FAILED SKIPPED" to $logs/NAME.count. A test that
+# began and has no result (a crash, a timeout) counts as failed, and so does a binary that ran none.
+run_gtest() { # NAME
+    local log=$logs/$1.log status=0 announced passed failed skipped
+    (cd "$root" && timeout --kill-after=10 900 "$build/tests/test_$1" >"$log" 2>&1) || status=$?
+    announced=$(sed -n 's/^\[==========\] Running \([0-9]*\) test.*/\1/p' "$log" | head -n 1)
+    announced=${announced:-0}
+    passed=$(grep -c '\[       OK \] .* ([0-9]* ms)$' "$log" || true)
+    skipped=$(grep -c '\[  SKIPPED \] .* ([0-9]* ms)$' "$log" || true)
+    failed=$((announced - passed - skipped))
+    if [ "$failed" -le 0 ] && { [ "$status" != 0 ] || [ "$announced" = 0 ]; }; then
+        failed=1
+    fi
+    [ "$status" = 124 ] && echo "timed out" >>"$log"
+    [ "$status" -gt 128 ] && echo "ended by signal $((status - 128))" >>"$log"
+    echo "$passed $failed $skipped" >"$logs/$1.count"
+}
+
+# Builds the fuzz target with clang and runs it for a while on its seeds: one test.
+run_fuzz() {
+    local log=$logs/fuzz.log seconds=${FUZZ_SECONDS:-60}
+    if ! command -v clang++ >/dev/null; then
+        echo "clang++ is missing" >"$log"
+        echo "0 0 1" >"$logs/fuzz.count"
+    elif tests/fuzz/run.sh "$seconds" >"$log" 2>&1; then
+        echo "1 0 0" >"$logs/fuzz.count"
+    else
+        echo "0 1 0" >"$logs/fuzz.count"
+    fi
+}
+
+run_one() { # NAME: runs it, then prints its line
+    local began=$SECONDS passed failed skipped
+    if [ "$1" = fuzz ]; then
+        run_fuzz
+    else
+        run_gtest "$1"
+    fi
+    read -r passed failed skipped <"$logs/$1.count"
+    local line
+    line=$(printf '%-12s %4d passed, %d failed, %d skipped  (%d s)' \
+        "$1" "$passed" "$failed" "$skipped" $((SECONDS - began)))
+    if [ "$failed" != 0 ]; then
+        line+=$'\n'$(grep -E '^\[  FAILED  \]|Failure$|^ended by|^timed out|ERROR:' "$logs/$1.log" |
+            head -n 40 || true)
+        line+=$'\n'"--- end of $logs/$1.log"$'\n'$(tail -n 30 "$logs/$1.log")
+    elif [ "$skipped" != 0 ]; then
+        line+=$'\n'$(grep -A 1 'Skipped$' "$logs/$1.log" | grep -v -e 'Skipped$' -e '^--$' |
+            sort | uniq -c | sed 's/^/  skipped: /' || true)
+    fi
+    echo "$line"
+}
+
+for name in "${names[@]}"; do
+    while [ "$(jobs -rp | wc -l)" -ge $jobs ]; do
+        wait -n || true
+    done
+    run_one "$name" &
+done
+wait
+
+passed=0 failed=0 skipped=0
+for name in "${names[@]}"; do
+    read -r p f s <"$logs/$name.count" || { p=0 f=1 s=0; }
+    passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+done
+line="$passed passed, $failed failed"
+[ "$skipped" != 0 ] && line+=", $skipped skipped"
+echo "$line"
+[ "$failed" = 0 ] && [ "$passed" != 0 ]
