@@ -114,6 +114,19 @@ void finish(MakeCommand& command, const MakeText& text) {
         command.lights = parse_count("--lights", text.lights, 1);
 }
 
+/// CLI11 would only say that a command is missing, not that this one is unknown.
+void check_command(CLI::App& app, int argc, const char* const* argv) {
+    if (argc < 2 || argv[1][0] == '-')
+        return;
+    std::string known;
+    for (const CLI::App* sub : app.get_subcommands(nullptr)) {
+        if (sub->get_name() == argv[1])
+            return;
+        known += (known.empty() ? "" : ", ") + sub->get_name();
+    }
+    throw UsageError(fmt::format("{}: not a command ({})", argv[1], known));
+}
+
 } // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
@@ -133,9 +146,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     auto& list = *app.add_subcommand("renderers", "List renderers, or what one of them can do");
     list.add_option("NAME", renderers.name, "Show keys, values, views, presets")->type_name("");
 
-    // CLI11 would only say that a command is missing, not that this one is unknown.
-    if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1]))
-        throw UsageError(fmt::format("{}: not a command (render, make, devices, renderers)", argv[1]));
+    check_command(app, argc, argv);
 
     try {
         app.parse(argc, argv);

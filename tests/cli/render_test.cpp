@@ -1,0 +1,243 @@
+// What a successful run leaves behind.
+#include "process.hpp"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <nlohmann/json.hpp>
+#include <prelight/image.hpp>
+#include <sstream>
+
+namespace prelight::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+std::string bytes_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> small(std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"render", "spheres", "--size", "64x36"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+/// Mean of all channels, and how far the values spread around it.
+std::pair<double, double> mean_and_deviation(const Image& image) {
+    double sum = 0, squares = 0;
+    for (const glm::vec3& pixel : image.pixels)
+        for (int c = 0; c < 3; ++c) {
+            sum += pixel[c];
+            squares += double(pixel[c]) * pixel[c];
+        }
+    const double count = 3.0 * double(image.pixels.size()), mean = sum / count;
+    return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
+}
+
+void expect_spread(const Json& spread) {
+    ASSERT_EQ(spread.size(), 3u);
+    EXPECT_GE(spread.at("min").get<double>(), 0);
+    EXPECT_LE(spread.at("min").get<double>(), spread.at("median").get<double>());
+    EXPECT_LE(spread.at("median").get<double>(), spread.at("max").get<double>());
+}
+
+TEST(Render, WritesAPngOfTheSizeAskedForWithSomethingOnIt) {
+    const TemporaryFolder folder;
+    const Result result = run(small({"-o", "a.png"}), folder.path);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_THAT(result.out, HasSubstr("a.png: 64x36, light-prepass"));
+    const Image image = load_png(folder.path / "a.png");
+    EXPECT_EQ(image.width, 64u);
+    EXPECT_EQ(image.height, 36u);
+    EXPECT_GT(mean_and_deviation(image).second, 0.02) << "flat picture";
+    EXPECT_EQ(folder.entries(), 1u) << "a temporary file was left";
+}
+
+TEST(Render, TwoRunsGiveTheSameBytes) {
+    const TemporaryFolder folder;
+    for (const char* renderer : {"light-prepass", "reference"}) {
+        ASSERT_TRUE(succeeded(run(small({"-o", "a.png", "--renderer", renderer}), folder.path)));
+        ASSERT_TRUE(succeeded(run(small({"-o", "b.png", "--renderer", renderer}), folder.path)));
+        EXPECT_TRUE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png")) << renderer;
+    }
+}
+
+TEST(Render, ExrStaysLinear) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run(small({"-o", "a.exr"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small({"-o", "b.exr", "--tonemap", "none"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small({"-o", "c.exr", "--exposure", "1"}), folder.path)));
+    EXPECT_TRUE(bytes_of(folder.path / "a.exr") == bytes_of(folder.path / "b.exr"));
+    const Image once = load_exr(folder.path / "a.exr"), twice = load_exr(folder.path / "c.exr");
+    ASSERT_GT(mean_and_deviation(once).first, 0);
+    EXPECT_NEAR(mean_and_deviation(twice).first / mean_and_deviation(once).first, 2, 0.01);
+}
+
+TEST(Render, TonemapAndShadingAndExposureChangeThePicture) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run(small({"-o", "a.png"}), folder.path)));
+    for (const auto& [key, value] : {std::pair{"--tonemap", "aces"},
+                                     {"--tonemap", "none"},
+                                     {"--shading", "phong"},
+                                     {"--exposure", "-1.5"}}) {
+        ASSERT_TRUE(succeeded(run(small({"-o", "b.png", key, value}), folder.path))) << key;
+        EXPECT_FALSE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png")) << value;
+    }
+}
+
+TEST(Render, WritesEveryBufferOfOneFrame) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run(small({"-o", "final.png", "--view", "depth=depth.png", "--view",
+                                     "normal=normal.png", "--view", "diffuse-light=diffuse.png",
+                                     "--view", "specular-light=specular.png"}),
+                              folder.path)));
+    EXPECT_EQ(folder.entries(), 5u);
+    std::vector<std::string> seen;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path)) {
+        const Image image = load_png(entry.path());
+        EXPECT_EQ(image.width, 64u);
+        EXPECT_GT(mean_and_deviation(image).second, 0.004) << entry.path() << " is flat";
+        for (const std::string& other : seen)
+            EXPECT_FALSE(bytes_of(entry.path()) == other) << entry.path() << " is another one's copy";
+        seen.push_back(bytes_of(entry.path()));
+    }
+    // The same buffer in place of the picture.
+    ASSERT_TRUE(succeeded(run(small({"-o", "alone.png", "--view", "depth"}), folder.path)));
+    EXPECT_TRUE(bytes_of(folder.path / "alone.png") == bytes_of(folder.path / "depth.png"));
+}
+
+TEST(Render, StatsHoldWhatTheContractNames) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run({"render", "lights", "--lights", "16", "--size", "64x36", "-o",
+                               "a.png", "--frames", "3", "--stats", "a.json", "--count-pairs"},
+                              folder.path)));
+    const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
+    EXPECT_NE(stats.at("device").get<std::string>(), "");
+    EXPECT_NE(stats.at("driver").get<std::string>(), "");
+    EXPECT_EQ(stats.at("scene"), "lights");
+    EXPECT_EQ(stats.at("renderer"), "light-prepass");
+    EXPECT_TRUE(stats.at("preset").is_null());
+    EXPECT_TRUE(stats.at("settings").is_object());
+    EXPECT_GE(stats.at("settings").size(), 1u);
+    EXPECT_EQ(stats.at("size"), Json({64, 36}));
+    EXPECT_EQ(stats.at("msaa"), 1);
+    EXPECT_EQ(stats.at("shading"), "ggx");
+    EXPECT_EQ(stats.at("lights"), 16);
+    EXPECT_EQ(stats.at("triangles"), 250284); // as the issue defines the scene
+    EXPECT_GT(stats.at("draws"), 0);
+    EXPECT_EQ(stats.at("frames"), 3);
+    for (const char* key : {"wall_ms", "cpu_ms", "gpu_ms"})
+        expect_spread(stats.at(key));
+    EXPECT_GT(stats.at("wall_ms").at("median"), 0);
+    ASSERT_GE(stats.at("passes").size(), 3u) << "depth and normals, light, material";
+    for (const Json& pass : stats.at("passes")) {
+        EXPECT_NE(pass.at("name").get<std::string>(), "");
+        expect_spread(pass.at("gpu_ms"));
+        EXPECT_TRUE(pass.contains("cpu_ms"));
+    }
+    EXPECT_GT(stats.at("attachment_bytes"), 64 * 36 * 8);
+    EXPECT_GE(stats.at("device_bytes"), stats.at("attachment_bytes"));
+    EXPECT_GT(stats.at("light_pixel_pairs").at("evaluated"), 0);
+    EXPECT_LE(stats.at("light_pixel_pairs").at("contributing"),
+              stats.at("light_pixel_pairs").at("evaluated"));
+    EXPECT_EQ(stats.size(), 20u) << "a key that the contract does not name";
+}
+
+TEST(Render, SettingsAndPresetsReachTheStats) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run(
+        small({"-o", "a.png", "--stats", "a.json", "--set", "normals=oct32", "--shading", "phong"}),
+        folder.path)));
+    const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
+    EXPECT_EQ(stats.at("settings").at("normals"), "oct32");
+    EXPECT_EQ(stats.at("shading"), "phong");
+}
+
+TEST(Render, LightsAreAddedToAFileAndSetForABuiltin) {
+    const TemporaryFolder folder;
+    const auto lights = [&](std::vector<std::string> arguments) {
+        const std::vector<std::string> rest = {"--size", "64x36", "-o", "a.png", "--renderer",
+                                               "reference", "--stats", "a.json"};
+        arguments.insert(arguments.begin(), "render");
+        arguments.insert(arguments.end(), rest.begin(), rest.end());
+        EXPECT_TRUE(succeeded(run(arguments, folder.path)));
+        return Json::parse(bytes_of(folder.path / "a.json")).at("lights").get<int>();
+    };
+    EXPECT_EQ(lights({"lights", "--lights", "5"}), 5);
+    ASSERT_TRUE(succeeded(run({"make", "lights", "--lights", "5", "-o", "l.glb"}, folder.path)));
+    EXPECT_EQ(lights({"l.glb"}), 5);
+    EXPECT_EQ(lights({"l.glb", "--lights", "7"}), 12);
+}
+
+TEST(Render, AFileShowsWhatTheBuiltinSceneShows) {
+    const TemporaryFolder folder;
+    for (const char* name : {"spheres", "lights", "city"}) {
+        ASSERT_TRUE(succeeded(
+            run({"make", name, "--lights", "8", "--seed", "3", "-o", "s.glb"}, folder.path)));
+        ASSERT_TRUE(succeeded(run({"render", "s.glb", "--size", "64x36", "-o", "file.png"},
+                                  folder.path)));
+        ASSERT_TRUE(succeeded(run({"render", name, "--lights", "8", "--seed", "3", "--size", "64x36",
+                                   "-o", "builtin.png"},
+                                  folder.path)));
+        const Image file = load_png(folder.path / "file.png"),
+                    builtin = load_png(folder.path / "builtin.png");
+        ASSERT_EQ(file.pixels.size(), builtin.pixels.size());
+        // What glTF cannot say to the last bit may move an edge, never more.
+        size_t different = 0;
+        for (size_t i = 0; i < file.pixels.size(); ++i)
+            different += glm::any(glm::greaterThan(glm::abs(file.pixels[i] - builtin.pixels[i]),
+                                                   glm::vec3(2.5f / 255)));
+        EXPECT_LE(different, file.pixels.size() / 200) << name;
+    }
+}
+
+TEST(Render, MakeGivesTheSameBytesForTheSameSeed) {
+    const TemporaryFolder folder;
+    const auto make = [&](const char* seed, const char* file) {
+        EXPECT_TRUE(succeeded(
+            run({"make", "lights", "--lights", "9", "--seed", seed, "-o", file}, folder.path)));
+        return bytes_of(folder.path / file);
+    };
+    const std::string first = make("7", "a.glb");
+    EXPECT_TRUE(first == make("7", "b.glb"));
+    EXPECT_FALSE(first == make("8", "c.glb"));
+    EXPECT_EQ(first.substr(0, 4), "glTF");
+}
+
+TEST(Render, CamerasByNameAndIndex) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run(small({"-o", "a.png"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small({"-o", "b.png", "--camera", "0"}), folder.path)));
+    EXPECT_TRUE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png"));
+}
+
+TEST(Render, ReferenceNeedsNoDevice) {
+    const TemporaryFolder folder;
+    const Result result =
+        run(small({"-o", "a.png", "--renderer", "reference"}), folder.path, {},
+            {{"VK_DRIVER_FILES", "/nonexistent.json"}, {"VK_ICD_FILENAMES", "/nonexistent.json"}});
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_GT(mean_and_deviation(load_png(folder.path / "a.png")).second, 0.02);
+}
+
+TEST(Render, ValidationHasNothingToSay) {
+    if (!std::filesystem::exists(PRELIGHT_BUILD_DIR "/layers"))
+        GTEST_SKIP() << "the chromium package's validation layer is not installed";
+    const TemporaryFolder folder;
+    const Result result =
+        run({"render", "lights", "--lights", "16", "--size", "64x36", "--frames", "3", "-o", "a.png",
+             "--view", "depth=d.png", "--view", "normal=n.png", "--view", "diffuse-light=l.png",
+             "--validate"},
+            folder.path);
+    EXPECT_TRUE(succeeded(result));
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "a.png"));
+}
+
+} // namespace
+} // namespace prelight::test

@@ -1,0 +1,105 @@
+// Wrong usage: exit status 2, one line, and nothing written.
+#include "process.hpp"
+
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace prelight::test {
+namespace {
+
+using testing::HasSubstr;
+
+struct Wrong {
+    const char* name;
+    const char* arguments; ///< split at spaces
+    const char* expected;  ///< a part of the message
+};
+
+void PrintTo(const Wrong& wrong, std::ostream* stream) { *stream << wrong.arguments; }
+
+std::vector<std::string> split(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;)
+        words.push_back(word);
+    return words;
+}
+
+class Usage : public testing::TestWithParam<Wrong> {};
+
+TEST_P(Usage, IsRefusedInOneLine) {
+    const TemporaryFolder folder;
+    const Result result = run(split(GetParam().arguments), folder.path);
+    EXPECT_TRUE(failed_with(result, 2));
+    EXPECT_THAT(result.err, HasSubstr(GetParam().expected));
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(folder.entries(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, Usage,
+    testing::Values(
+        Wrong{"NoCommand", "", "--help"}, //
+        Wrong{"UnknownCommand", "paint city -o a.png", "paint: not a command"},
+        Wrong{"NotYetView", "view city", "view: not a command"},
+        Wrong{"NotYetCompare", "compare city -o out", "compare: not a command"},
+        Wrong{"NotYetBench", "bench city --json a.json", "bench: not a command"},
+        Wrong{"NotYetMaterials", "materials", "materials: not a command"},
+        Wrong{"NoScene", "render -o a.png", "SCENE"}, //
+        Wrong{"NoOutput", "render city", "--output"},
+        Wrong{"TwoScenes", "render city spheres -o a.png", "spheres"},
+        Wrong{"UnknownOption", "render city -o a.png --sharp", "--sharp"},
+        Wrong{"NotYetMaterial", "render city -o a.png --material a=b", "--material"},
+        Wrong{"NotYetTime", "render city -o a.png --time 1", "--time"},
+        Wrong{"OptionTwice", "render city -o a.png --size 8x8 --size 9x9", "--size"},
+        Wrong{"OptionWithoutValue", "render city -o a.png --size", "--size"},
+        Wrong{"OutputWithoutExtension", "render city -o a", ".png or .exr"},
+        Wrong{"OutputOtherFormat", "render city -o a.jpg", ".png or .exr"},
+        Wrong{"SizeZeroWidth", "render city -o a.png --size 0x36", "--size 0x36"},
+        Wrong{"SizeZeroHeight", "render city -o a.png --size 64x0", "--size 64x0"},
+        Wrong{"SizeNegative", "render city -o a.png --size=-64x36", "--size -64x36"},
+        Wrong{"SizeOneNumber", "render city -o a.png --size 64", "--size 64"},
+        Wrong{"SizeGarbage", "render city -o a.png --size axb", "--size axb"},
+        Wrong{"SizeTrailing", "render city -o a.png --size 64x36x2", "--size 64x36x2"},
+        Wrong{"SizeFraction", "render city -o a.png --size 64.5x36", "--size 64.5x36"},
+        Wrong{"SizeOverflow", "render city -o a.png --size 18446744073709551680x36", "--size"},
+        Wrong{"FramesZero", "render city -o a.png --frames 0", "--frames 0"},
+        Wrong{"FramesGarbage", "render city -o a.png --frames many", "--frames many"},
+        Wrong{"LightsZero", "render city -o a.png --lights 0", "--lights 0"},
+        Wrong{"LightsNegative", "render city -o a.png --lights=-1", "--lights -1"},
+        Wrong{"LightsBeyondBuiltin", "render city -o a.png --lights 65537", "65"},
+        Wrong{"SeedGarbage", "render city -o a.png --seed x", "--seed x"},
+        Wrong{"SeedOverflow", "render city -o a.png --seed 18446744073709551616", "--seed"},
+        Wrong{"ExposureNaN", "render city -o a.png --exposure nan", "--exposure nan"},
+        Wrong{"ExposureGarbage", "render city -o a.png --exposure 1e", "--exposure 1e"},
+        Wrong{"ExposureBeyond", "render city -o a.png --exposure 1000", "--exposure 1000"},
+        Wrong{"TonemapUnknown", "render city -o a.png --tonemap filmic", "pbr-neutral, aces, none"},
+        Wrong{"ShadingUnknown", "render city -o a.png --shading toon", "ggx, phong"},
+        Wrong{"MsaaNotYet", "render city -o a.png --size 64x36 --msaa 4", "msaa"},
+        Wrong{"MsaaZero", "render city -o a.png --msaa 0", "--msaa 0"},
+        Wrong{"RendererUnknown", "render city -o a.png --renderer magic", "light-prepass"},
+        Wrong{"PresetUnknown", "render city -o a.png --preset magic", "magic"},
+        Wrong{"SetWithoutValue", "render city -o a.png --set normals", "KEY=VALUE"},
+        Wrong{"SetUnknownKey", "render city -o a.png --set magic=1", "magic"},
+        Wrong{"SetUnknownValue", "render city -o a.png --set normals=magic", "magic"},
+        Wrong{"SetReference", "render city -o a.png --renderer reference --set magic=1", "magic"},
+        Wrong{"ViewUnknown", "render city -o a.png --view magic", "diffuse-light"},
+        Wrong{"ViewAsExr", "render city -o a.exr --view depth", "EXR"},
+        Wrong{"TwoViewsOneFile", "render city -o a.png --view depth --view normal", "BUFFER=FILE"},
+        Wrong{"ViewFileFormat", "render city -o a.png --view depth=a.exr", ".png"},
+        Wrong{"SameFileTwice", "render city -o a.png --view depth=./a.png", "two outputs"},
+        Wrong{"DeviceUnknown", "render city -o a.png --device magic", "magic"},
+        Wrong{"DeviceIndexBeyond", "render city -o a.png --device 99", "99"},
+        Wrong{"CameraUnknown", "render spheres -o a.png --size 64x36 --camera magic", "magic"},
+        Wrong{"CameraBeyond", "render spheres -o a.png --size 64x36 --camera 99", "99"},
+        Wrong{"WatchBuiltin", "render city -o a.png --watch", "--watch"},
+        Wrong{"MakeUnknown", "make magic -o a.glb", "city"},
+        Wrong{"MakeNoOutput", "make city", "--output"},
+        Wrong{"MakeFormat", "make city -o a.gltf", ".glb"},
+        Wrong{"MakeLightsBeyond", "make city -o a.glb --lights 65537", "65"},
+        Wrong{"RenderersUnknown", "renderers magic", "light-prepass"},
+        Wrong{"DevicesArgument", "devices now", "now"}),
+    [](const auto& kind) { return std::string(kind.param.name); });
+
+} // namespace
+} // namespace prelight::test
