@@ -113,13 +113,17 @@ void check_outputs(const RenderCommand& command) {
     const std::string extension = lower_extension(command.output);
     if (extension != ".png" && extension != ".exr")
         refuse("-o", command.output.string(), "the name must end in .png or .exr");
-    // EXR holds scene-linear light; a buffer that is drawn for the eye has no such values.
-    if (extension == ".exr" && command.view != "final")
+    // EXR holds scene-linear light, PNG what is drawn for the eye: neither suits the other's values.
+    const bool linear = command.view == "linear";
+    if (extension == ".exr" && command.view != "final" && !linear)
         refuse("--view", command.view, "an EXR holds the final picture only; use .png");
+    if (extension == ".png" && linear)
+        refuse("--view", command.view, "scene-linear values need a name ending in .exr");
     once(command.output);
     for (const ViewFile& more : command.more_views) {
-        if (lower_extension(more.file) != ".png")
-            refuse("--view", more.view + "=" + more.file.string(), "the name must end in .png");
+        if (lower_extension(more.file) != (more.view == "linear" ? ".exr" : ".png"))
+            refuse("--view", more.view + "=" + more.file.string(),
+                   more.view == "linear" ? "the name must end in .exr" : "the name must end in .png");
         once(more.file);
     }
     if (!command.stats.empty())

@@ -28,7 +28,8 @@ struct Picture {
 
 void check_before_work(const RenderCommand& command, const RendererInfo& info) {
     for (const std::string& view : command.options.views)
-        if (view != "final" && std::ranges::find(info.views, view) == info.views.end())
+        if (view != "final" && view != "linear" &&
+            std::ranges::find(info.views, view) == info.views.end())
             throw UsageError(fmt::format("--view {}: {} has {}", view, info.name,
                                          fmt::join(info.views, ", ")));
     if (command.watch && !names_file(command.scene))

@@ -85,6 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"SetReference", "render city -o a.png --renderer reference --set magic=1", "magic"},
         Wrong{"ViewUnknown", "render city -o a.png --view magic", "diffuse-light"},
         Wrong{"ViewAsExr", "render city -o a.exr --view depth", "EXR"},
+        Wrong{"LinearAsPng", "render city -o a.png --view linear", ".exr"},
         Wrong{"TwoViewsOneFile", "render city -o a.png --view depth --view normal", "BUFFER=FILE"},
         Wrong{"ViewFileFormat", "render city -o a.png --view depth=a.exr", ".png"},
         Wrong{"SameFileTwice", "render city -o a.png --view depth=./a.png", "two outputs"},
