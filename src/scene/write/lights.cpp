@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <scene/write/parts.hpp>
+
+namespace prelight::write {
+namespace {
+
+/// KHR_lights_punctual keeps colours within 0 … 1: what is above goes to the intensity, as a power of
+/// two so that nothing is rounded.
+void set_colour(Json& entry, const Light& light) {
+    const float largest = std::max({light.colour.r, light.colour.g, light.colour.b});
+    float factor = 1;
+    while (largest > factor)
+        factor *= 2;
+    if (light.colour != glm::vec3(1))
+        entry["color"] = numbers(light.colour / factor);
+    if (light.intensity * factor != 1)
+        entry["intensity"] = number(light.intensity * factor);
+}
+
+void set_cone(Json& entry, const Light& light) {
+    // The float nearest to π/2 lies above it, and the extension's limit does not.
+    const double outer = std::min(number(light.outer_cone).get<double>(), std::numbers::pi / 2);
+    double inner = number(light.inner_cone).get<double>();
+    if (inner >= outer) // the extension wants the inner cone smaller, by however little
+        inner = std::nextafter(static_cast<float>(outer), 0.0f);
+    entry["spot"] = {{"innerConeAngle", inner}, {"outerConeAngle", outer}};
+}
+
+void set_extras(Json& entry, const Light& light) {
+    if (light.falloff != Falloff::gltf)
+        entry["extras"]["prelight"]["falloff"] =
+            light.falloff == Falloff::linear ? "linear" : "quadratic";
+    if (light.shininess != 1)
+        entry["extras"]["prelight"]["shininess"] = number(light.shininess);
+}
+
+void check(const Light& light, size_t index, const Document& document) {
+    const float sum = light.colour.r + light.colour.g + light.colour.b + light.intensity +
+                      light.inner_cone + light.outer_cone + light.shininess;
+    const bool positive = std::min({light.colour.r, light.colour.g, light.colour.b}) >= 0 &&
+                          light.intensity >= 0 && light.range > 0 && light.outer_cone > 0;
+    if (!std::isfinite(sum) || !std::isfinite(light.intensity * light.colour.r) || !positive)
+        document.fail(label("light", index, light.name), "a value is out of range");
+}
+
+} // namespace
+
+void add_lights(const Scene& scene, Document& document) {
+    if (scene.lights.empty())
+        return;
+    document.use("KHR_lights_punctual");
+    Json& lights = document.root["extensions"]["KHR_lights_punctual"]["lights"];
+    for (size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        check(light, i, document);
+        Json entry = Json::object();
+        set_name(entry, light.name);
+        entry["type"] = light.kind == LightKind::directional ? "directional"
+                        : light.kind == LightKind::point     ? "point"
+                                                             : "spot";
+        set_colour(entry, light);
+        if (light.kind != LightKind::directional && std::isfinite(light.range))
+            entry["range"] = number(light.range);
+        if (light.kind == LightKind::spot)
+            set_cone(entry, light);
+        set_extras(entry, light);
+        lights.push_back(std::move(entry));
+    }
+}
+
+} // namespace prelight::write

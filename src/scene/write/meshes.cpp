@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <scene/write/parts.hpp>
+
+namespace prelight::write {
+namespace {
+
+/// How many texture-coordinate sets the material reads: 0, 1 or 2. glTF wants set 0 below set 1.
+size_t sets_read(const Material& material) {
+    size_t sets = 0;
+    for (const TextureRef* ref :
+         {&material.base_colour_texture, &material.metallic_roughness_texture,
+          &material.normal_texture, &material.occlusion_texture, &material.emissive_texture})
+        if (*ref)
+            sets = std::max<size_t>(sets, ref->texcoord + 1);
+    return sets;
+}
+
+class MeshWriter {
+public:
+    MeshWriter(const Scene& scene, Document& document) : scene_(scene), document_(document) {}
+
+    std::optional<uint32_t> write(size_t index) {
+        const Mesh& mesh = scene_.meshes[index];
+        object_ = label("mesh", index, mesh.name);
+        Json entry = Json::object();
+        set_name(entry, mesh.name);
+        for (const Primitive& primitive : mesh.primitives)
+            if (!primitive.indices.empty())
+                entry["primitives"].push_back(write(primitive));
+        if (!entry.contains("primitives"))
+            return {};
+        return document_.add("meshes", std::move(entry));
+    }
+
+private:
+    Json write(const Primitive& primitive) {
+        if (primitive.material >= scene_.materials.size())
+            document_.fail(object_, "uses a material that is not there");
+        Json entry;
+        Json& attributes = entry["attributes"];
+        attributes["POSITION"] = positions(primitive);
+        if (!primitive.normals.empty())
+            attributes["NORMAL"] = vectors(primitive, primitive.normals, "normals");
+        if (!primitive.tangents.empty())
+            attributes["TANGENT"] = vectors(primitive, primitive.tangents, "tangents");
+        size_t sets = sets_read(scene_.materials[primitive.material]);
+        for (size_t set = 0; set < primitive.texcoords.size(); ++set)
+            if (!primitive.texcoords[set].empty())
+                sets = std::max(sets, set + 1);
+        for (size_t set = 0; set < sets; ++set) {
+            const bool absent = primitive.texcoords[set].empty();
+            const std::vector<glm::vec2> zeros(absent ? primitive.positions.size() : 0);
+            attributes[fmt::format("TEXCOORD_{}", set)] = vectors(
+                primitive, absent ? zeros : primitive.texcoords[set], "texture coordinates");
+        }
+        if (!primitive.colours.empty())
+            attributes["COLOR_0"] = vectors(primitive, primitive.colours, "colours");
+        entry["indices"] = indices(primitive);
+        entry["material"] = primitive.material;
+        return entry;
+    }
+
+    template <int N>
+    uint32_t vectors(const Primitive& primitive, const std::vector<glm::vec<N, float>>& values,
+                     const char* what) {
+        if (values.size() != primitive.positions.size())
+            document_.fail(object_, fmt::format("has {} positions but {} {}",
+                                                primitive.positions.size(), values.size(), what));
+        for (const auto& value : values)
+            for (int i = 0; i < N; ++i)
+                if (!std::isfinite(value[i]))
+                    document_.fail(object_, fmt::format("its {} are not all finite", what));
+        return document_.add_vectors(values, ViewKind::vertices);
+    }
+
+    uint32_t positions(const Primitive& primitive) {
+        const uint32_t accessor = vectors(primitive, primitive.positions, "positions");
+        glm::vec3 low = primitive.positions.at(0), high = low;
+        for (const glm::vec3& p : primitive.positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        document_.root["accessors"][accessor]["min"] = numbers(low);
+        document_.root["accessors"][accessor]["max"] = numbers(high);
+        return accessor;
+    }
+
+    uint32_t indices(const Primitive& primitive) {
+        const size_t count = primitive.indices.size();
+        if (count % 3 != 0 || *std::max_element(primitive.indices.begin(), primitive.indices.end()) >=
+                                  primitive.positions.size())
+            document_.fail(object_, "its indices are not triangles of its vertices");
+        if (primitive.positions.size() > 65535) { // 65,535 itself would be primitive restart
+            const auto bytes = std::as_bytes(std::span(primitive.indices));
+            return document_.add_accessor(document_.add_view(bytes, ViewKind::indices), 5125,
+                                          "SCALAR", count);
+        }
+        std::vector<uint16_t> small;
+        small.reserve(count);
+        for (const uint32_t index : primitive.indices)
+            small.push_back(static_cast<uint16_t>(index));
+        const auto bytes = std::as_bytes(std::span(small));
+        return document_.add_accessor(document_.add_view(bytes, ViewKind::indices), 5123, "SCALAR",
+                                      count);
+    }
+
+    const Scene& scene_;
+    Document& document_;
+    std::string object_; ///< for messages
+};
+
+} // namespace
+
+std::vector<std::optional<uint32_t>> add_meshes(const Scene& scene, Document& document) {
+    MeshWriter writer(scene, document);
+    std::vector<std::optional<uint32_t>> written;
+    for (size_t i = 0; i < scene.meshes.size(); ++i)
+        written.push_back(writer.write(i));
+    return written;
+}
+
+} // namespace prelight::write

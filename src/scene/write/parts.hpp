@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <prelight/scene.hpp>
+#include <scene/write/document.hpp>
+#include <vector>
+
+// The parts of a scene as glTF. What glTF has no field for stands in `extras.prelight`, so that the
+// reader gives the same scene back; other programs skip it. The schema, all members optional:
+//
+//   root.extras.prelight.ambient      [r, g, b]  uniform environment radiance, linear; absent: 0 0 0
+//   light.extras.prelight.falloff     "linear" | "quadratic"; absent: KHR_lights_punctual's own
+//   light.extras.prelight.shininess   number > 0, [phong] light shininess; absent: 1
+//
+// (`light` is an element of root.extensions.KHR_lights_punctual.lights.)
+namespace prelight::write {
+
+/// Images become PNG in the binary chunk; RGB where no pixel is transparent.
+void add_images(const Scene& scene, Document& document);
+
+/// Materials with their textures and samplers; each combination of image and sampler, and each
+/// sampler, is written once. Factors are clamped to what glTF allows; emissive light above 1 goes to
+/// KHR_materials_emissive_strength, as a power of two so that nothing is rounded.
+void add_materials(const Scene& scene, Document& document);
+
+/// Meshes with at least one triangle. Returns each mesh's index in the file; absent: not written.
+/// A primitive without the texture coordinates that its material reads gets zeros.
+std::vector<std::optional<uint32_t>> add_meshes(const Scene& scene, Document& document);
+
+void add_lights(const Scene& scene, Document& document);
+void add_cameras(const Scene& scene, Document& document);
+
+/// Nodes and scenes. Throws Error for a transform that is not finite or has shear.
+void add_nodes(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes,
+               Document& document);
+
+} // namespace prelight::write
