@@ -1,20 +1,32 @@
-# prelight_shaders(TARGET): compiles every shader below shaders/ with glslc and embeds the SPIR-V in
-# TARGET as `const std::span<const uint32_t> prelight::shaders::find(name)` (see src/gpu/shaders.hpp).
-# A shader's variants are specialisation constants, so that one file is one module.
+# prelight_shaders(TARGET): compiles every shader below shaders/ with glslc, and the variants that
+# shaders/variants.cmake lists, and embeds the SPIR-V in TARGET for gpu::find_shader(name).
+include(${CMAKE_SOURCE_DIR}/shaders/variants.cmake)
+
 function(prelight_shaders TARGET)
-    file(GLOB shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.vert
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.vert
          ${CMAKE_SOURCE_DIR}/shaders/*.frag ${CMAKE_SOURCE_DIR}/shaders/*.comp)
+    set(jobs ${PRELIGHT_SHADER_VARIANTS})
+    foreach(source IN LISTS sources)
+        cmake_path(GET source FILENAME name)
+        list(APPEND jobs "${name}|${name}|")
+    endforeach()
     set(out ${CMAKE_CURRENT_BINARY_DIR}/shaders)
     file(MAKE_DIRECTORY ${out})
     set(table "")
     set(includes "")
     set(outputs "")
-    foreach(shader IN LISTS shaders)
-        cmake_path(GET shader FILENAME name)
+    foreach(job IN LISTS jobs)
+        string(REPLACE "|" ";" parts "${job}")
+        list(GET parts 0 name)
+        list(GET parts 1 source)
+        list(GET parts 2 defines)
+        separate_arguments(defines)
         add_custom_command(OUTPUT ${out}/${name}.inc
-            COMMAND Vulkan::glslc --target-env=vulkan1.3 -O -Werror -mfmt=num -I ${CMAKE_SOURCE_DIR}/shaders
-                    -MD -MF ${out}/${name}.d -o ${out}/${name}.inc ${shader}
-            DEPENDS ${shader} DEPFILE ${out}/${name}.d COMMENT "Shader ${name}" VERBATIM)
+            COMMAND Vulkan::glslc --target-env=vulkan1.3 -O -Werror -mfmt=num ${defines}
+                    -I ${CMAKE_SOURCE_DIR}/shaders -MD -MF ${out}/${name}.d -o ${out}/${name}.inc
+                    ${CMAKE_SOURCE_DIR}/shaders/${source}
+            DEPENDS ${CMAKE_SOURCE_DIR}/shaders/${source} DEPFILE ${out}/${name}.d
+            COMMENT "Shader ${name}" VERBATIM)
         list(APPEND outputs ${out}/${name}.inc)
         string(MAKE_C_IDENTIFIER ${name} id)
         string(APPEND includes "static const uint32_t ${id}[] = {\n#include \"${name}.inc\"\n};\n")

@@ -8,8 +8,12 @@ layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMA
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
 
 layout(location = 0) out vec4 out_normal;
-layout(location = 1) out float out_roughness;  // for encodings that have no room for it
-layout(location = 2) out float out_depth;      // view depth in metres, for depth=r32f
+#ifdef ROUGHNESS_TARGET  // for encodings that have no room for roughness
+layout(location = ROUGHNESS_TARGET) out float out_roughness;
+#endif
+#ifdef DEPTH_TARGET  // view depth in metres, for depth=r32f
+layout(location = DEPTH_TARGET) out float out_depth;
+#endif
 
 void main() {
     if (has(FEATURE_ALPHA_MASK) && base_colour().a < material.emissive.w)
@@ -24,6 +28,10 @@ void main() {
         out_normal = vec4(oct32_encode(n), 0.0, 0.0);
     else
         out_normal = vec4(rgb10_encode(n), 0.0);
+#ifdef ROUGHNESS_TARGET
     out_roughness = roughness;
+#endif
+#ifdef DEPTH_TARGET
     out_depth = dot(in_world, frame.forward.xyz);
+#endif
 }

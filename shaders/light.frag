@@ -8,14 +8,15 @@
 
 layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
-layout(constant_id = CONSTANT_PACKED_LIGHT) const bool packed_light = false;
 layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
 layout(constant_id = CONSTANT_LIGHT_OUTPUT) const int light_output = LIGHT_OUTPUT_LIGHT;
 
 layout(early_fragment_tests) in;
 layout(location = 0) flat in uint in_light;
 layout(location = 0) out vec4 out_diffuse;
+#ifndef ONE_TARGET
 layout(location = 1) out vec4 out_specular;
+#endif
 
 // Two counters a row of pixels, so that no sum overflows 32 bits: evaluated, contributing.
 layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCounters { uint pair_counters[]; };
@@ -52,11 +53,12 @@ void main() {
         if (att > 0.0 && nl > 0.0)
             atomicAdd(pair_counters[row + 1], 1u);
     }
+#ifdef ONE_TARGET
     if (light_output == LIGHT_OUTPUT_COUNT) {
         out_diffuse = vec4(1.0, att > 0.0 && nl > 0.0 ? 1.0 : 0.0, 0.0, 0.0);
-        out_specular = vec4(0.0);
         return;
     }
+#endif
 
     float grazing = 0.0;
     if (shading == SHADING_GGX && model == MODEL_WEIGHTED) {
@@ -65,11 +67,10 @@ void main() {
     }
     vec4 limit = vec4(frame.ambient.w);
     float scale = 1.0 / frame.light_buffer.x;
-    if (packed_light) {
-        out_diffuse = min(vec4(diffuse, luminance(specular)) * scale, limit);
-        out_specular = vec4(0.0);
-    } else {
-        out_diffuse = min(vec4(diffuse, luminance(diffuse) * grazing) * scale, limit);
-        out_specular = min(vec4(specular, luminance(specular) * grazing) * scale, limit);
-    }
+#ifdef ONE_TARGET
+    out_diffuse = min(vec4(diffuse, luminance(specular)) * scale, limit);
+#else
+    out_diffuse = min(vec4(diffuse, luminance(diffuse) * grazing) * scale, limit);
+    out_specular = min(vec4(specular, luminance(specular) * grazing) * scale, limit);
+#endif
 }

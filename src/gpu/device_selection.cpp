@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <prelight/error.hpp>
 #include <optional>
 
 namespace prelight::gpu {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <fmt/format.h>
+#include <prelight/error.hpp>
 
 namespace prelight::gpu {
 namespace {

@@ -1,6 +1,5 @@
 // Recording a frame, its timestamps, and reading a kept image.
 #include "frame_graph.hpp"
-#include <algorithm>
 #include <cstring>
 #include <gpu/check.hpp>
 
@@ -34,24 +33,22 @@ void cover(VkCommandBuffer commands, VkExtent2D extent) {
 
 } // namespace
 
-bool FrameGraph::needed_after(ImageId image, size_t pass_index) const {
+bool FrameGraph::needed_after(ImageId image, uint32_t pass_index) const {
     return images_[image.index].last > pass_index;
 }
 
-void FrameGraph::begin_rendering(VkCommandBuffer commands, const Pass& pass, VkExtent2D extent) const {
-    const size_t index = static_cast<size_t>(
-        std::find_if(passes_.begin(), passes_.end(), [&](const auto& p) { return p.get() == &pass; }) -
-        passes_.begin());
+void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExtent2D extent) const {
+    const Pass& pass = *passes_[index];
     std::vector<VkRenderingAttachmentInfo> colours;
     for (const Pass::Attachment& attachment : pass.colours_) {
-        VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+        VkRenderingAttachmentInfo& info =
+            colours.emplace_back(VkRenderingAttachmentInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
         info.imageView = images_[attachment.image.index].view;
         info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
         info.loadOp = load_op(attachment.load);
         info.storeOp = needed_after(attachment.image, index) ? VK_ATTACHMENT_STORE_OP_STORE
                                                              : VK_ATTACHMENT_STORE_OP_DONT_CARE;
         std::memcpy(info.clearValue.color.float32, attachment.clear.data(), sizeof attachment.clear);
-        colours.push_back(info);
     }
     VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     if (pass.depth_) {
@@ -85,7 +82,7 @@ void FrameGraph::record(VkCommandBuffer commands) {
         if (renders) {
             const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
             pass_context.extent = images_[target.index].desc.extent;
-            begin_rendering(commands, pass, pass_context.extent);
+            begin_rendering(commands, p, pass_context.extent);
         }
         pass.record_(pass_context);
         if (renders)

@@ -138,8 +138,8 @@ private:
     void derive_buffer_barriers(uint32_t index);
     Access everything_that_shares_memory(const GraphImage& image) const;
     void prepare_passes();
-    void begin_rendering(VkCommandBuffer commands, const Pass& pass, VkExtent2D extent) const;
-    bool needed_after(ImageId image, size_t pass_index) const;
+    void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent) const;
+    bool needed_after(ImageId image, uint32_t pass_index) const;
 
     const gpu::Context& context_;
     std::vector<GraphImage> images_;

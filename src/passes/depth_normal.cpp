@@ -26,29 +26,27 @@ gpu::Constants SurfaceFormat::constants() const {
 SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                                  const SurfaceFormat& format) {
     const VkExtent2D extent = frame.extent();
-    const bool own_roughness = format.normals != NormalEncoding::oct24;
     SurfaceBuffers out{format};
     out.depth = out.depth_source = graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
     out.normal = out.roughness = graph.image("normal", {target_format(format.normals), extent});
 
-    // Locations of depth_normal.frag: 0 normal, 1 roughness, 2 linear depth. A location that a format
-    // does not need before one that it needs is filled all the same.
+    std::string shader = "depth_normal";
     graph::Pass& pass = graph.pass("depth-normal");
     pass.depth_write(out.depth).colour(out.normal, graph::Load::clear);
-    if (own_roughness || format.linear_depth) {
-        const graph::ImageId roughness = graph.image("roughness", {VK_FORMAT_R16_SFLOAT, extent});
-        pass.colour(roughness, graph::Load::clear);
-        if (own_roughness)
-            out.roughness = roughness;
+    if (format.normals != NormalEncoding::oct24) {
+        out.roughness = graph.image("roughness", {VK_FORMAT_R16_SFLOAT, extent});
+        pass.colour(out.roughness, graph::Load::clear);
+        shader += "+roughness";
     }
     if (format.linear_depth) {
         out.depth_source = graph.image("linear depth", {VK_FORMAT_R32_SFLOAT, extent});
         pass.colour(out.depth_source, graph::Load::clear);
+        shader += "+depth";
     }
     auto draws = std::make_shared<std::optional<SurfaceDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) {
         draws->emplace(frame, interface,
-                       SurfaceDraws::Desc{"depth-normal", "depth_normal.frag", format.constants(),
+                       SurfaceDraws::Desc{"depth-normal", shader + ".frag", format.constants(),
                                           gpu::DepthTest::write_nearer, true});
     });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });

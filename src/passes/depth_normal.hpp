@@ -1,4 +1,5 @@
 #pragma once
+#include <gpu/pipeline.hpp>
 #include <graph/frame_graph.hpp>
 #include <resident/frame.hpp>
 

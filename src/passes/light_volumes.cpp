@@ -57,15 +57,16 @@ public:
         desc.blend = gpu::Blend::add;
         desc.depth_clamp = true;
         desc.sets = {frame.layout(), interface.inputs};
+        const std::string variant = interface.colour_formats.size() == 1 ? "+packed.frag" : ".frag";
         if (inputs.model.ambient_as_light && output == LIGHT_OUTPUT_LIGHT) {
             desc.name = "ambient light";
             desc.vertex = "light_fullscreen.vert";
-            desc.fragment = "light_ambient.frag";
+            desc.fragment = "light_ambient" + variant;
             desc.depth = gpu::DepthTest::surface_only;
             ambient_ = gpu::GraphicsPipeline(frame.context(), desc);
             has_ambient_ = true;
         }
-        desc.fragment = "light.frag";
+        desc.fragment = "light" + variant;
         const gpu::Constants base = desc.constants;
         for (const GroupState& state : groups) {
             const bool volume = state.group != LightGroup::fullscreen;

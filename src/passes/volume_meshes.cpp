@@ -13,7 +13,7 @@ constexpr double pi = 3.14159265358979323846;
 VolumeMesh icosahedron() {
     const float g = (1 + std::sqrt(5.0f)) / 2;
     VolumeMesh mesh;
-    for (const glm::vec3 p : {glm::vec3(-1, g, 0), glm::vec3(1, g, 0), glm::vec3(-1, -g, 0), glm::vec3(1, -g, 0),
+    for (const glm::vec3& p : {glm::vec3(-1, g, 0), glm::vec3(1, g, 0), glm::vec3(-1, -g, 0), glm::vec3(1, -g, 0),
                               glm::vec3(0, -1, g), glm::vec3(0, 1, g), glm::vec3(0, -1, -g), glm::vec3(0, 1, -g),
                               glm::vec3(g, 0, -1), glm::vec3(g, 0, 1), glm::vec3(-g, 0, -1), glm::vec3(-g, 0, 1)})
         mesh.points.push_back(glm::normalize(p));

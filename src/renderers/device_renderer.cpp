@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <prelight/error.hpp>
 #include <glm/gtc/packing.hpp>
 #include <gpu/check.hpp>
 #include <sys/resource.h>

@@ -4,6 +4,7 @@
 #include <passes/materials.hpp>
 #include <passes/tonemap.hpp>
 #include <passes/view.hpp>
+#include <prelight/error.hpp>
 
 namespace prelight {
 namespace {

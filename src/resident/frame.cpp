@@ -2,6 +2,7 @@
 #include "projection.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <prelight/error.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <shared/bindings.h>
 

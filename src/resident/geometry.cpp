@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <prelight/error.hpp>
 #include <tuple>
 
 namespace prelight::resident {

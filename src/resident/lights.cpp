@@ -15,7 +15,7 @@ bool outside_view(const glm::dmat4& clip, glm::dvec3 centre, double radius) {
     const auto row = [&](int r) { return glm::dvec4(clip[0][r], clip[1][r], clip[2][r], clip[3][r]); };
     const glm::dvec4 w = row(3);
     // Reversed depth: the near plane is clip.z = w, the far plane clip.z = 0.
-    for (const glm::dvec4 plane : {w + row(0), w - row(0), w + row(1), w - row(1), w - row(2), row(2)}) {
+    for (const glm::dvec4& plane : {w + row(0), w - row(0), w + row(1), w - row(1), w - row(2), row(2)}) {
         const double length = glm::length(glm::dvec3(plane));
         if (length > 0 && glm::dot(glm::dvec3(plane), centre) + plane.w < -radius * length)
             return true;

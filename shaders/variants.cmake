@@ -1,0 +1,8 @@
+# Shaders compiled a second time with other outputs: NAME|SOURCE|DEFINES. Only for what a
+# specialisation constant cannot do: an output without a target is an error.
+set(PRELIGHT_SHADER_VARIANTS
+    "depth_normal+roughness.frag|depth_normal.frag|-DROUGHNESS_TARGET=1"
+    "depth_normal+depth.frag|depth_normal.frag|-DDEPTH_TARGET=1"
+    "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
+    "light+packed.frag|light.frag|-DONE_TARGET"
+    "light_ambient+packed.frag|light_ambient.frag|-DONE_TARGET")
