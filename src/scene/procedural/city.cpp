@@ -1,0 +1,31 @@
+#include <scene/procedural/builder.hpp>
+#include <scene/procedural/city.hpp>
+#include <scene/procedural/city_plan.hpp>
+
+namespace prelight {
+
+Scene make_city(uint32_t lights, uint64_t seed) {
+    city::Plan plan;
+    plan.random = Random(seed);
+    Scene& scene = plan.scene;
+    scene.name = "city";
+    scene.scenes = {{.name = "city", .nodes = {}}};
+    scene.ambient = {0.010f, 0.013f, 0.022f}; // moonlight through cloud
+    const auto camera = [&](const char* name, double yfov, glm::dvec3 eye, glm::dvec3 target) {
+        add_camera(scene, {.name = name, .yfov = yfov}, eye, target);
+    };
+    camera("street", 0.82, {0.5, 2.3, 12.5}, {-0.2, 3.3, -20});
+    camera("crossing", 0.95, {-6.6, 2.0, -14.5}, {6, 2.6, -34});
+    camera("above", 0.80, {17, 27, 24}, {-1, 1, -24});
+    city::add_materials(scene);
+    city::add_ground(plan);
+    city::add_buildings(plan);
+    city::add_signs(plan);
+    city::add_cars(plan);
+    city::add_props(plan);
+    city::add_strings(plan);
+    city::place_lights(plan, lights);
+    return std::move(plan.scene);
+}
+
+} // namespace prelight
