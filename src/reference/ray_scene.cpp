@@ -11,6 +11,8 @@
 namespace prelight::reference {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// A masked surface that let the ray pass.
 struct Hole {
     double distance;
@@ -37,6 +39,22 @@ glm::dmat3 normal_matrix(const glm::dmat3& m, bool mirrored) {
     const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
                                glm::cross(m[0], m[1]));
     return mirrored ? -cofactors : cofactors;
+}
+
+/// Embree asks about triangles in any order: a hole beyond `limit`, the hit, tells nothing. A ray
+/// through an edge meets both triangles there, which is one hole.
+uint64_t hash_of(std::vector<Hole>& holes, double limit) {
+    std::sort(holes.begin(), holes.end(), [](const Hole& a, const Hole& b) {
+        return a.draw != b.draw ? a.draw < b.draw : a.distance < b.distance;
+    });
+    uint64_t hash = 0;
+    for (size_t i = 0; i < holes.size(); ++i) {
+        const bool again = i > 0 && holes[i].draw == holes[i - 1].draw &&
+                           holes[i].distance - holes[i - 1].distance < 1e-5 * holes[i].distance;
+        if (!again && holes[i].distance < limit)
+            hash += scattered(holes[i].draw * uint64_t(2));
+    }
+    return hash;
 }
 
 RTCRay to_embree(const Ray& ray) {
@@ -183,10 +201,7 @@ bool RayScene::closest(const Ray& ray, Hit& hit) const {
 
     const bool found = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     hit = {};
-    // Embree asks about triangles in any order: a hole behind the hit tells nothing.
-    for (const Hole& hole : holes)
-        if (!found || hole.distance < static_cast<double>(query.ray.tfar))
-            hit.mask_outcome += scattered(hole.draw * uint64_t(2));
+    hit.mask_outcome = hash_of(holes, found ? double(query.ray.tfar) : infinity);
     if (!found)
         return false;
     hit.draw = query.hit.geomID;
