@@ -31,8 +31,8 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
 
     // O_EXCL instead of mkstemp: the file's permissions then follow the user's umask.
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
-        temporary_ = folder / fmt::format(".{}.{}-{}.tmp", target_.filename().string(), getpid(),
-                                          attempt);
+        temporary_ =
+            folder / fmt::format(".{}.{}-{}.tmp", target_.filename().string(), getpid(), attempt);
         descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor_ < 0 && (errno != EEXIST || attempt == 1000))
             fail(target_, fmt::format("cannot be written ({})", std::strerror(errno)));

@@ -43,8 +43,8 @@ void save_exr(const Image& linear, const std::filesystem::path& path) {
         output.setFrameBuffer(buffer);
         output.writePixels(static_cast<int>(linear.height));
     } catch (const std::exception& error) {
-        throw Error(fmt::format("{}: cannot be written as OpenEXR ({})", path.string(),
-                                error.what()));
+        throw Error(
+            fmt::format("{}: cannot be written as OpenEXR ({})", path.string(), error.what()));
     }
     file.commit();
 }
@@ -58,8 +58,8 @@ Image load_exr(const std::filesystem::path& path) try {
     const int64_t height = int64_t(window.max.y) - window.min.y + 1;
     if (width < 1 || height < 1 || width > 65536 || height > 65536 ||
         width * height > (int64_t(1) << 28))
-        throw Error(fmt::format("{}: a picture of {}x{} pixels is not read", path.string(), width,
-                                height));
+        throw Error(
+            fmt::format("{}: a picture of {}x{} pixels is not read", path.string(), width, height));
     Image image(static_cast<uint32_t>(width), static_cast<uint32_t>(height));
     // OpenEXR addresses pixel (x, y) from the frame buffer's base, whatever the window's origin is.
     const int64_t origin = window.min.x + window.min.y * width;
@@ -68,8 +68,8 @@ Image load_exr(const std::filesystem::path& path) try {
     Imf::FrameBuffer buffer;
     for (size_t channel = 0; channel < 3; ++channel) {
         if (!input.header().channels().findChannel(channel_names[channel]))
-            throw Error(fmt::format("{}: channel {} is missing", path.string(),
-                                    channel_names[channel]));
+            throw Error(
+                fmt::format("{}: channel {} is missing", path.string(), channel_names[channel]));
         buffer.insert(channel_names[channel],
                       Imf::Slice(Imf::FLOAT, base + channel * sizeof(float), sizeof(glm::vec3),
                                  sizeof(glm::vec3) * image.width));

@@ -153,8 +153,8 @@ Features features(const Opponent& planes, double pixels_per_degree) {
     const auto gauss = [&](int x) { return std::exp(-x * x / (2 * sigma * sigma)); };
     Kernel smooth = make_kernel(radius, gauss);
     Kernel first = make_kernel(radius, [&](int x) { return -x * gauss(x); });
-    Kernel second = make_kernel(
-        radius, [&](int x) { return (x * x / (sigma * sigma) - 1) * gauss(x); });
+    Kernel second =
+        make_kernel(radius, [&](int x) { return (x * x / (sigma * sigma) - 1) * gauss(x); });
     // Positive weights sum to 1 and negative ones to −1, in two dimensions as in one.
     for (Kernel* kernel : {&smooth, &first, &second})
         normalise_signs(*kernel);
@@ -190,9 +190,9 @@ Image flip_map(const Image& picture_srgb, const Image& reference_srgb, double pi
     Image map(picture_srgb.width, picture_srgb.height);
     for (size_t i = 0; i < map.pixels.size(); ++i) {
         const double colour = redistributed(colour_distance(picture_lab[i], reference_lab[i]));
-        const double feature = std::max(
-            std::abs(picture_features.edge[i] - reference_features.edge[i]),
-            std::abs(picture_features.point[i] - reference_features.point[i]));
+        const double feature =
+            std::max(std::abs(picture_features.edge[i] - reference_features.edge[i]),
+                     std::abs(picture_features.point[i] - reference_features.point[i]));
         const double feature_difference = std::pow(feature / std::numbers::sqrt2, qf);
         // Section 4.3: features strengthen the colour difference.
         map.pixels[i] = glm::vec3(static_cast<float>(std::pow(colour, 1 - feature_difference)));

@@ -52,8 +52,8 @@ double exposure_factor(const Image& reference, std::span<const uint8_t> left_out
 
 glm::vec3 exposed(glm::vec3 linear, double factor) {
     for (int channel = 0; channel < 3; ++channel)
-        linear[channel] = static_cast<float>(
-            std::clamp(static_cast<double>(linear[channel]) * factor, 0.0, 1.0));
+        linear[channel] =
+            static_cast<float>(std::clamp(static_cast<double>(linear[channel]) * factor, 0.0, 1.0));
     return linear;
 }
 

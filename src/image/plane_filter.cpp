@@ -22,8 +22,7 @@ Plane separable(const Plane& plane, const Kernel& along_x, const Kernel& along_y
     for (ptrdiff_t y = 0; y < height; ++y) {
         const double* in = plane.values.data() + y * width;
         for (ptrdiff_t x = 0; x < width + 2 * radius_x; ++x)
-            line[static_cast<size_t>(x)] =
-                in[std::clamp<ptrdiff_t>(x - radius_x, 0, width - 1)];
+            line[static_cast<size_t>(x)] = in[std::clamp<ptrdiff_t>(x - radius_x, 0, width - 1)];
         double* out = rows.values.data() + y * width;
         for (size_t k = 0; k < along_x.size(); ++k)
             for (ptrdiff_t x = 0; x < width; ++x)

@@ -66,8 +66,8 @@ Image load_png(const std::filesystem::path& path) {
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
         stbi_load_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
     if (!decoded)
-        throw Error(fmt::format("{}: not a readable PNG ({})", path.string(),
-                                stbi_failure_reason()));
+        throw Error(
+            fmt::format("{}: not a readable PNG ({})", path.string(), stbi_failure_reason()));
     Image image(static_cast<uint32_t>(width), static_cast<uint32_t>(height));
     for (size_t i = 0; i < image.pixels.size(); ++i)
         for (int channel = 0; channel < 3; ++channel)

@@ -21,8 +21,8 @@ bool edge(const ReferencePicture& picture, size_t a, size_t b) {
         return false;
     if (glm::dot(picture.normal[a], picture.normal[b]) < cos_30_degrees)
         return true;
-    const double off_plane = std::abs(
-        glm::dot(picture.position[b] - picture.position[a], picture.geometric_normal[a]));
+    const double off_plane =
+        std::abs(glm::dot(picture.position[b] - picture.position[a], picture.geometric_normal[a]));
     return off_plane > plane_share * picture.depth[a];
 }
 

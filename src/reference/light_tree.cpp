@@ -93,7 +93,8 @@ void LightTree::reach(glm::dvec3 point, std::vector<uint32_t>& found) const {
     while (depth > 0) {
         const uint32_t index = stack[--depth];
         const Node& node = nodes_[index];
-        if (glm::any(glm::lessThan(point, node.low)) || glm::any(glm::greaterThan(point, node.high)))
+        if (glm::any(glm::lessThan(point, node.low)) ||
+            glm::any(glm::greaterThan(point, node.high)))
             continue;
         if (node.count == 0) {
             stack[depth++] = node.first;

@@ -35,9 +35,9 @@ private:
         uint32_t light;
     };
     struct Node {
-        glm::dvec3 low, high;      ///< box around the spheres below
-        uint32_t first = 0;        ///< leaf: first sphere; inner: index of the second child
-        uint32_t count = 0;        ///< spheres in a leaf; 0: inner node, first child is the next node
+        glm::dvec3 low, high; ///< box around the spheres below
+        uint32_t first = 0;   ///< leaf: first sphere; inner: index of the second child
+        uint32_t count = 0;   ///< spheres in a leaf; 0: inner node, first child is the next node
     };
     void build(size_t begin, size_t end);
 

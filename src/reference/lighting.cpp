@@ -66,8 +66,8 @@ void Lighting::add_ggx(const Incident& light, double nl) {
     const double a2 = alpha_ * alpha_;
     const double spread = nh * nh * (a2 - 1) + 1;
     const double distribution = a2 / (pi * spread * spread);
-    const double visibility = 1 / ((nl + std::sqrt(a2 + (1 - a2) * nl * nl)) *
-                                   (nv + std::sqrt(a2 + (1 - a2) * nv * nv)));
+    const double visibility =
+        1 / ((nl + std::sqrt(a2 + (1 - a2) * nl * nl)) * (nv + std::sqrt(a2 + (1 - a2) * nv * nv)));
 
     const glm::dvec3 diffuse = nl * light.radiance;
     const glm::dvec3 specular = diffuse * (distribution * visibility);
@@ -131,8 +131,8 @@ glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
     }
     if (ggx)
         return result + compose_ggx();
-    const glm::dvec3 specular = form_.mono_specular ? glm::dvec3(luminance(sums_.specular))
-                                                    : sums_.specular;
+    const glm::dvec3 specular =
+        form_.mono_specular ? glm::dvec3(luminance(sums_.specular)) : sums_.specular;
     return result + diffuse_colour_ * sums_.diffuse + f0_ * specular;
 }
 

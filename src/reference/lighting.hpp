@@ -7,12 +7,12 @@ namespace prelight::reference {
 
 /// The sums of all lights at one point, equations in docs/lighting-model.md.
 struct LightSums {
-    glm::dvec3 diffuse{0};      ///< [ggx] E = Σ N·L·radiance; [phong] the same
-    glm::dvec3 specular{0};     ///< [ggx] S = Σ N·L·radiance·D·V; [phong] Σ gate·radiance·(N·H)^n
-    double diffuse_fresnel = 0; ///< Σ luminance(E_i)·(1 − V·H)⁵
+    glm::dvec3 diffuse{0}; ///< [ggx] E = Σ N·L·radiance; [phong] the same
+    glm::dvec3 specular{0}; ///< [ggx] S = Σ N·L·radiance·D·V; [phong] Σ gate·radiance·(N·H)^n
+    double diffuse_fresnel = 0;  ///< Σ luminance(E_i)·(1 − V·H)⁵
     double specular_fresnel = 0; ///< Σ luminance(S_i)·(1 − V·H)⁵
-    glm::dvec3 full{0};         ///< `full`: Σ of the whole model, Fresnel light by light
-    uint32_t contributing = 0;  ///< lights with attenuation and N·L above zero
+    glm::dvec3 full{0};          ///< `full`: Σ of the whole model, Fresnel light by light
+    uint32_t contributing = 0;   ///< lights with attenuation and N·L above zero
 };
 
 /// Evaluates one form of the lighting model at one surface.

@@ -141,12 +141,10 @@ void RayScene::add(const Draw& draw, const World& world) {
         return;
 
     const RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* out = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                3 * sizeof(float), vertices));
-    auto* indices = static_cast<uint32_t*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(uint32_t), triangles));
+    auto* out = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
+    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangles));
     if (out && indices) {
         for (const glm::vec3& position : primitive.positions) {
             const glm::dvec3 world_position(draw.to_world * glm::dvec4(position, 1));
@@ -219,8 +217,7 @@ void RayScene::refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights,
     glm::dvec3 corner[3];
     double extent = 0;
     for (int i = 0; i < 3; ++i) {
-        corner[i] =
-            glm::dvec3(draw.to_world * glm::dvec4(draw.primitive->positions[index[i]], 1));
+        corner[i] = glm::dvec3(draw.to_world * glm::dvec4(draw.primitive->positions[index[i]], 1));
         const glm::dvec3 size = glm::abs(corner[i]);
         extent = std::max({extent, size.x, size.y, size.z});
     }

@@ -21,20 +21,20 @@ struct Draw {
     uint32_t instance, primitive_index;
     const Primitive* primitive;
     const Material* material;
-    glm::dmat4 to_world;    ///< object → world, relative to the scene's origin
+    glm::dmat4 to_world;        ///< object → world, relative to the scene's origin
     glm::dmat3 normal_to_world; ///< inverse transpose, up to a positive factor
     bool mirrored;
 };
 
 struct Hit {
     uint32_t draw = 0, triangle = 0;
-    double distance = 0;          ///< along the ray
-    glm::dvec3 weights{1, 0, 0};  ///< barycentric, of the triangle's three corners
-    glm::dvec3 position{0};       ///< relative to the scene's origin
+    double distance = 0;            ///< along the ray
+    glm::dvec3 weights{1, 0, 0};    ///< barycentric, of the triangle's three corners
+    glm::dvec3 position{0};         ///< relative to the scene's origin
     glm::dvec3 geometric_normal{0}; ///< unit, facing the ray's origin
-    bool back = false;            ///< the back face of a double-sided material
-    double offset = 0;            ///< metres: how far a shadow ray starts off the surface
-    uint64_t mask_outcome = 0;    ///< hash of the alpha tests that the ray met up to the hit
+    bool back = false;              ///< the back face of a double-sided material
+    double offset = 0;              ///< metres: how far a shadow ray starts off the surface
+    uint64_t mask_outcome = 0;      ///< hash of the alpha tests that the ray met up to the hit
 };
 
 /// The world's triangles in Embree. Vertices are made relative to `origin` (the camera) in double

@@ -78,15 +78,15 @@ public:
         stats_.settings = checked_settings(info, options);
         form_ = form_of(stats_.settings, options.shading);
         if (!options.preset.empty())
-            throw UsageError(fmt::format("reference: unknown preset {} (it has none)",
-                                         options.preset));
+            throw UsageError(
+                fmt::format("reference: unknown preset {} (it has none)", options.preset));
         if (options.msaa != 1)
             throw UsageError(fmt::format(
                 "reference: {} samples a pixel: it casts one ray through each pixel's centre",
                 options.msaa));
         if (options.width == 0 || options.height == 0)
-            throw UsageError(fmt::format("reference: a picture of {}x{} pixels", options.width,
-                                         options.height));
+            throw UsageError(
+                fmt::format("reference: a picture of {}x{} pixels", options.width, options.height));
         for (const std::string& view : options.views)
             if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
                 throw UsageError(fmt::format("reference: unknown view {} (there are: {})", view,
@@ -156,22 +156,32 @@ RendererInfo reference_info() {
                        "checked against",
         .settings =
             {
-                {"model", {"weighted", "nv", "mono", "full"}, "full",
-                 "[ggx] Fresnel: weighted mean, at N·V, at N·V with monochrome specular, per light"},
-                {"specular-gate", {"factor", "step"}, "factor",
+                {"model",
+                 {"weighted", "nv", "mono", "full"},
+                 "full",
+                 "[ggx] Fresnel: weighted mean, at N·V, at N·V with monochrome specular, per "
+                 "light"},
+                {"specular-gate",
+                 {"factor", "step"},
+                 "factor",
                  "[phong] specular light times N·L, or only where N·L > 0"},
-                {"specular-vector", {"half", "reflection"}, "half",
-                 "[phong] (N·H)^n or (R·V)^n"},
-                {"specular-light", {"colour", "mono"}, "colour",
+                {"specular-vector", {"half", "reflection"}, "half", "[phong] (N·H)^n or (R·V)^n"},
+                {"specular-light",
+                 {"colour", "mono"},
+                 "colour",
                  "[phong] specular light in colour or as its luminance"},
-                {"ambient", {"material", "light"}, "material",
+                {"ambient",
+                 {"material", "light"},
+                 "material",
                  "ambient as a term of the material, or as a light in the diffuse sum"},
                 {"shadows", {"off", "on"}, "off", "a shadow ray for every light"},
-                {"texture-filter", {"bilinear", "sampler"}, "bilinear",
+                {"texture-filter",
+                 {"bilinear", "sampler"},
+                 "bilinear",
                  "level 0: always bilinear, or the sampler's magnification filter"},
             },
-        .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light",
-                  "specular-light", "light-count"},
+        .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light",
+                  "light-count"},
         .presets = {},
         .needs_device = false,
     };

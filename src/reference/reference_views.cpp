@@ -47,8 +47,7 @@ Image draw_counts(const Image& size, const std::vector<uint32_t>& counts) {
             continue;
         const float place = std::min(std::log2(static_cast<float>(counts[i])) / 6, 1.0f) * 4;
         const size_t step = std::min<size_t>(static_cast<size_t>(place), 3);
-        image.pixels[i] =
-            glm::mix(ramp[step], ramp[step + 1], place - static_cast<float>(step));
+        image.pixels[i] = glm::mix(ramp[step], ramp[step + 1], place - static_cast<float>(step));
     }
     return image;
 }

@@ -50,8 +50,7 @@ glm::dvec3 shading_normal(const PointReader& read, const Draw& draw, const Hit& 
     const glm::dvec3 tangent = glm::normalize(along);
     // A cross product turns round under a mirror; the sign turns it back, so that a mirrored
     // instance is the mirror image of the original.
-    const double handedness =
-        (object_tangent.w < 0 ? -1 : 1) * (draw.mirrored ? -1 : 1);
+    const double handedness = (object_tangent.w < 0 ? -1 : 1) * (draw.mirrored ? -1 : 1);
     const glm::dvec3 bitangent = handedness * glm::cross(normal, tangent);
     const glm::dvec3 texel =
         2.0 * glm::dvec3(read.texture(material.normal_texture, Encoding::linear)) - 1.0;

@@ -5,14 +5,14 @@ namespace prelight::reference {
 
 /// What the lighting model knows of a point. Directions are unit vectors in world space.
 struct Surface {
-    glm::dvec3 position{0};         ///< relative to the camera
-    glm::dvec3 normal{0, 0, 1};     ///< shading normal, after the normal map
-    glm::dvec3 view{0, 0, 1};       ///< towards the viewer
-    glm::dvec3 base_colour{0};      ///< linear
-    glm::dvec3 emissive{0};         ///< linear radiance
+    glm::dvec3 position{0};     ///< relative to the camera
+    glm::dvec3 normal{0, 0, 1}; ///< shading normal, after the normal map
+    glm::dvec3 view{0, 0, 1};   ///< towards the viewer
+    glm::dvec3 base_colour{0};  ///< linear
+    glm::dvec3 emissive{0};     ///< linear radiance
     double metallic = 0;
-    double roughness = 1;           ///< perceptual, ≥ 0.089
-    double occlusion = 1;           ///< on ambient light; strength is worked in
+    double roughness = 1; ///< perceptual, ≥ 0.089
+    double occlusion = 1; ///< on ambient light; strength is worked in
     bool unlit = false;
 };
 

@@ -24,8 +24,8 @@ public:
     Lens(const PlacedCamera& placed, uint32_t width, uint32_t height)
         : placed_(placed), width_(width), height_(height) {
         const Camera& camera = placed.camera;
-        half_height_ = camera.kind == ProjectionKind::perspective ? std::tan(camera.yfov / 2)
-                                                                  : camera.ymag;
+        half_height_ =
+            camera.kind == ProjectionKind::perspective ? std::tan(camera.yfov / 2) : camera.ymag;
         half_width_ = half_height_ * width / height;
     }
 
@@ -164,8 +164,8 @@ ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t 
                        uint32_t height, double exposure, const ReferenceForm& form,
                        ReferenceBuffers* buffers) {
     if (width == 0 || height == 0 || width > 65536 || height > 65536)
-        throw Error(fmt::format("reference: a picture of {}x{} pixels is not rendered", width,
-                                height));
+        throw Error(
+            fmt::format("reference: a picture of {}x{} pixels is not rendered", width, height));
     Tracer tracer(world, camera, width, height, exposure, form, buffers);
     for_rows(height, [&](uint32_t row) { tracer.trace_row(row); });
     return std::move(tracer.picture);

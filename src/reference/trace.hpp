@@ -5,9 +5,9 @@ namespace prelight::reference {
 
 /// What `ReferenceRenderer` shows beside the picture; all linear, not exposed.
 struct ReferenceBuffers {
-    Image albedo;         ///< base colour
-    Image diffuse_light;  ///< LightSums::diffuse
-    Image specular_light; ///< LightSums::specular
+    Image albedo;                      ///< base colour
+    Image diffuse_light;               ///< LightSums::diffuse
+    Image specular_light;              ///< LightSums::specular
     std::vector<uint32_t> light_count; ///< lights with attenuation and N·L above zero, unblocked
 };
 

@@ -118,8 +118,8 @@ TEST(Compare, EqualPictures) {
 TEST(Compare, PsnrByHand) {
     // Reference 0.5 everywhere: exposed to 1. The picture is 0.45, exposed to 0.9: the error is 0.1
     // in every value, PSNR 20 dB. sRGB of 0.9 is 0.954687: off by 11.55 of 255 in every pixel.
-    const Comparison result = compare(filled(32, 32, glm::vec3(0.45f)),
-                                      filled(32, 32, glm::vec3(0.5f)));
+    const Comparison result =
+        compare(filled(32, 32, glm::vec3(0.45f)), filled(32, 32, glm::vec3(0.5f)));
     EXPECT_NEAR(result.psnr, 20, 1e-4);
     EXPECT_EQ(result.off_share, 1);
     EXPECT_NEAR(result.block, 11.555, 0.01);
@@ -151,8 +151,8 @@ TEST(Compare, SceneOfDarknessIsExposedByItsLargestValue) {
 }
 
 TEST(Compare, BlockFindsOneLostLight) {
-    // A light that adds 1.5 % to a 16×16 patch: 1.5 of 255 in sRGB, no pixel off by more than 2, PSNR
-    // far above 50 dB; only the block's mean tells.
+    // A light that adds 1.5 % to a 16×16 patch: 1.5 of 255 in sRGB, no pixel off by more than 2,
+    // PSNR far above 50 dB; only the block's mean tells.
     const Image reference = filled(320, 192, glm::vec3(1));
     Image picture = reference;
     for (uint32_t y = 64; y < 80; ++y)

@@ -21,8 +21,8 @@ TEST(Geometry, PositionDepthAndNormalOfEachPixel) {
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             const size_t i = size_t(y) * width + x;
-            EXPECT_NEAR(glm::distance(picture.position[i],
-                                      on_plane(5, 0.8, x, y, width, height)), 0, 1e-12);
+            EXPECT_NEAR(glm::distance(picture.position[i], on_plane(5, 0.8, x, y, width, height)),
+                        0, 1e-12);
             EXPECT_NEAR(picture.depth[i], 5, 1e-12);
             EXPECT_NEAR(glm::distance(picture.normal[i], {0, 0, 1}), 0, 1e-12);
             EXPECT_NEAR(glm::distance(picture.geometric_normal[i], {0, 0, 1}), 0, 1e-12);
@@ -42,8 +42,8 @@ TEST(Geometry, OrthographicCamera) {
             EXPECT_NEAR(glm::distance(picture.position[i], want), 0, 1e-12);
             EXPECT_NEAR(picture.depth[i], 5, 1e-12);
         }
-    // The view vector is the axis for every pixel: a directional light along it gives a flat picture
-    // with its highlight everywhere.
+    // The view vector is the axis for every pixel: a directional light along it gives a flat
+    // picture with its highlight everywhere.
     test.add_light({.kind = LightKind::directional}, {0, 0, 0}, {0, 0, -1});
     const auto lit = shown(test, camera, 8, 4);
     EXPECT_GT(lit.linear.at(0, 0).r, 0.01f);
@@ -120,7 +120,8 @@ uint32_t add_bumps(TestWorld& test) {
 TEST(Geometry, MirroredInstanceIsTheMirroredPicture) {
     const auto world_with = [](double mirror) {
         auto test = std::make_unique<TestWorld>();
-        Material material{.base_colour = {0.9f, 0.5f, 0.3f, 1}, .metallic = 0.2f, .roughness = 0.4f};
+        Material material{
+            .base_colour = {0.9f, 0.5f, 0.3f, 1}, .metallic = 0.2f, .roughness = 0.4f};
         material.normal_texture.image = add_bumps(*test);
         test->add_material(material);
         const glm::dmat4 place =
@@ -158,8 +159,8 @@ TEST(Geometry, NormalMapBendsTheNormal) {
     // w = −1 turns the bitangent round; a rotation by 90° about z turns everything along.
     for (glm::vec4& tangent : test.scene.meshes[0].primitives[0].tangents)
         tangent.w = -1;
-    test.world.instances[0].transform = glm::rotate(glm::dmat4(1), 1.5707963267948966,
-                                                    glm::dvec3(0, 0, 1));
+    test.world.instances[0].transform =
+        glm::rotate(glm::dmat4(1), 1.5707963267948966, glm::dvec3(0, 0, 1));
     const glm::dvec3 turned = glm::normalize(glm::dvec3(-0.5, 0.5, tz));
     EXPECT_NEAR(glm::distance(shown(test, front_camera(3)).normal[0], turned), 0, 1e-9);
 }
@@ -170,8 +171,7 @@ TEST(Geometry, AlphaMaskOpensHoles) {
     test.add(square(10), glm::translate(glm::dmat4(1), {0, 0, -1}));
     Material masked{.alpha_mode = AlphaMode::mask, .alpha_cutoff = 0.5f};
     // Left column opaque, right column clear; nearest, so that the border is exact.
-    masked.base_colour_texture.image =
-        test.add_image(2, 1, {255, 255, 255, 255, 255, 255, 255, 0});
+    masked.base_colour_texture.image = test.add_image(2, 1, {255, 255, 255, 255, 255, 255, 255, 0});
     masked.base_colour_texture.sampler.mag = Filter::nearest;
     test.add_material(masked);
     test.add(square(1));
@@ -243,7 +243,8 @@ TEST(Geometry, TwoRunsGiveTheSameBytes) {
                        {std::sin(i * 1.0) * 3, std::cos(i * 1.7) * 3, std::sin(i * 0.3)});
     const auto a = shown(test, front_camera(4), 160, 90), b = shown(test, front_camera(4), 160, 90);
     EXPECT_EQ(std::memcmp(a.linear.pixels.data(), b.linear.pixels.data(),
-                          a.linear.pixels.size() * sizeof(glm::vec3)), 0);
+                          a.linear.pixels.size() * sizeof(glm::vec3)),
+              0);
 }
 
 TEST(Geometry, RefusesWhatItCannotRender) {

@@ -20,8 +20,8 @@ ReferencePicture wall() {
     picture.shadow_mask.assign(pixels, 0);
     picture.mask_outcome.assign(pixels, 0);
     for (size_t i = 0; i < pixels; ++i)
-        picture.position.push_back({static_cast<double>(i % size), static_cast<double>(i / size),
-                                    0});
+        picture.position.push_back(
+            {static_cast<double>(i % size), static_cast<double>(i / size), 0});
     return picture;
 }
 
@@ -32,7 +32,9 @@ uint32_t count(const ReferencePicture& picture) {
     return std::accumulate(left_out.begin(), left_out.end(), 0u);
 }
 
-TEST(LeftOut, NothingOnAFlatWall) { EXPECT_EQ(count(wall()), 0u); }
+TEST(LeftOut, NothingOnAFlatWall) {
+    EXPECT_EQ(count(wall()), 0u);
+}
 
 TEST(LeftOut, OtherInstanceMaskOrShadow) {
     ReferencePicture picture = wall();
@@ -107,8 +109,7 @@ TEST(LeftOut, ShadowBorderOnlyWithShadows) {
 TEST(LeftOut, MaskBorderWithinOnePrimitive) {
     TestWorld test;
     Material masked{.alpha_mode = AlphaMode::mask};
-    masked.base_colour_texture.image =
-        test.add_image(2, 1, {255, 255, 255, 255, 255, 255, 255, 0});
+    masked.base_colour_texture.image = test.add_image(2, 1, {255, 255, 255, 255, 255, 255, 255, 0});
     masked.base_colour_texture.sampler = {.wrap_s = Wrap::clamp_to_edge, .mag = Filter::nearest};
     test.add_material(masked);
     // One primitive: a wall, and 5 mm in front of it another one with a hole in its right half.

@@ -62,8 +62,10 @@ TEST(Lighting, AmbientAsMaterialTermAndAsLight) {
 TEST(Lighting, PhongFormsByHand) {
     const OnePoint test;
     const auto expect = [&](bool step, bool reflection, bool mono, glm::dvec3 want) {
-        expect_near(test.colour({.shading = Shading::phong, .mono_specular = mono,
-                                 .gate_by_step = step, .reflection_vector = reflection}),
+        expect_near(test.colour({.shading = Shading::phong,
+                                 .mono_specular = mono,
+                                 .gate_by_step = step,
+                                 .reflection_vector = reflection}),
                     want, 1e-6, "phong");
     };
     expect(false, false, false, {1.799334908, 0.940776719, 0.570106882});
@@ -99,7 +101,8 @@ TEST(Lighting, PlaneUnderOneLightIsTheClosedForm) {
     for (uint32_t y = 0; y < rows; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             const glm::dvec3 p = on_plane(8, 0.8, x, y, width, rows);
-            const double r2 = (p.x - 3) * (p.x - 3) + (p.y - 1) * (p.y - 1), d2 = r2 + height * height;
+            const double r2 = (p.x - 3) * (p.x - 3) + (p.y - 1) * (p.y - 1),
+                         d2 = r2 + height * height;
             const double share = d2 / (range * range);
             const double want =
                 intensity * height / std::pow(d2, 1.5) * std::max(0.0, 1 - share * share);
@@ -132,7 +135,9 @@ TEST(Lighting, SpotConeFromInnerToOuterEdge) {
     test.add_material({.metallic = 0, .roughness = 0});
     test.add(square(10));
     const double inner = 0.3, outer = 0.5, height = 2;
-    test.add_light({.kind = LightKind::spot, .intensity = 5, .inner_cone = float(inner),
+    test.add_light({.kind = LightKind::spot,
+                    .intensity = 5,
+                    .inner_cone = float(inner),
                     .outer_cone = float(outer)},
                    {0, 0, height}, {0, 0, -1});
     const ReferenceForm form{.shading = Shading::phong};
@@ -146,8 +151,8 @@ TEST(Lighting, SpotConeFromInnerToOuterEdge) {
         const double theta = std::atan2(std::abs(p.x), height);
         const double d2 = p.x * p.x + height * height;
         const double lambert = 5 * height / std::pow(d2, 1.5);
-        const double cone = std::clamp((std::cos(theta) - std::cos(outer)) /
-                                           (std::cos(inner) - std::cos(outer)), 0.0, 1.0);
+        const double cone = std::clamp(
+            (std::cos(theta) - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 0.0, 1.0);
         const double got = double(picture.linear.at(x, 1).g);
         if (std::abs(p.x) < 0.1)
             continue; // the highlight
@@ -189,7 +194,7 @@ TEST(Lighting, EmissiveOcclusionAndUnlit) {
     Material& material = test.scene.materials[0];
     material.emissive = {3, 2, 1};
     material.occlusion_texture.image = test.add_image(1, 1, {51, 255, 255, 255}); // 0.2
-    material.occlusion_strength = 0.5f;                                          // → 0.6
+    material.occlusion_strength = 0.5f;                                           // → 0.6
     const glm::dvec3 term = glm::dvec3(0.828, 0.428, 0.228);
     expect_near(test.colour({}), 0.6 * term + glm::dvec3(3, 2, 1), 1e-6, "occluded");
     // As a light ambient is not occluded.

@@ -9,8 +9,8 @@ struct Strip : ::testing::Test {
     Scene scene;
     TextureRef ref;
     Strip() {
-        scene.images.push_back({"strip", 4, 1, {0,   0, 0, 255, 51,  0, 0, 170,
-                                                102, 0, 0, 85,  255, 0, 0, 0}});
+        scene.images.push_back(
+            {"strip", 4, 1, {0, 0, 0, 255, 51, 0, 0, 170, 102, 0, 0, 85, 255, 0, 0, 0}});
         ref.image = 0;
     }
     double red(double u, bool bilinear = true, Encoding encoding = Encoding::linear) const {
@@ -62,8 +62,7 @@ TEST_F(Strip, SrgbIsDecodedBeforeItIsMixed) {
 TEST_F(Strip, TransformIsAppliedBeforeWrapping) {
     ref.uv_linear = glm::mat2(0, 0, 0.5f, 0); // columns: u' = 0.5 v
     ref.uv_offset = {0.125f, 0.5f};
-    const double got =
-        Textures(scene, true).sample(ref, {77, 0.5}, Encoding::linear).r * 255;
+    const double got = Textures(scene, true).sample(ref, {77, 0.5}, Encoding::linear).r * 255;
     EXPECT_NEAR(got, 51, 1e-6); // u' = 0.375
 }
 

@@ -32,7 +32,8 @@ struct TestWorld {
         place(static_cast<uint32_t>(scene.meshes.size() - 1), transform);
     }
     void place(uint32_t mesh, const glm::dmat4& transform) {
-        world.instances.push_back({.mesh = mesh, .transform = transform,
+        world.instances.push_back({.mesh = mesh,
+                                   .transform = transform,
                                    .mirrored = glm::determinant(glm::dmat3(transform)) < 0});
     }
     PlacedLight& add_light(const Light& light, glm::dvec3 position,
