@@ -5,7 +5,8 @@ namespace prelight {
 namespace {
 
 /// One element per index: each triangle corner gets a vertex of its own.
-template <typename T> void unshare(std::vector<T>& attribute, const std::vector<uint32_t>& indices) {
+template <typename T>
+void unshare(std::vector<T>& attribute, const std::vector<uint32_t>& indices) {
     if (attribute.empty())
         return;
     std::vector<T> corners;

@@ -23,8 +23,8 @@ glm::vec3 in_plane(const glm::vec3& v, const glm::vec3& n) {
 
 /// Tangent of some faces around a vertex: their directions of growing u in the vertex's plane,
 /// weighted with the corner's angle in that plane (Mikkelsen 2008, section 3.3).
-glm::vec3 average(std::span<const uint32_t> members, uint32_t vertex, const std::vector<Face>& faces,
-                  const Vertices& vertices) {
+glm::vec3 average(std::span<const uint32_t> members, uint32_t vertex,
+                  const std::vector<Face>& faces, const Vertices& vertices) {
     const glm::vec3& n = vertices.normals[vertex];
     const glm::vec3& origin = vertices.positions[vertex];
     glm::vec3 sum(0);
@@ -43,8 +43,8 @@ glm::vec3 average(std::span<const uint32_t> members, uint32_t vertex, const std:
 }
 
 /// Tangents of a group's faces, in the order of group.faces. A member averages over those of the
-/// others that do not point exactly the opposite way (MikkTSpace's angular threshold of 180°); faces
-/// without texture area go with all.
+/// others that do not point exactly the opposite way (MikkTSpace's angular threshold of 180°);
+/// faces without texture area go with all.
 std::vector<glm::vec3> group_tangents(const Group& group, const std::vector<Face>& faces,
                                       const Vertices& vertices) {
     const size_t count = group.faces.size();
@@ -98,7 +98,8 @@ glm::vec3 make_sound(const glm::vec3& tangent, const glm::vec3& normal) {
 }
 
 /// One tangent for each index of the list.
-std::vector<glm::vec4> corner_tangents(const Vertices& vertices, std::span<const uint32_t> indices) {
+std::vector<glm::vec4> corner_tangents(const Vertices& vertices,
+                                       std::span<const uint32_t> indices) {
     const std::vector<uint32_t> welded = weld(vertices);
     std::vector<Face> faces = make_faces(vertices, indices, welded);
     const Groups grouped = build_groups(faces);
@@ -144,8 +145,8 @@ void repeat_vertex(Primitive& primitive, uint32_t index) {
         repeat(set);
 }
 
-/// Gives every corner a vertex with its tangent: corners sorted by vertex and tangent fall into runs
-/// that share one; a vertex's first run keeps it, each further run gets a copy.
+/// Gives every corner a vertex with its tangent: corners sorted by vertex and tangent fall into
+/// runs that share one; a vertex's first run keeps it, each further run gets a copy.
 void assign(Primitive& primitive, const std::vector<glm::vec4>& corners) {
     const auto old = primitive.indices;
     const auto key = [&](uint32_t corner) {
@@ -176,8 +177,8 @@ void generate_tangents(Primitive& primitive, uint32_t texcoord_set) {
     const auto& texcoords = primitive.texcoords.at(texcoord_set);
     assert(primitive.normals.size() == primitive.positions.size());
     assert(texcoords.size() == primitive.positions.size());
-    assign(primitive, corner_tangents({primitive.positions, primitive.normals, texcoords},
-                                      primitive.indices));
+    assign(primitive,
+           corner_tangents({primitive.positions, primitive.normals, texcoords}, primitive.indices));
 }
 
 } // namespace prelight

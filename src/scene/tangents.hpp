@@ -9,8 +9,9 @@ namespace prelight {
 /// a file has none. Needs normals and texcoords[texcoord_set], as long as `positions`, and indices
 /// below that length; earlier tangents are replaced. Vertices where tangents differ (mirrored
 /// texture coordinates, seams) are split: one of them keeps the old place, the others are appended.
-/// w has glTF's sense: texture coordinates run down, so the bitangent w · (N × T) points to smaller v.
-/// Every tangent is finite and of unit length; where texture coordinates say nothing it is (1, 0, 0).
+/// w has glTF's sense: texture coordinates run down, so the bitangent w · (N × T) points to smaller
+/// v. Every tangent is finite and of unit length; where texture coordinates say nothing it is (1,
+/// 0, 0).
 void generate_tangents(Primitive& primitive, uint32_t texcoord_set);
 
 /// Normals of the triangles themselves: every corner gets a vertex of its own (attributes are

@@ -19,7 +19,8 @@ Key key_of(const Vertices& vertices, uint32_t i) {
     const glm::vec3& n = vertices.normals[i];
     const glm::vec2& uv = vertices.texcoords[i];
     const auto bits = [](float x) { return std::bit_cast<uint32_t>(x + 0.0f); }; // −0 + 0 = 0
-    return {bits(p.x), bits(p.y), bits(p.z), bits(n.x), bits(n.y), bits(n.z), bits(uv.x), bits(uv.y)};
+    return {bits(p.x), bits(p.y), bits(p.z),  bits(n.x),
+            bits(n.y), bits(n.z), bits(uv.x), bits(uv.y)};
 }
 
 /// Solves for the directions of growing u and v (Mikkelsen 2008, section 3.1).
@@ -96,7 +97,9 @@ void find_neighbours(std::vector<Face>& faces) {
 
 } // namespace
 
-bool not_zero(float x) { return std::abs(x) > FLT_MIN; }
+bool not_zero(float x) {
+    return std::abs(x) > FLT_MIN;
+}
 
 glm::vec3 unit_or_zero(const glm::vec3& v) {
     const bool zero = !not_zero(v.x) && !not_zero(v.y) && !not_zero(v.z);
@@ -110,9 +113,8 @@ std::vector<uint32_t> weld(const Vertices& vertices) {
     std::iota(order.begin(), order.end(), 0u);
     for (uint32_t i = 0; i < count; ++i)
         keys[i] = key_of(vertices, i);
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-        return std::tie(keys[a], a) < std::tie(keys[b], b);
-    });
+    std::sort(order.begin(), order.end(),
+              [&](uint32_t a, uint32_t b) { return std::tie(keys[a], a) < std::tie(keys[b], b); });
     for (size_t i = 0; i < count; ++i) {
         const bool same = i > 0 && keys[order[i]] == keys[order[i - 1]];
         welded[order[i]] = same ? welded[order[i - 1]] : order[i];
@@ -129,7 +131,9 @@ std::vector<Face> make_faces(const Vertices& vertices, std::span<const uint32_t>
         for (size_t corner = 0; corner < 3; ++corner)
             face.corners[corner] = welded[indices[i + corner]];
         face.triangle = static_cast<uint32_t>(i / 3);
-        const auto position = [&](size_t corner) { return vertices.positions[face.corners[corner]]; };
+        const auto position = [&](size_t corner) {
+            return vertices.positions[face.corners[corner]];
+        };
         if (position(0) == position(1) || position(1) == position(2) || position(2) == position(0))
             continue;
         set_frame(face, vertices);

@@ -20,8 +20,8 @@ public:
 
 private:
     /// Depth first, the neighbour across the corner's own edge before the other one: the order
-    /// matters only to faces without texture area, and there it is part of the definition. A stack of
-    /// our own, since a fan can have millions of triangles.
+    /// matters only to faces without texture area, and there it is part of the definition. A stack
+    /// of our own, since a fan can have millions of triangles.
     void grow(uint32_t first, uint32_t vertex) {
         const auto id = static_cast<uint32_t>(result.groups.size());
         Group group{.vertex = vertex, .preserving = faces[first].preserving, .faces = {}};
@@ -67,6 +67,8 @@ uint32_t corner_at(const Face& face, uint32_t vertex) {
     return face.corners[0] == vertex ? 0 : face.corners[1] == vertex ? 1 : 2;
 }
 
-Groups build_groups(std::vector<Face>& faces) { return Builder(faces).build(); }
+Groups build_groups(std::vector<Face>& faces) {
+    return Builder(faces).build();
+}
 
 } // namespace prelight::tangents

@@ -3,10 +3,10 @@
 
 namespace prelight::tangents {
 
-/// Faces around one vertex that are connected by edges there and agree in orientation: their corners
-/// at the vertex share a tangent space.
+/// Faces around one vertex that are connected by edges there and agree in orientation: their
+/// corners at the vertex share a tangent space.
 struct Group {
-    uint32_t vertex = 0;         ///< representative vertex
+    uint32_t vertex = 0; ///< representative vertex
     bool preserving = false;
     std::vector<uint32_t> faces; ///< ascending
 };

@@ -13,13 +13,15 @@ namespace {
 /// FNV-1a over everything that a seed decides.
 class Hash {
 public:
-    template <typename T> void add(const T& value) {
+    template <typename T>
+    void add(const T& value) {
         std::array<unsigned char, sizeof(T)> bytes;
         std::memcpy(bytes.data(), &value, sizeof(T));
         for (const unsigned char byte : bytes)
             sum = (sum ^ byte) * 0x100000001b3u;
     }
-    template <typename T> void add_all(const std::vector<T>& values) {
+    template <typename T>
+    void add_all(const std::vector<T>& values) {
         for (const T& value : values)
             add(value);
     }

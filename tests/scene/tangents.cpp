@@ -85,7 +85,7 @@ TEST(Tangents, StayUnitWhateverTheInput) {
 // Shapes where a careless search would take the square of the number of triangles.
 TEST(Tangents, HostileMeshesTakeNoSquareTime) {
     constexpr uint32_t count = 100000;
-    Primitive hub; // every triangle shares vertex 0 and has its own direction of u
+    Primitive hub;  // every triangle shares vertex 0 and has its own direction of u
     Primitive edge; // every triangle shares the edge 0 1
     hub.positions = edge.positions = {{0, 0, 0}, {0, 0, 1}};
     hub.texcoords[0] = edge.texcoords[0] = {{0, 0}, {1, 0}};

@@ -17,8 +17,8 @@ std::vector<glm::vec4> ask_oracle(const Primitive& mesh) {
     const auto put = [&](float x) { file.write(reinterpret_cast<const char*>(&x), sizeof x); };
     for (const uint32_t i : mesh.indices) {
         const auto &p = mesh.positions[i], &n = mesh.normals[i];
-        for (const float x : {p.x, p.y, p.z, n.x, n.y, n.z, mesh.texcoords[0][i].x,
-                              mesh.texcoords[0][i].y})
+        for (const float x :
+             {p.x, p.y, p.z, n.x, n.y, n.z, mesh.texcoords[0][i].x, mesh.texcoords[0][i].y})
             put(x);
     }
     file.close();
@@ -32,8 +32,8 @@ std::vector<glm::vec4> ask_oracle(const Primitive& mesh) {
 }
 
 struct Outcome {
-    double largest = 0; ///< distance of two unit tangents
-    size_t flipped = 0; ///< corners whose sign differs
+    double largest = 0;   ///< distance of two unit tangents
+    size_t flipped = 0;   ///< corners whose sign differs
     size_t undefined = 0; ///< corners where the oracle gives no unit vector
 };
 
@@ -57,8 +57,8 @@ Outcome compare_with_oracle(const Primitive& mesh) {
             ++outcome.undefined;
             continue;
         }
-        outcome.largest = std::max(
-            outcome.largest, glm::distance(glm::dvec3(tangent), glm::dvec3(expected[i])));
+        outcome.largest =
+            std::max(outcome.largest, glm::distance(glm::dvec3(tangent), glm::dvec3(expected[i])));
         outcome.flipped += tangent.w != -expected[i].w; // glTF's v runs the other way
     }
     fmt::print("  {} corners: largest distance {:.3g}, {} signs differ, {} undefined\n",
@@ -102,7 +102,9 @@ protected:
     }
 };
 
-TEST_F(TangentsOracle, SphereWithSeamAndPoles) { expect_same(make_sphere(1.7f, 40, 20)); }
+TEST_F(TangentsOracle, SphereWithSeamAndPoles) {
+    expect_same(make_sphere(1.7f, 40, 20));
+}
 
 TEST_F(TangentsOracle, HardEdgesAndPlanes) {
     expect_same(make_box({-1, 0, 2}, {3, 5, 4}));
@@ -132,8 +134,8 @@ TEST_F(TangentsOracle, SoupOfSharedVertices) {
     expect_same(soup, 1); // one corner's angle rounds to 0: the oracle's tangent is the zero vector
 }
 
-// Few vertices and coarse coordinates: edges with many triangles, triangles whose coordinates span no
-// area, triangles without area, and equal triangles.
+// Few vertices and coarse coordinates: edges with many triangles, triangles whose coordinates span
+// no area, triangles without area, and equal triangles.
 TEST_F(TangentsOracle, SoupOfDegenerateTriangles) {
     for (const uint32_t steps : {1u, 2u, 3u, 8u}) {
         Primitive soup = vertices(40, steps);
@@ -150,7 +152,8 @@ TEST_F(TangentsOracle, RingWithOpposedCoordinates) {
     ring.positions = {{0, 0, 0},  {1, 0, 0},   {1, 1, 0},  {0, 1, 0}, {-1, 1, 0},
                       {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}, {1, -1, 0}};
     ring.normals.assign(9, {0, 0, 1});
-    ring.texcoords[0] = {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    ring.texcoords[0] = {{0, 0}, {1, 0}, {0, 1},  {-1, 0}, {0, -1},
+                         {1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     for (uint32_t i = 0; i < 8; ++i)
         ring.indices.insert(ring.indices.end(), {0, i + 1, (i + 1) % 8 + 1});
     expect_same(ring);

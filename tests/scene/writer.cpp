@@ -97,10 +97,11 @@ TEST_F(Writer, SceneOfNothingIsAFile) {
 TEST_F(Writer, SamplersAndTexturesAreSharedBetweenMaterials) {
     const json tree = write(scene_with_everything()).tree;
     EXPECT_EQ(tree["samplers"].size(), 3u);
-    EXPECT_EQ(tree["textures"].size(), 4u); // images 0 and 1 plain, and two with samplers of their own
+    EXPECT_EQ(tree["textures"].size(),
+              4u); // images 0 and 1 plain, and two with samplers of their own
     EXPECT_EQ(tree["images"].size(), 2u);
-    EXPECT_EQ(tree["samplers"][0], (json{{"magFilter", 9729}, {"minFilter", 9987},
-                                         {"wrapS", 10497}, {"wrapT", 10497}}));
+    EXPECT_EQ(tree["samplers"][0],
+              (json{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 10497}, {"wrapT", 10497}}));
 }
 
 TEST_F(Writer, IndicesAreAsSmallAsTheMeshAllows) {
@@ -116,8 +117,8 @@ TEST_F(Writer, IndicesAreAsSmallAsTheMeshAllows) {
 TEST_F(Writer, EmptyMeshesLeaveNoTrace) {
     const json tree = write(scene_with_everything()).tree;
     ASSERT_EQ(tree["meshes"].size(), 2u);
-    EXPECT_EQ(tree["meshes"][0]["name"], "two");
-    EXPECT_EQ(tree["meshes"][0]["primitives"].size(), 2u);
+    EXPECT_EQ(tree["meshes"][0]["name"], "three");
+    EXPECT_EQ(tree["meshes"][0]["primitives"].size(), 3u);
     for (const json& node : tree["nodes"]) {
         if (node.value("name", "") == "nothing") {
             EXPECT_FALSE(node.contains("mesh"));
@@ -156,6 +157,8 @@ TEST_F(Writer, BrightColoursMoveToTheIntensity) {
     const json tree = write(scene_with_everything()).tree;
     const json& light = tree["extensions"]["KHR_lights_punctual"]["lights"][2];
     EXPECT_EQ(light["color"][0].get<float>() * light["intensity"].get<float>(), 5 * 3.3f);
+    EXPECT_EQ(light["color"][2].get<float>() * light["intensity"].get<float>(), 0.7f * 3.3f);
+    EXPECT_EQ(light["color"][2].get<float>(), 0.7f / 8);
     EXPECT_LE(light["color"][0], 1);
     const json& material = tree["materials"][0];
     const json& strength =
@@ -200,10 +203,11 @@ TEST_F(Writer, RefusesWhatHasNoFormInGltf) {
     vertex.meshes[0].primitives[0].positions[3].y = std::nanf("");
     vertex.materials = scene_with_everything().materials;
     vertex.images = scene_with_everything().images;
-    EXPECT_NE(refusal(vertex).find("mesh 0 (two): "), std::string::npos) << refusal(vertex);
+    EXPECT_NE(refusal(vertex).find("mesh 0 (three): "), std::string::npos) << refusal(vertex);
 
     Scene camera = minimal();
-    add_camera(camera, {.name = "plan", .kind = ProjectionKind::orthographic}, {0, 0, 1}, {0, 0, 0});
+    add_camera(camera, {.name = "plan", .kind = ProjectionKind::orthographic}, {0, 0, 1},
+               {0, 0, 0});
     EXPECT_NE(refusal(camera).find("camera 0 (plan): "), std::string::npos) << refusal(camera);
 
     Scene image = minimal();

@@ -11,9 +11,9 @@ namespace {
 TextureImage checker(const char* name, uint8_t alpha) {
     TextureImage image{.name = name, .width = 5, .height = 3, .rgba = {}};
     for (uint32_t i = 0; i < 15; ++i)
-        image.rgba.insert(image.rgba.end(), {static_cast<uint8_t>(17 * i),
-                                             static_cast<uint8_t>(255 - 16 * i), 128,
-                                             i == 4 ? alpha : uint8_t{255}});
+        image.rgba.insert(image.rgba.end(),
+                          {static_cast<uint8_t>(17 * i), static_cast<uint8_t>(255 - 16 * i), 128,
+                           i == 4 ? alpha : uint8_t{255}});
     return image;
 }
 
@@ -30,8 +30,8 @@ Material textured() {
                       .double_sided = true};
     material.base_colour_texture = {.image = 0, .sampler = {}};
     material.metallic_roughness_texture = {.image = 1, .sampler = {}};
-    material.normal_texture = {
-        .image = 1, .sampler = {.wrap_s = Wrap::clamp_to_edge, .mag = Filter::nearest}};
+    material.normal_texture = {.image = 1,
+                               .sampler = {.wrap_s = Wrap::clamp_to_edge, .mag = Filter::nearest}};
     material.occlusion_texture = {.image = 1, .sampler = {}, .texcoord = 1};
     material.emissive_texture = {.image = 0,
                                  .sampler = {.wrap_t = Wrap::mirrored_repeat,
@@ -51,15 +51,27 @@ void add_lights(Scene& scene) {
     add_light(scene, {.name = "bulb", .colour = {1, 0.5f, 0.3f}, .intensity = 40, .range = inf},
               {1, 2, 3});
     add_light(scene,
-              {.name = "bright", .colour = {5, 0, 0.7f}, .intensity = 3.3f, .range = 8.1f,
-               .shininess = 2.5f, .falloff = Falloff::linear},
+              {.name = "bright",
+               .colour = {5, 0, 0.7f},
+               .intensity = 3.3f,
+               .range = 8.1f,
+               .shininess = 2.5f,
+               .falloff = Falloff::linear},
               {-1, 2, 3});
     add_light(scene,
-              {.name = "spot", .kind = LightKind::spot, .intensity = 9, .range = 7,
-               .inner_cone = 0.2f, .outer_cone = 0.5f, .falloff = Falloff::quadratic},
+              {.name = "spot",
+               .kind = LightKind::spot,
+               .intensity = 9,
+               .range = 7,
+               .inner_cone = 0.2f,
+               .outer_cone = 0.5f,
+               .falloff = Falloff::quadratic},
               {0, 3, 0});
     add_light(scene,
-              {.name = "half space", .kind = LightKind::spot, .outer_cone = 1.57079633f},
+              {.name = "half space",
+               .kind = LightKind::spot,
+               .inner_cone = 1.57079633f,
+               .outer_cone = 1.57079633f},
               {0, 4, 0});
 }
 
@@ -68,13 +80,19 @@ void add_meshes(Scene& scene) {
     sphere.texcoords[1] = sphere.texcoords[0];
     sphere.colours.assign(sphere.positions.size(), {0.5f, 0.25f, 1, 1});
     generate_tangents(sphere, 0);
+    Primitive
+        triangle; // its six bytes of indices leave the next view unaligned, if it is not padded
+    triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    triangle.indices = {0, 1, 2};
+    make_flat_normals(triangle);
+    triangle.material = 3;
     Primitive box = make_box({-1, -1, -1}, {1, 1, 1});
     box.texcoords[0].clear(); // its material reads sets 0 and 1 all the same
     box.material = 1;
     Primitive ground = make_ground({40, 40}, 300); // more than 65,535 vertices
     ground.material = 2;
     scene.meshes = {{.name = "empty", .primitives = {}},
-                    {.name = "two", .primitives = {sphere, Primitive{}, box}},
+                    {.name = "three", .primitives = {sphere, Primitive{}, triangle, box}},
                     {.name = "ground", .primitives = {ground}}};
 }
 
@@ -92,7 +110,8 @@ void add_nodes(Scene& scene) {
     scene.nodes.push_back(
         {.name = "flat", .local = turned * glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1))});
     scene.nodes[child].mesh = 1;
-    scene.nodes.push_back({.name = "leaf", .local = glm::scale(glm::dmat4(1), glm::dvec3(2, 2, -2))});
+    scene.nodes.push_back(
+        {.name = "leaf", .local = glm::scale(glm::dmat4(1), glm::dvec3(2, 2, -2))});
     scene.nodes[child + 1].mesh = 2;
 }
 
@@ -103,7 +122,8 @@ Scene scene_with_everything() {
     scene.name = "everything";
     scene.ambient = {0.1f, 0.2f, 0.3f};
     scene.images = {checker("opaque", 255), checker("see-through", 7)};
-    scene.materials = {textured(), textured(),
+    scene.materials = {textured(),
+                       textured(),
                        {.name = "unlit", .alpha_mode = AlphaMode::blend, .unlit = true},
                        {}};
     scene.materials[1].normal_texture = {};
@@ -112,7 +132,10 @@ Scene scene_with_everything() {
     add_camera(scene, {.name = "infinite", .yfov = 1.1}, {0, 5, 20}, {0, 0, 0});
     add_camera(scene, {.name = "near", .zfar = 123.5}, {3, 5, 20}, {0, 0, 0});
     add_camera(scene,
-               {.name = "plan", .kind = ProjectionKind::orthographic, .ymag = 12.5, .znear = 0,
+               {.name = "plan",
+                .kind = ProjectionKind::orthographic,
+                .ymag = 12.5,
+                .znear = 0,
                 .zfar = 50},
                {0.1, 30, 0}, {0, 0, 0});
     add_lights(scene);

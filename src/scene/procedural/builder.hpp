@@ -8,7 +8,8 @@
 namespace prelight {
 
 /// Appends, and returns the new element's index.
-template <typename T> uint32_t append(std::vector<T>& list, T value) {
+template <typename T>
+uint32_t append(std::vector<T>& list, T value) {
     list.push_back(std::move(value));
     return static_cast<uint32_t>(list.size() - 1);
 }

@@ -33,9 +33,8 @@ std::vector<BuiltinScene> builtin_scenes() {
 }
 
 Scene make_scene(std::string_view name, uint32_t lights, uint64_t seed) {
-    const auto found =
-        std::find_if(entries.begin(), entries.end(),
-                     [&](const Entry& entry) { return entry.scene.name == name; });
+    const auto found = std::find_if(entries.begin(), entries.end(),
+                                    [&](const Entry& entry) { return entry.scene.name == name; });
     if (found == entries.end()) {
         std::string known;
         for (const Entry& entry : entries)

@@ -4,8 +4,8 @@
 namespace prelight {
 
 glm::vec3 hue_colour(double hue, double saturation) {
-    // Smith's HSV hexcone ("Color Gamut Transform Pairs", SIGGRAPH 1978): each channel is a trapezoid
-    // over the hue circle, shifted by a third of a turn.
+    // Smith's HSV hexcone ("Color Gamut Transform Pairs", SIGGRAPH 1978): each channel is a
+    // trapezoid over the hue circle, shifted by a third of a turn.
     const auto channel = [&](double shift) {
         double h = 6 * (hue - std::floor(hue)) + shift;
         h = h >= 6 ? h - 6 : h;

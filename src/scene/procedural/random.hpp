@@ -6,9 +6,9 @@
 namespace prelight {
 
 /// SplitMix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014).
-/// The standard's engines would do, but its distributions differ between libraries; here each number
-/// is one integer step and one correctly rounded operation, so that a seed gives the same bytes on
-/// every machine.
+/// The standard's engines would do, but its distributions differ between libraries; here each
+/// number is one integer step and one correctly rounded operation, so that a seed gives the same
+/// bytes on every machine.
 class Random {
 public:
     explicit Random(uint64_t seed) : state(seed) {}
@@ -25,9 +25,7 @@ public:
     /// Uniform in lo … hi. The explicit fma rounds once, whether or not a compiler contracts.
     double uniform(double lo, double hi) { return std::fma(unit(), hi - lo, lo); }
     /// Uniform in 0 ≤ i < count; count ≥ 1. The bias is below count · 2⁻³².
-    uint32_t below(uint32_t count) {
-        return static_cast<uint32_t>(((bits() >> 32) * count) >> 32);
-    }
+    uint32_t below(uint32_t count) { return static_cast<uint32_t>(((bits() >> 32) * count) >> 32); }
 
 private:
     uint64_t state;

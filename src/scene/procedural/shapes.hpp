@@ -6,8 +6,8 @@
 
 namespace prelight {
 
-/// Sphere around the origin in `slices` × `stacks` quads of two triangles each. At the poles one of a
-/// quad's two triangles has no area, so that the count is always 2 · slices · stacks. The seam's
+/// Sphere around the origin in `slices` × `stacks` quads of two triangles each. At the poles one of
+/// a quad's two triangles has no area, so that the count is always 2 · slices · stacks. The seam's
 /// vertices are there twice (u = 0 and u = 1); v runs from 0 at the top to 1. Metres.
 /// Sines and cosines are taken in double and rounded to float: libraries that are right to 1 ulp of
 /// double give the same float but for one case in about 10⁸.
@@ -16,8 +16,8 @@ Primitive make_sphere(float radius, uint32_t slices, uint32_t stacks);
 /// Axis-aligned box, 12 triangles, 24 vertices, each face mapped to the whole 0 … 1 square. Metres.
 Primitive make_box(glm::vec3 low, glm::vec3 high);
 
-/// Horizontal rectangle around the origin at y = 0 facing up, `size` metres in x and z, divided into
-/// `quads` × `quads`; texture coordinates 0 … 1, v along +z.
+/// Horizontal rectangle around the origin at y = 0 facing up, `size` metres in x and z, divided
+/// into `quads` × `quads`; texture coordinates 0 … 1, v along +z.
 Primitive make_ground(glm::vec2 size, uint32_t quads);
 
 } // namespace prelight

@@ -35,10 +35,9 @@ Scene make_spheres_scene(uint32_t lights, uint64_t seed) {
     const double middle = floor_gap + 0.5 * spacing * (rows - 1);
     add_camera(scene, {.name = "front", .yfov = 0.7}, {0, middle, 9.6}, {0, middle, 0});
 
-    const auto floor = append(scene.materials, {.name = "floor",
-                                                .base_colour = {0.3, 0.3, 0.32, 1},
-                                                .metallic = 0,
-                                                .roughness = 0.6f});
+    const auto floor = append(
+        scene.materials,
+        {.name = "floor", .base_colour = {0.3, 0.3, 0.32, 1}, .metallic = 0, .roughness = 0.6f});
     add_root(scene, "floor", glm::dmat4(1)).mesh =
         add_mesh(scene, "floor", make_ground({24, 24}, 24), floor);
     for (int row = 0; row < rows; ++row)
@@ -52,9 +51,7 @@ Scene make_spheres_scene(uint32_t lights, uint64_t seed) {
         const double z = random.uniform(3, 6);
         const glm::vec3 colour = hue_colour(random.unit(), 0.35);
         add_light(scene,
-                  {.colour = colour,
-                   .intensity = 240.0f / static_cast<float>(lights),
-                   .range = 20},
+                  {.colour = colour, .intensity = 240.0f / static_cast<float>(lights), .range = 20},
                   {x, y, z});
     }
     return scene;

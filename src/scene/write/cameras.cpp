@@ -13,7 +13,9 @@ Json perspective(const Camera& camera) {
 
 /// The picture's shape decides the width of the view: glTF's xmag is only a hint.
 Json orthographic(const Camera& camera) {
-    return {{"xmag", camera.ymag}, {"ymag", camera.ymag}, {"znear", camera.znear},
+    return {{"xmag", camera.ymag},
+            {"ymag", camera.ymag},
+            {"znear", camera.znear},
             {"zfar", camera.zfar}};
 }
 

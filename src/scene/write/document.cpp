@@ -32,10 +32,9 @@ uint32_t Document::add_view(std::span<const std::byte> bytes, ViewKind kind) {
 }
 
 uint32_t Document::add_accessor(uint32_t view, int component, const char* type, size_t count) {
-    return add("accessors", {{"bufferView", view},
-                             {"componentType", component},
-                             {"count", count},
-                             {"type", type}});
+    return add(
+        "accessors",
+        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
 }
 
 Json number(float value) {

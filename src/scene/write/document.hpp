@@ -40,7 +40,8 @@ public:
     uint32_t add_view(std::span<const std::byte> bytes, ViewKind kind);
     /// `component`: 5126 float, 5125 uint32, 5123 uint16; `type`: "SCALAR", "VEC3" …
     uint32_t add_accessor(uint32_t view, int component, const char* type, size_t count);
-    template <int N> uint32_t add_vectors(const std::vector<glm::vec<N, float>>& values, ViewKind kind) {
+    template <int N>
+    uint32_t add_vectors(const std::vector<glm::vec<N, float>>& values, ViewKind kind) {
         constexpr std::array types{"VEC2", "VEC3", "VEC4"};
         return add_accessor(add_view(std::as_bytes(std::span(values)), kind), 5126, types[N - 2],
                             values.size());
@@ -53,7 +54,8 @@ private:
 /// The shortest decimal that reads back as the same float. The value must be finite: JSON knows no
 /// other numbers.
 Json number(float value);
-template <int N> Json numbers(const glm::vec<N, float>& v) {
+template <int N>
+Json numbers(const glm::vec<N, float>& v) {
     Json list = Json::array();
     for (int i = 0; i < N; ++i)
         list.push_back(number(v[i]));

@@ -6,8 +6,8 @@
 namespace prelight::write {
 namespace {
 
-/// KHR_lights_punctual keeps colours within 0 … 1: what is above goes to the intensity, as a power of
-/// two so that nothing is rounded.
+/// KHR_lights_punctual keeps colours within 0 … 1: what is above goes to the intensity, as a power
+/// of two so that nothing is rounded.
 void set_colour(Json& entry, const Light& light) {
     const float largest = std::max({light.colour.r, light.colour.g, light.colour.b});
     float factor = 1;

@@ -12,7 +12,9 @@ int wrap_code(Wrap wrap) {
     return wrap == Wrap::repeat ? 10497 : wrap == Wrap::mirrored_repeat ? 33648 : 33071;
 }
 
-int filter_code(Filter filter) { return filter == Filter::nearest ? 9728 : 9729; }
+int filter_code(Filter filter) {
+    return filter == Filter::nearest ? 9728 : 9729;
+}
 
 /// 9984 … 9987: the low bit filters within a level, the next one between levels.
 int min_filter_code(const Sampler& sampler) {
@@ -22,8 +24,8 @@ int min_filter_code(const Sampler& sampler) {
            (sampler.mip == MipFilter::linear ? 2 : 0);
 }
 
-/// rotation and scale with uv_linear = R(rotation) · diag(scale), where R turns counter-clockwise in
-/// an image whose v points down: columns (cos, −sin) and (sin, cos).
+/// rotation and scale with uv_linear = R(rotation) · diag(scale), where R turns counter-clockwise
+/// in an image whose v points down: columns (cos, −sin) and (sin, cos).
 struct Turn {
     double rotation = 0;
     glm::dvec2 scale{1};
@@ -144,7 +146,8 @@ private:
         return entry;
     }
 
-    template <typename T> static uint32_t find_or_append(std::vector<T>& list, const T& value) {
+    template <typename T>
+    static uint32_t find_or_append(std::vector<T>& list, const T& value) {
         const auto found = std::find(list.begin(), list.end(), value);
         if (found == list.end())
             return list.push_back(value), static_cast<uint32_t>(list.size() - 1);

@@ -90,8 +90,9 @@ private:
 
     uint32_t indices(const Primitive& primitive) {
         const size_t count = primitive.indices.size();
-        if (count % 3 != 0 || *std::max_element(primitive.indices.begin(), primitive.indices.end()) >=
-                                  primitive.positions.size())
+        if (count % 3 != 0 ||
+            *std::max_element(primitive.indices.begin(), primitive.indices.end()) >=
+                primitive.positions.size())
             document_.fail(object_, "its indices are not triangles of its vertices");
         if (primitive.positions.size() > 65535) { // 65,535 itself would be primitive restart
             const auto bytes = std::as_bytes(std::span(primitive.indices));

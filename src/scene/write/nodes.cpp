@@ -13,7 +13,9 @@ bool is_diagonal(const glm::dmat4& matrix) {
     return true;
 }
 
-Json three(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+Json three(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
 
 /// Exact: numbers are written as they are, either as translation and scale or as a whole matrix.
 /// Only a turned matrix with a scale of zero, which glTF does not take as a matrix, is decomposed.

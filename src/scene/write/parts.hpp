@@ -7,8 +7,8 @@
 // The parts of a scene as glTF. What glTF has no field for stands in `extras.prelight`, so that the
 // reader gives the same scene back; other programs skip it. The schema, all members optional:
 //
-//   root.extras.prelight.ambient      [r, g, b]  uniform environment radiance, linear; absent: 0 0 0
-//   light.extras.prelight.falloff     "linear" | "quadratic"; absent: KHR_lights_punctual's own
+//   root.extras.prelight.ambient      [r, g, b]  uniform environment radiance, linear; absent: 0 0
+//   0 light.extras.prelight.falloff     "linear" | "quadratic"; absent: KHR_lights_punctual's own
 //   light.extras.prelight.shininess   number > 0, [phong] light shininess; absent: 1
 //
 // (`light` is an element of root.extensions.KHR_lights_punctual.lights.)
@@ -18,8 +18,8 @@ namespace prelight::write {
 void add_images(const Scene& scene, Document& document);
 
 /// Materials with their textures and samplers; each combination of image and sampler, and each
-/// sampler, is written once. Factors are clamped to what glTF allows; emissive light above 1 goes to
-/// KHR_materials_emissive_strength, as a power of two so that nothing is rounded.
+/// sampler, is written once. Factors are clamped to what glTF allows; emissive light above 1 goes
+/// to KHR_materials_emissive_strength, as a power of two so that nothing is rounded.
 void add_materials(const Scene& scene, Document& document);
 
 /// Meshes with at least one triangle. Returns each mesh's index in the file; absent: not written.

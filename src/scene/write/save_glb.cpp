@@ -27,7 +27,8 @@ Document make_document(const Scene& scene, const std::filesystem::path& path) {
     return document;
 }
 
-template <size_t N> void put_words(AtomicFile& file, const std::array<uint32_t, N>& words) {
+template <size_t N>
+void put_words(AtomicFile& file, const std::array<uint32_t, N>& words) {
     static_assert(std::endian::native == std::endian::little, "GLB is little-endian");
     file.write(words.data(), sizeof words);
 }
