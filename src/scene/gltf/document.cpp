@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <scene/gltf/document.hpp>
 #include <scene/gltf/uri.hpp>
 
@@ -35,22 +34,6 @@ constexpr std::array known_extensions{
     "EXT_meshopt_compression", "EXT_texture_webp",      "EXT_mesh_gpu_instancing",
 };
 
-/// Reads a whole regular file, with `padding` zero bytes after it. Throws UriError with a reason.
-Bytes read_bytes(const fs::path& path, size_t padding) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error))
-        throw UriError(error ? "cannot be read: " + error.message() : "is not a file");
-    const uint64_t size = fs::file_size(path, error);
-    std::ifstream stream(path, std::ios::binary);
-    if (error || !stream)
-        throw UriError("cannot be read");
-    Bytes bytes(size + padding);
-    stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
-    if (uint64_t(stream.gcount()) != size)
-        throw UriError("cannot be read to its end");
-    return bytes;
-}
-
 uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
     uint32_t value = 0;
     std::memcpy(&value, bytes.data() + at, sizeof value);
@@ -59,12 +42,8 @@ uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
 
 } // namespace
 
-Document::Document(const fs::path& path) : path_(path), file_(path.string()) {
-    try {
-        bytes_ = read_bytes(path, simdjson::SIMDJSON_PADDING);
-    } catch (const UriError& error) {
-        throw Error(fmt::format("{}: file: {}", file_, error.what()));
-    }
+Document::Document(std::string file, fs::path folder, Bytes bytes)
+    : file_(std::move(file)), folder_(std::move(folder)), bytes_(std::move(bytes)) {
     budget_.add_input(bytes_.size() - simdjson::SIMDJSON_PADDING);
     split_glb();
     check_version();
@@ -181,10 +160,10 @@ std::span<const uint8_t> Document::read_uri(const std::string& uri, const std::s
             charge(object, data_uri_size(uri), 1);
             return *data_uris_.emplace_back(std::make_unique<Bytes>(decode_data_uri(uri)));
         }
-        const fs::path target = resolve_uri(path_.parent_path(), uri);
+        const fs::path target = resolve_uri(folder_, uri);
         auto found = files_.find(target.string());
         if (found == files_.end()) {
-            found = files_.emplace(target.string(), read_bytes(target, 0)).first;
+            found = files_.emplace(target.string(), read_file(target, 0)).first;
             budget_.add_input(found->second.size());
         }
         return found->second;

@@ -34,8 +34,9 @@ inline constexpr size_t table_count = 12;
 /// The file's JSON and binary chunk, its limits, and the warnings that gather while it is read.
 class Document {
 public:
-    /// Reads the file's bytes, splits a .glb, parses the JSON, checks version and extensions.
-    explicit Document(const std::filesystem::path& path);
+    /// Splits a .glb, parses the JSON, checks version and extensions. `file` is the name in messages,
+    /// `folder` where relative URIs lead; `bytes` end in SIMDJSON_PADDING more than the file has.
+    Document(std::string file, std::filesystem::path folder, Bytes bytes);
 
     const std::string& file() const { return file_; }
     const Item& root() const { return *root_; }
@@ -65,14 +66,13 @@ private:
     void parse(std::span<const uint8_t> json);
     void check_version() const;
     void check_extensions();
-    std::span<const uint8_t> read_file(const std::string& uri, const std::string& object);
 
     struct Warning {
         std::string first;
         uint64_t count = 0;
     };
-    std::filesystem::path path_;
     std::string file_;
+    std::filesystem::path folder_;
     Budget budget_;
     Bytes bytes_;
     std::span<const uint8_t> binary_;

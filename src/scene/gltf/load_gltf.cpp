@@ -1,15 +1,16 @@
 #include <new>
 #include <prelight/scene_io.hpp>
+#include <scene/gltf/load.hpp>
 #include <scene/gltf/nodes.hpp>
 #include <scene/gltf/primitives.hpp>
 #include <scene/gltf/textures.hpp>
+#include <scene/gltf/uri.hpp>
 
 namespace prelight {
 namespace {
 
 /// In an order in which everything that an object names has been read before it.
-Scene read_scene(const std::filesystem::path& path) {
-    gltf::Document document(path);
+Scene read_scene(gltf::Document&& document) {
     Scene scene;
     scene.name = document.file();
     gltf::Buffers buffers(document);
@@ -21,23 +22,44 @@ Scene read_scene(const std::filesystem::path& path) {
     gltf::read_lights(document, scene);
     gltf::read_nodes(document, accessors, scene);
     gltf::read_scenes(document, scene);
-    if (!document.root().items("animations", "animation").empty())
-        document.warn("skins, morph targets and animations are not evaluated", "animation 0");
+    if (document.root().has("animations"))
+        document.warn("skins, morph targets and animations are not evaluated", "animations");
     scene.warnings = document.warnings();
     return scene;
 }
 
+/// What the limits let through may still be more than the machine has.
+template <class Read> Scene guard_memory(const std::string& file, Read read) {
+    try {
+        return read();
+    } catch (const std::bad_alloc&) {
+        gltf::fail(file, "memory", "there is not enough to read the file");
+    } catch (const std::length_error&) {
+        gltf::fail(file, "memory", "there is not enough to read the file");
+    }
+}
+
 } // namespace
 
+Scene gltf::load(std::span<const uint8_t> bytes, const std::string& file,
+                 const std::filesystem::path& folder) {
+    return guard_memory(file, [&] {
+        Bytes padded(bytes.begin(), bytes.end());
+        padded.resize(bytes.size() + simdjson::SIMDJSON_PADDING);
+        return read_scene(Document(file, folder, std::move(padded)));
+    });
+}
+
 Scene load_gltf(const std::filesystem::path& path) {
-    // What the limits let through may still be more than the machine has.
-    try {
-        return read_scene(path);
-    } catch (const std::bad_alloc&) {
-        gltf::fail(path.string(), "memory", "there is not enough to read the file");
-    } catch (const std::length_error&) {
-        gltf::fail(path.string(), "memory", "there is not enough to read the file");
-    }
+    const std::string file = path.string();
+    return guard_memory(file, [&] {
+        try {
+            return read_scene(gltf::Document(file, path.parent_path(),
+                                             gltf::read_file(path, simdjson::SIMDJSON_PADDING)));
+        } catch (const gltf::UriError& error) {
+            gltf::fail(file, "file", error.what());
+        }
+    });
 }
 
 } // namespace prelight
