@@ -12,7 +12,8 @@ namespace prelight::app {
 namespace {
 
 /// The whole text as a number; false for anything else, a sign or a space included.
-template <typename T> bool whole_number(std::string_view text, T& value) {
+template <typename T>
+bool whole_number(std::string_view text, T& value) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size() && text.front() != '-';
 }
@@ -70,9 +71,8 @@ std::pair<std::string, std::string> parse_pair(std::string_view option, const st
 
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return extension;
 }
 
@@ -113,7 +113,8 @@ void check_outputs(const RenderCommand& command) {
     const std::string extension = lower_extension(command.output);
     if (extension != ".png" && extension != ".exr")
         refuse("-o", command.output.string(), "the name must end in .png or .exr");
-    // EXR holds scene-linear light, PNG what is drawn for the eye: neither suits the other's values.
+    // EXR holds scene-linear light, PNG what is drawn for the eye: neither suits the other's
+    // values.
     const bool linear = command.view == "linear";
     if (extension == ".exr" && command.view != "final" && !linear)
         refuse("--view", command.view, "an EXR holds the final picture only; use .png");
@@ -123,7 +124,8 @@ void check_outputs(const RenderCommand& command) {
     for (const ViewFile& more : command.more_views) {
         if (lower_extension(more.file) != (more.view == "linear" ? ".exr" : ".png"))
             refuse("--view", more.view + "=" + more.file.string(),
-                   more.view == "linear" ? "the name must end in .exr" : "the name must end in .png");
+                   more.view == "linear" ? "the name must end in .exr"
+                                         : "the name must end in .png");
         once(more.file);
     }
     if (!command.stats.empty())

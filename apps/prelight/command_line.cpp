@@ -74,7 +74,8 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
 void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
     auto& sub = *app.add_subcommand("make", "Write a built-in scene as glTF");
     sub.footer("Example:\n  prelight make city --lights 256 --seed 3 -o city.glb\n"
-               "Built-in scenes: " + builtin_names() + ".");
+               "Built-in scenes: " +
+               builtin_names() + ".");
     sub.add_option("NAME", command.scene, "A built-in scene")->required()->type_name("");
     sub.add_option("-o,--output", text.output, "The file to write")->required()->type_name("GLB");
     sub.add_option("--lights", text.lights, "Number of lights, 1 to 65536")->type_name("N");
@@ -83,12 +84,11 @@ void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
 
 void finish(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
-    command.options.shading = parse_word<Shading>("--shading", text.shading,
-                                                  {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
-    command.options.tonemap = parse_word<Tonemap>("--tonemap", text.tonemap,
-                                                  {{"pbr-neutral", Tonemap::pbr_neutral},
-                                                   {"aces", Tonemap::aces},
-                                                   {"none", Tonemap::none}});
+    command.options.shading = parse_word<Shading>(
+        "--shading", text.shading, {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
+    command.options.tonemap = parse_word<Tonemap>(
+        "--tonemap", text.tonemap,
+        {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
     command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
     command.options.msaa = parse_count("--msaa", text.msaa, 1);
     command.frames = parse_count("--frames", text.frames, 1);

@@ -25,8 +25,9 @@ void run(const DevicesCommand&) {
         any = any || device.chosen;
     }
     if (!any)
-        throw Error("devices: none of the Vulkan devices can be used (Debian's software driver is in "
-                    "the package mesa-vulkan-drivers)");
+        throw Error(
+            "devices: none of the Vulkan devices can be used (Debian's software driver is in "
+            "the package mesa-vulkan-drivers)");
     fmt::print("* is what --device auto takes.\n");
 }
 

@@ -39,7 +39,9 @@ void handle_interrupts() {
     }
 }
 
-WriteGuard::WriteGuard() { ++writing; }
+WriteGuard::WriteGuard() {
+    ++writing;
+}
 
 WriteGuard::~WriteGuard() {
     if (--writing == 0 && waiting != 0)

@@ -6,7 +6,8 @@ namespace prelight::app {
 /// after. Call once, before the first WriteGuard.
 void handle_interrupts();
 
-/// While one lives, an interrupt waits. When the last one goes, a waiting interrupt ends the program.
+/// While one lives, an interrupt waits. When the last one goes, a waiting interrupt ends the
+/// program.
 class WriteGuard {
 public:
     WriteGuard();

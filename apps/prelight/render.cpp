@@ -30,8 +30,8 @@ void check_before_work(const RenderCommand& command, const RendererInfo& info) {
     for (const std::string& view : command.options.views)
         if (view != "final" && view != "linear" &&
             std::ranges::find(info.views, view) == info.views.end())
-            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name,
-                                         fmt::join(info.views, ", ")));
+            throw UsageError(
+                fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
     if (command.watch && !names_file(command.scene))
         throw UsageError(fmt::format("--watch: {} is not a file that could change", command.scene));
     check_writable(command.output);
@@ -71,9 +71,8 @@ void write(const std::vector<Picture>& pictures) {
 }
 
 void render_once(Session& session, const RenderCommand& command, const LoadedScene& loaded) {
-    const PlacedCamera& camera = command.camera.empty()
-                                     ? loaded.world.cameras.at(0)
-                                     : find_camera(loaded.world, command.camera);
+    const PlacedCamera& camera = command.camera.empty() ? loaded.world.cameras.at(0)
+                                                        : find_camera(loaded.world, command.camera);
     session.renderer->set_world(loaded.world);
     session.renderer->render(camera, command.frames);
     const std::vector<Picture> pictures = read_pictures(*session.renderer, command);

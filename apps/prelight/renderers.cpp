@@ -32,8 +32,7 @@ RendererInfo find_renderer(const std::string& name) {
     std::vector<std::string> names;
     for (const RendererInfo& info : infos)
         names.push_back(info.name);
-    throw UsageError(
-        fmt::format("{}: not a renderer ({})", name, fmt::join(names, ", ")));
+    throw UsageError(fmt::format("{}: not a renderer ({})", name, fmt::join(names, ", ")));
 }
 
 void run(const RenderersCommand& command) {
@@ -43,6 +42,8 @@ void run(const RenderersCommand& command) {
         fmt::print("{:<14} {}\n", info.name, info.description);
 }
 
-void run(const PrintCommand& command) { fmt::print("{}", command.text); }
+void run(const PrintCommand& command) {
+    fmt::print("{}", command.text);
+}
 
 } // namespace prelight::app

@@ -36,8 +36,8 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
     auto loaded = std::make_unique<LoadedScene>();
     const bool file = names_file(name);
     if (!file && !find_builtin(builtin_scenes(), name))
-        throw Error(fmt::format("{}: neither a file nor a built-in scene ({})", name,
-                                builtin_names()));
+        throw Error(
+            fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
     loaded->scene = file ? load_gltf(name) : make_builtin(name, lights, seed);
     for (const std::string& warning : loaded->scene.warnings)
         fmt::print(stderr, "warning: {}\n", warning);

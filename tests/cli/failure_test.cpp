@@ -46,10 +46,9 @@ TEST(Failure, ANewlineInAFileNameStaysOneLine) {
 
 TEST(Failure, AnOutputFolderMustExistBeforeAnyWork) {
     const TemporaryFolder folder;
-    for (const std::vector<std::string>& outputs :
-         {std::vector<std::string>{"-o", "no/a.png"},
-          {"-o", "a.png", "--stats", "no/a.json"},
-          {"-o", "a.png", "--view", "depth=no/d.png"}}) {
+    for (const std::vector<std::string>& outputs : {std::vector<std::string>{"-o", "no/a.png"},
+                                                    {"-o", "a.png", "--stats", "no/a.json"},
+                                                    {"-o", "a.png", "--view", "depth=no/d.png"}}) {
         // A frame count that would take hours shows that the check comes first.
         std::vector<std::string> arguments = {"render", "lights", "--frames", "1000000"};
         arguments.insert(arguments.end(), outputs.begin(), outputs.end());
@@ -82,8 +81,8 @@ TEST_P(BeyondTheLimit, SizeIsRefused) {
 }
 INSTANTIATE_TEST_SUITE_P(Sizes, BeyondTheLimit,
                          testing::Combine(testing::Values("light-prepass", "reference"),
-                                          testing::Values("4294967295x4294967295", "1000000x1000000",
-                                                          "2000000000x1")));
+                                          testing::Values("4294967295x4294967295",
+                                                          "1000000x1000000", "2000000000x1")));
 
 TEST(Failure, AFailureLeavesTheOldPictureAlone) {
     const TemporaryFolder folder;
@@ -118,8 +117,8 @@ TEST(Failure, ATruncatedFileIsRefused) {
     for (const size_t size : {size_t(0), size_t(3), size_t(12), size_t(19), good.size() / 100,
                               good.size() / 2, good.size() - 5}) {
         write(folder.path / "cut.glb", std::string_view(good).substr(0, size));
-        const Result result = run(
-            {"render", "cut.glb", "-o", "a.png", "--renderer", "reference"}, folder.path);
+        const Result result =
+            run({"render", "cut.glb", "-o", "a.png", "--renderer", "reference"}, folder.path);
         EXPECT_TRUE(failed_with(result, 1)) << size << " bytes";
         EXPECT_THAT(result.err, HasSubstr("cut.glb"));
     }
@@ -131,9 +130,9 @@ void expect_bounded(const fs::path& scene, const char* renderer) {
     const TemporaryFolder folder;
     const Limits limits = {.seconds = 60,
                            .address_space = address_sanitizer ? 0 : uint64_t(16) << 30};
-    const Result result = run({"render", scene, "-o", "a.png", "--size", "64x36", "--renderer",
-                               renderer},
-                              folder.path, limits);
+    const Result result =
+        run({"render", scene, "-o", "a.png", "--size", "64x36", "--renderer", renderer},
+            folder.path, limits);
     SCOPED_TRACE(scene.filename().string() + " with " + renderer);
     if (result.status == 0) {
         EXPECT_TRUE(succeeded(result));

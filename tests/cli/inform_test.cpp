@@ -23,9 +23,10 @@ TEST(Inform, RenderHelpNamesEveryOption) {
     const Result result = run({"render", "--help"}, folder.path);
     ASSERT_TRUE(succeeded(result));
     for (const char* option :
-         {"--renderer", "--preset", "--set", "--size", "--camera", "--frames", "--lights", "--seed",
-          "--watch", "--view", "--msaa", "--shading", "--device", "--tonemap", "--exposure",
-          "--stats", "--count-pairs", "--validate", "-o", "Examples:"})
+         {"--renderer", "--preset",      "--set",      "--size",    "--camera",
+          "--frames",   "--lights",      "--seed",     "--watch",   "--view",
+          "--msaa",     "--shading",     "--device",   "--tonemap", "--exposure",
+          "--stats",    "--count-pairs", "--validate", "-o",        "Examples:"})
         EXPECT_THAT(result.out, HasSubstr(option));
 }
 

@@ -36,8 +36,8 @@ class Interrupt : public testing::TestWithParam<int> {};
 
 TEST_P(Interrupt, MidRunLeavesNothing) {
     const TemporaryFolder folder;
-    Prelight program({"render", "spheres", "--size", "64x36", "--frames", "100000000", "-o", "a.png",
-                      "--stats", "a.json"},
+    Prelight program({"render", "spheres", "--size", "64x36", "--frames", "100000000", "-o",
+                      "a.png", "--stats", "a.json"},
                      folder.path);
     std::this_thread::sleep_for(1s);
     ASSERT_TRUE(program.running()) << program.wait().err;

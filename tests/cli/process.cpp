@@ -125,7 +125,9 @@ bool Prelight::poll(bool block) {
     return true;
 }
 
-bool Prelight::running() { return !poll(false); }
+bool Prelight::running() {
+    return !poll(false);
+}
 
 Result Prelight::wait() {
     while (!poll(false)) {

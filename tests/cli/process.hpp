@@ -11,8 +11,8 @@ namespace prelight::test {
 
 /// How a run of the program ended.
 struct Result {
-    int status = -1;      ///< exit status; −1 when a signal ended it
-    int signal = 0;       ///< that signal
+    int status = -1;        ///< exit status; −1 when a signal ended it
+    int signal = 0;         ///< that signal
     bool timed_out = false; ///< the test ended it
     double seconds = 0;
     uint64_t peak_bytes = 0; ///< resident memory at its highest
@@ -20,8 +20,8 @@ struct Result {
 };
 
 struct Limits {
-    double seconds = 60;          ///< after these it is killed; generous: machines differ
-    uint64_t address_space = 0;   ///< bytes, RLIMIT_AS; 0: none
+    double seconds = 60;        ///< after these it is killed; generous: machines differ
+    uint64_t address_space = 0; ///< bytes, RLIMIT_AS; 0: none
 };
 
 /// The program as a process of its own, in its own working folder.

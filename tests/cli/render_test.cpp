@@ -2,9 +2,9 @@
 #include "process.hpp"
 
 #include <fstream>
-#include <gmock/gmock.h>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <prelight/image.hpp>
 #include <sstream>
@@ -93,10 +93,10 @@ TEST(Render, TonemapAndShadingAndExposureChangeThePicture) {
 
 TEST(Render, WritesEveryBufferOfOneFrame) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(small({"-o", "final.png", "--view", "depth=depth.png", "--view",
-                                     "normal=normal.png", "--view", "diffuse-light=diffuse.png",
-                                     "--view", "specular-light=specular.png"}),
-                              folder.path)));
+    ASSERT_TRUE(succeeded(
+        run(small({"-o", "final.png", "--view", "depth=depth.png", "--view", "normal=normal.png",
+                   "--view", "diffuse-light=diffuse.png", "--view", "specular-light=specular.png"}),
+            folder.path)));
     EXPECT_EQ(folder.entries(), 5u);
     std::vector<std::string> seen;
     for (const auto& entry : std::filesystem::directory_iterator(folder.path)) {
@@ -104,7 +104,8 @@ TEST(Render, WritesEveryBufferOfOneFrame) {
         EXPECT_EQ(image.width, 64u);
         EXPECT_GT(mean_and_deviation(image).second, 0.004) << entry.path() << " is flat";
         for (const std::string& other : seen)
-            EXPECT_FALSE(bytes_of(entry.path()) == other) << entry.path() << " is another one's copy";
+            EXPECT_FALSE(bytes_of(entry.path()) == other)
+                << entry.path() << " is another one's copy";
         seen.push_back(bytes_of(entry.path()));
     }
     // The same buffer in place of the picture.
@@ -162,8 +163,8 @@ TEST(Render, SettingsAndPresetsReachTheStats) {
 TEST(Render, LightsAreAddedToAFileAndSetForABuiltin) {
     const TemporaryFolder folder;
     const auto lights = [&](std::vector<std::string> arguments) {
-        const std::vector<std::string> rest = {"--size", "64x36", "-o", "a.png", "--renderer",
-                                               "reference", "--stats", "a.json"};
+        const std::vector<std::string> rest = {"--size",     "64x36",     "-o",      "a.png",
+                                               "--renderer", "reference", "--stats", "a.json"};
         arguments.insert(arguments.begin(), "render");
         arguments.insert(arguments.end(), rest.begin(), rest.end());
         EXPECT_TRUE(succeeded(run(arguments, folder.path)));
@@ -180,10 +181,10 @@ TEST(Render, AFileShowsWhatTheBuiltinSceneShows) {
     for (const char* name : {"spheres", "lights", "city"}) {
         ASSERT_TRUE(succeeded(
             run({"make", name, "--lights", "8", "--seed", "3", "-o", "s.glb"}, folder.path)));
-        ASSERT_TRUE(succeeded(run({"render", "s.glb", "--size", "64x36", "-o", "file.png"},
-                                  folder.path)));
-        ASSERT_TRUE(succeeded(run({"render", name, "--lights", "8", "--seed", "3", "--size", "64x36",
-                                   "-o", "builtin.png"},
+        ASSERT_TRUE(
+            succeeded(run({"render", "s.glb", "--size", "64x36", "-o", "file.png"}, folder.path)));
+        ASSERT_TRUE(succeeded(run({"render", name, "--lights", "8", "--seed", "3", "--size",
+                                   "64x36", "-o", "builtin.png"},
                                   folder.path)));
         const Image file = load_png(folder.path / "file.png"),
                     builtin = load_png(folder.path / "builtin.png");
@@ -230,11 +231,10 @@ TEST(Render, ValidationHasNothingToSay) {
     if (!std::filesystem::exists(PRELIGHT_BUILD_DIR "/layers"))
         GTEST_SKIP() << "the chromium package's validation layer is not installed";
     const TemporaryFolder folder;
-    const Result result =
-        run({"render", "lights", "--lights", "16", "--size", "64x36", "--frames", "3", "-o", "a.png",
-             "--view", "depth=d.png", "--view", "normal=n.png", "--view", "diffuse-light=l.png",
-             "--validate"},
-            folder.path);
+    const Result result = run({"render", "lights", "--lights", "16", "--size", "64x36", "--frames",
+                               "3", "-o", "a.png", "--view", "depth=d.png", "--view",
+                               "normal=n.png", "--view", "diffuse-light=l.png", "--validate"},
+                              folder.path);
     EXPECT_TRUE(succeeded(result));
     EXPECT_TRUE(std::filesystem::exists(folder.path / "a.png"));
 }

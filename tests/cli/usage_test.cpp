@@ -15,7 +15,9 @@ struct Wrong {
     const char* expected;  ///< a part of the message
 };
 
-void PrintTo(const Wrong& wrong, std::ostream* stream) { *stream << wrong.arguments; }
+void PrintTo(const Wrong& wrong, std::ostream* stream) {
+    *stream << wrong.arguments;
+}
 
 std::vector<std::string> split(const std::string& text) {
     std::istringstream stream(text);
