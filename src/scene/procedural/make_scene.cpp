@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
+#include <scene/procedural/city.hpp>
 #include <scene/procedural/lights.hpp>
 #include <scene/procedural/spheres.hpp>
 
@@ -18,6 +19,7 @@ struct Entry {
 
 /// A new built-in scene is one line here.
 constexpr auto entries = std::to_array<Entry>({
+    {{"city", "a wet street at night: facades, cars, neon, lamps, string lights", 1024}, make_city},
     {{"spheres", "shininess x metalness grid of spheres", 8}, make_spheres_scene},
     {{"lights", "yardstick for speed: 144 spheres, 121 columns, small point lights", 1024},
      make_lights_scene},
