@@ -127,6 +127,7 @@ Scene scene_with_everything() {
                        {.name = "unlit", .alpha_mode = AlphaMode::blend, .unlit = true},
                        {}};
     scene.materials[1].normal_texture = {};
+    scene.materials[1].normal_scale = 1; // a scale without a map has no place in glTF
     scene.scenes = {{.name = "empty", .nodes = {}}, {.name = "full", .nodes = {}}};
     scene.default_scene = 1;
     add_camera(scene, {.name = "infinite", .yfov = 1.1}, {0, 5, 20}, {0, 0, 0});
