@@ -20,7 +20,9 @@
 
 namespace prelight::test {
 
-GltfBuilder::GltfBuilder() { json = {{"asset", {{"version", "2.0"}}}}; }
+GltfBuilder::GltfBuilder() {
+    json = {{"asset", {{"version", "2.0"}}}};
+}
 
 GltfBuilder GltfBuilder::triangle() {
     GltfBuilder b;
@@ -85,7 +87,9 @@ Bytes glb_of(const std::string& json, const Bytes& binary) {
     return out;
 }
 
-Bytes GltfBuilder::glb() const { return glb_of(json.dump(), binary); }
+Bytes GltfBuilder::glb() const {
+    return glb_of(json.dump(), binary);
+}
 
 Bytes GltfBuilder::gltf() const {
     Json copy = json;
@@ -111,8 +115,12 @@ std::string base64(const Bytes& bytes) {
 Scene load_bytes(const Bytes& bytes) {
     return gltf::load(bytes, "test.glb", std::filesystem::temp_directory_path());
 }
-Scene load_text(const std::string& json) { return load_bytes({json.begin(), json.end()}); }
-Scene GltfBuilder::load() const { return load_bytes(glb()); }
+Scene load_text(const std::string& json) {
+    return load_bytes({json.begin(), json.end()});
+}
+Scene GltfBuilder::load() const {
+    return load_bytes(glb());
+}
 
 namespace {
 void append(void* context, void* data, int size) {
@@ -171,8 +179,12 @@ std::string error_of(const Bytes& bytes) {
     return {};
 }
 
-std::string error_of(const GltfBuilder& builder) { return error_of(builder.glb()); }
-std::string error_of_text(const std::string& json) { return error_of(Bytes(json.begin(), json.end())); }
+std::string error_of(const GltfBuilder& builder) {
+    return error_of(builder.glb());
+}
+std::string error_of_text(const std::string& json) {
+    return error_of(Bytes(json.begin(), json.end()));
+}
 
 TemporaryFolder::TemporaryFolder() {
     std::random_device random;

@@ -29,7 +29,8 @@ GltfBuilder grid_node() {
 GltfBuilder draco_grid(bool edgebreaker, Bytes* draco) {
     draco::TriangleSoupMeshBuilder soup;
     soup.Start(int(cells * cells * 2));
-    const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    const int position =
+        soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
     const int normal = soup.AddAttribute(draco::GeometryAttribute::NORMAL, 3, draco::DT_FLOAT32);
     uint32_t face = 0;
     for (uint32_t y = 0; y < cells; ++y)
@@ -61,15 +62,15 @@ GltfBuilder draco_grid(bool edgebreaker, Bytes* draco) {
         *draco = bytes;
     GltfBuilder b = grid_node();
     b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-    const Json vec3 = {{"componentType", 5126}, {"type", "VEC3"}, {"count", encoder.num_encoded_points()}};
+    const Json vec3 = {
+        {"componentType", 5126}, {"type", "VEC3"}, {"count", encoder.num_encoded_points()}};
     const size_t positions = b.add_accessor(vec3), normals = b.add_accessor(vec3);
-    const size_t indices = b.add_accessor(
-        {{"componentType", 5125}, {"type", "SCALAR"}, {"count", cells * cells * 6}});
-    const Json extension = {
-        {"bufferView", b.add_view(bytes)},
-        {"attributes",
-         {{"POSITION", mesh->attribute(position)->unique_id()},
-          {"NORMAL", mesh->attribute(normal)->unique_id()}}}};
+    const size_t indices =
+        b.add_accessor({{"componentType", 5125}, {"type", "SCALAR"}, {"count", cells * cells * 6}});
+    const Json extension = {{"bufferView", b.add_view(bytes)},
+                            {"attributes",
+                             {{"POSITION", mesh->attribute(position)->unique_id()},
+                              {"NORMAL", mesh->attribute(normal)->unique_id()}}}};
     b.json["meshes"] = {{{"primitives",
                           {{{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
                             {"indices", indices},
@@ -90,7 +91,8 @@ GltfBuilder meshopt_grid() {
         }
     const size_t vertices = positions.size() / 3;
     Bytes packed(meshopt_encodeVertexBufferBound(vertices, 12));
-    packed.resize(meshopt_encodeVertexBuffer(packed.data(), packed.size(), positions.data(), vertices, 12));
+    packed.resize(
+        meshopt_encodeVertexBuffer(packed.data(), packed.size(), positions.data(), vertices, 12));
     Bytes packed_indices(meshopt_encodeIndexBufferBound(indices.size(), vertices));
     packed_indices.resize(meshopt_encodeIndexBuffer(packed_indices.data(), packed_indices.size(),
                                                     indices.data(), indices.size()));
@@ -123,13 +125,21 @@ GltfBuilder meshopt_grid() {
     const size_t n = compressed(packed_normals, vertices, 4, "ATTRIBUTES", "OCTAHEDRAL");
     const size_t i = compressed(packed_indices, indices.size(), 4, "TRIANGLES", "NONE");
     b.json["buffers"].push_back(
-        {{"byteLength", 4096}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
-    b.add_accessor({{"bufferView", p}, {"componentType", 5126}, {"type", "VEC3"}, {"count", vertices}});
-    b.add_accessor({{"bufferView", n}, {"componentType", 5120}, {"normalized", true},
-                    {"type", "VEC3"}, {"count", vertices}});
-    b.add_accessor({{"bufferView", i}, {"componentType", 5125}, {"type", "SCALAR"},
+        {{"byteLength", 4096},
+         {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+    b.add_accessor(
+        {{"bufferView", p}, {"componentType", 5126}, {"type", "VEC3"}, {"count", vertices}});
+    b.add_accessor({{"bufferView", n},
+                    {"componentType", 5120},
+                    {"normalized", true},
+                    {"type", "VEC3"},
+                    {"count", vertices}});
+    b.add_accessor({{"bufferView", i},
+                    {"componentType", 5125},
+                    {"type", "SCALAR"},
                     {"count", indices.size()}});
-    b.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}, {"indices", 2}}}}}};
+    b.json["meshes"] = {
+        {{"primitives", {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}, {"indices", 2}}}}}};
     return b;
 }
 

@@ -10,7 +10,9 @@ using testing::SizeIs;
 
 namespace {
 
-const Primitive& only_primitive(const Scene& scene) { return scene.meshes.at(0).primitives.at(0); }
+const Primitive& only_primitive(const Scene& scene) {
+    return scene.meshes.at(0).primitives.at(0);
+}
 
 TEST(GltfGeometry, TriangleWithoutNormalsGetsFlatOnes) {
     const Scene scene = GltfBuilder::triangle().load();
@@ -90,11 +92,13 @@ TEST_P(GltfIndices, ReadsEveryType) {
     EXPECT_THAT(only_primitive(b.load()).indices, ElementsAre(2, 0, 1));
 }
 INSTANTIATE_TEST_SUITE_P(All, GltfIndices,
-                         testing::Values(IndexType{5121, 1}, IndexType{5123, 2}, IndexType{5125, 4}));
+                         testing::Values(IndexType{5121, 1}, IndexType{5123, 2},
+                                         IndexType{5125, 4}));
 
 Scene five_points(int mode, bool indexed) {
     GltfBuilder b = GltfBuilder::triangle();
-    b.attributes()["POSITION"] = b.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}, "VEC3");
+    b.attributes()["POSITION"] =
+        b.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}, "VEC3");
     b.attributes()["NORMAL"] = b.add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
     b.primitive()["mode"] = mode;
     if (indexed)
@@ -121,8 +125,9 @@ TEST(GltfGeometry, PointsAndLinesAreSkippedAndCounted) {
     }
     const Scene scene = b.load();
     EXPECT_THAT(scene.meshes[0].primitives, SizeIs(1));
-    EXPECT_THAT(scene.warnings, ElementsAre("test.glb: mesh 0 primitive 1: points and lines are not "
-                                            "drawn (4 in all)"));
+    EXPECT_THAT(scene.warnings,
+                ElementsAre("test.glb: mesh 0 primitive 1: points and lines are not "
+                            "drawn (4 in all)"));
 }
 
 TEST(GltfGeometry, OnlyTheVerticesThatTrianglesUseAreKept) {
@@ -135,16 +140,18 @@ TEST(GltfGeometry, OnlyTheVerticesThatTrianglesUseAreKept) {
     b.primitive()["indices"] = b.add_values<uint16_t>({999, 500, 7, 7, 500, 8}, 5123, "SCALAR");
     const Scene scene = b.load();
     const Primitive& p = only_primitive(scene);
-    EXPECT_THAT(p.positions, ElementsAre(glm::vec3(7, 1, 0), glm::vec3(8, 0, 0), glm::vec3(500, 0, 0),
-                                         glm::vec3(999, 1, 0)));
+    EXPECT_THAT(p.positions, ElementsAre(glm::vec3(7, 1, 0), glm::vec3(8, 0, 0),
+                                         glm::vec3(500, 0, 0), glm::vec3(999, 1, 0)));
     EXPECT_THAT(p.indices, ElementsAre(3, 2, 0, 0, 2, 1));
 }
 
 TEST(GltfGeometry, StridedAndOffsetAttributesShareAView) {
     GltfBuilder b = GltfBuilder::triangle();
-    const std::vector<float> mixed = {9, 0, 0, 0, 0, 0, 1, 9, 1, 0, 0, 0, 0, 1, 9, 0, 1, 0, 0, 0, 1};
+    const std::vector<float> mixed = {9, 0, 0, 0, 0, 0, 1, 9, 1, 0, 0,
+                                      0, 0, 1, 9, 0, 1, 0, 0, 0, 1};
     const size_t view = b.add_view(bytes_of(mixed), 28);
-    const Json vec3 = {{"bufferView", view}, {"componentType", 5126}, {"type", "VEC3"}, {"count", 3}};
+    const Json vec3 = {
+        {"bufferView", view}, {"componentType", 5126}, {"type", "VEC3"}, {"count", 3}};
     Json position = vec3, normal = vec3;
     position["byteOffset"] = 4;
     normal["byteOffset"] = 16;
@@ -175,13 +182,16 @@ TEST(GltfGeometry, NormalisedIntegersOfEveryType) {
         b.attributes()["COLOR_0"] = accessor;
         return only_primitive(b.load()).colours;
     };
-    EXPECT_THAT(set_colour(b.add_values<uint8_t>({255, 0, 51, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 5121, "VEC4")),
-                testing::Contains(glm::vec4(1, 0, 0.2f, 0)));
-    EXPECT_THAT(set_colour(b.add_values<uint16_t>({65535, 0, 13107, 0, 0, 0, 0, 0, 0}, 5123, "VEC3")),
-                testing::Contains(glm::vec4(1, 0, 0.2f, 1)));
+    EXPECT_THAT(
+        set_colour(b.add_values<uint8_t>({255, 0, 51, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 5121, "VEC4")),
+        testing::Contains(glm::vec4(1, 0, 0.2f, 0)));
+    EXPECT_THAT(
+        set_colour(b.add_values<uint16_t>({65535, 0, 13107, 0, 0, 0, 0, 0, 0}, 5123, "VEC3")),
+        testing::Contains(glm::vec4(1, 0, 0.2f, 1)));
     EXPECT_THAT(set_colour(b.add_floats({2, -1, 0.5f, 0, 0, 0, 0, 0, 0}, "VEC3")),
                 testing::Contains(glm::vec4(1, 0, 0.5f, 1)));
-    const size_t normal = b.add_values<int8_t>({0, 0, 127, 0, 0, 0, -128, 0, 0, -127, 0, 0}, 5120, "VEC4");
+    const size_t normal =
+        b.add_values<int8_t>({0, 0, 127, 0, 0, 0, -128, 0, 0, -127, 0, 0}, 5120, "VEC4");
     b.json["accessors"][normal]["type"] = "VEC3";
     b.json["bufferViews"].back()["byteStride"] = 4;
     b.json["accessors"][normal]["normalized"] = true;
@@ -199,11 +209,13 @@ TEST(GltfGeometry, QuantisedPositionsAndTextureCoordinates) {
     b.json["bufferViews"].back()["byteStride"] = 8;
     b.attributes()["TEXCOORD_0"] = b.add_values<uint16_t>({0, 0, 65535, 0, 0, 13107}, 5123, "VEC2");
     b.json["accessors"].back()["normalized"] = true;
-    b.attributes()["TEXCOORD_1"] = b.add_values<int8_t>({-2, 3, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5120, "VEC4");
+    b.attributes()["TEXCOORD_1"] =
+        b.add_values<int8_t>({-2, 3, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5120, "VEC4");
     b.json["accessors"].back()["type"] = "VEC2";
     b.json["bufferViews"].back()["byteStride"] = 4;
     const Primitive p = only_primitive(b.load());
-    EXPECT_THAT(p.positions, ElementsAre(glm::vec3(-5, 0, 0), glm::vec3(300, 0, 0), glm::vec3(0, 7, 0)));
+    EXPECT_THAT(p.positions,
+                ElementsAre(glm::vec3(-5, 0, 0), glm::vec3(300, 0, 0), glm::vec3(0, 7, 0)));
     EXPECT_THAT(p.texcoords[0], ElementsAre(glm::vec2(0), glm::vec2(1, 0), glm::vec2(0, 0.2f)));
     EXPECT_THAT(p.texcoords[1], ElementsAre(glm::vec2(-2, 3), glm::vec2(1, 0), glm::vec2(0, 1)));
 }
