@@ -10,13 +10,13 @@ Scene make_city(uint32_t lights, uint64_t seed) {
     Scene& scene = plan.scene;
     scene.name = "city";
     scene.scenes = {{.name = "city", .nodes = {}}};
-    scene.ambient = {0.010f, 0.013f, 0.022f}; // moonlight through cloud
+    scene.ambient = {0.016f, 0.023f, 0.046f}; // moonlight through cloud
     const auto camera = [&](const char* name, double yfov, glm::dvec3 eye, glm::dvec3 target) {
         add_camera(scene, {.name = name, .yfov = yfov}, eye, target);
     };
-    camera("street", 0.82, {0.5, 2.3, 12.5}, {-0.2, 3.3, -20});
-    camera("crossing", 0.95, {-6.6, 2.0, -14.5}, {6, 2.6, -34});
-    camera("above", 0.80, {17, 27, 24}, {-1, 1, -24});
+    camera("street", 0.82, {0.3, 3.0, 13.5}, {-0.1, 3.7, -20});
+    camera("crossing", 0.95, {0.2, 1.8, -13.2}, {4.5, 3.8, -36});
+    camera("above", 0.80, {5.0, 20, 17}, {-1.2, 0, -25});
     city::add_materials(scene);
     city::add_ground(plan);
     city::add_buildings(plan);

@@ -183,11 +183,11 @@ void car_lights(Plan& plan, const Shape& shape, glm::vec3 position, float yaw) {
         const glm::vec3 aim = glm::normalize(forward + sign * 0.03f * right - glm::vec3(0, 0.075f, 0));
         plan.add_site(Rank::head,
                       {.light = {.kind = LightKind::spot, .colour = glow_colour(Glow::cool_white),
-                                 .intensity = 260, .range = 30, .inner_cone = 0.10f, .outer_cone = 0.42f},
+                                 .intensity = 170, .range = 32, .inner_cone = 0.10f, .outer_cone = 0.42f},
                        .position = point(sign * 0.64f, 0.63f, shape.stations[0].z - 0.1f),
                        .direction = aim});
-        plan.add_point(Rank::tail, point(sign * 0.62f, 0.75f, shape.stations.back().z + 0.25f),
-                       glow_colour(Glow::red), 2.2f, 4.5f);
+        plan.add_point(Rank::tail, point(sign * 0.62f, 0.75f, shape.stations.back().z + 0.5f),
+                       glow_colour(Glow::red), 2.0f, 5);
     }
 }
 
@@ -205,7 +205,7 @@ void add_cars(Plan& plan) {
     for (uint32_t i = 0; i < driving.size(); ++i) {
         const Shape& shape = shapes[i % 4 == 3 ? 1 : 0];
         driving[i] = plan.add_mesh(make_car(shape, paints[i % paints.size()], true, i == 5));
-        standing[i] = plan.add_mesh(make_car(shape, paints[i % paints.size()], false, false));
+        standing[i] = plan.add_mesh(make_car(shape, paints[i % (paints.size() - 1)], false, false));
     }
     const std::array<Parked, 14> traffic{{{1.55f, -4, 0}, {-1.6f, -10, pi}, {1.5f, -42, 0},
         {-1.5f, -46, pi}, {1.6f, -58, 0}, {-1.6f, -66, pi}, {-1.5f, -86, pi}, {1.5f, -92, 0},
@@ -219,7 +219,7 @@ void add_cars(Plan& plan) {
         car_lights(plan, shapes[which % 4 == 3 ? 1 : 0], position, car.yaw);
     }
     for (const float side : {-1.0f, 1.0f})
-        for (float z = 7; z > street_far + 6; z -= 6) {
+        for (float z = -0.5f; z > street_far + 6; z -= 6) {
             if (std::abs(z - cross_z) < cross_line + 6 || !plan.chance(0.62))
                 continue;
             const float yaw = (side > 0 ? 0 : pi) + plan.uniform(-0.03f, 0.03f);

@@ -69,6 +69,8 @@ Site on_sheet(Plan& plan, const std::vector<double>& area_sums, const Small& sma
 
 void place_lights(Plan& plan, uint32_t count) {
     Scene& scene = plan.scene;
+    scene.lights.reserve(count);
+    scene.nodes.reserve(scene.nodes.size() + count);
     for (auto& rank : plan.sites) {
         std::stable_sort(rank.begin(), rank.end(), [](const Site& a, const Site& b) {
             return glm::distance(a.position, focus) < glm::distance(b.position, focus);

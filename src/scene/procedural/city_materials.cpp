@@ -32,8 +32,8 @@ void textured_ground(Scene& scene) {
     asphalt.metallic_roughness_texture = texture(Picture::asphalt_surface);
     asphalt.normal_texture = texture(Picture::asphalt_normal);
 
-    // The paint lies on the same asphalt: its normal map goes on, in the second texture-coordinate
-    // set's place a transform, since marking and asphalt repeat after different lengths.
+    // Paint shows the stones below it: the asphalt's normal map, brought to its scale by a transform
+    // because the two pictures repeat after different lengths.
     plain(scene, Surface::marking, "road marking", glm::vec3(1), 0.36f);
     Material& marking = material(scene, Surface::marking);
     marking.base_colour_texture = texture(Picture::marking);
@@ -62,7 +62,7 @@ void walls(Scene& scene) {
     plain(scene, Surface::frame, "window frame", glm::vec3(1), 0.4f);
     plain(scene, Surface::wood, "wood", glm::vec3(1), 0.5f);
     material(scene, Surface::wood).base_colour_texture = texture(Picture::wood);
-    plain(scene, Surface::roofing, "roofing", glm::vec3(0.055f, 0.055f, 0.06f), 0.75f);
+    plain(scene, Surface::roofing, "roofing", glm::vec3(0.11f, 0.11f, 0.12f), 0.6f);
     plain(scene, Surface::fabric, "awning", glm::vec3(1), 0.9f);
     material(scene, Surface::fabric).base_colour_texture = texture(Picture::fabric);
 }

@@ -26,26 +26,36 @@ float hash_unit(uint32_t x, uint32_t y, uint32_t seed) {
     return static_cast<float>(h >> 8) * 0x1p-24f;
 }
 
-float tile_noise(glm::vec2 uv, uint32_t period, uint32_t seed) {
-    const glm::vec2 p = uv * static_cast<float>(period);
-    const auto cx = static_cast<int>(std::floor(p.x)), cy = static_cast<int>(std::floor(p.y));
-    const float fx = fade(p.x - static_cast<float>(cx)), fy = fade(p.y - static_cast<float>(cy));
-    const auto n = static_cast<int>(period);
-    const auto wrap = [n](int i) { return static_cast<uint32_t>(((i % n) + n) % n); };
-    const uint32_t x0 = wrap(cx), x1 = wrap(cx + 1), y0 = wrap(cy), y1 = wrap(cy + 1);
-    const float a = std::lerp(hash_unit(x0, y0, seed), hash_unit(x1, y0, seed), fx);
-    const float b = std::lerp(hash_unit(x0, y1, seed), hash_unit(x1, y1, seed), fx);
-    return std::lerp(a, b, fy);
+TileNoise::TileNoise(uint32_t period, uint32_t seed, uint32_t octaves) {
+    const float total = 2 - std::exp2(1 - static_cast<float>(octaves)); // 1 + 1/2 + …
+    for (uint32_t i = 0; i < octaves; ++i) {
+        Octave octave{period << i, std::exp2(-static_cast<float>(i)) / total, {}};
+        for (uint32_t y = 0; y < octave.period; ++y)
+            for (uint32_t x = 0; x < octave.period; ++x)
+                octave.lattice.push_back(hash_unit(x, y, seed + i));
+        octaves_.push_back(std::move(octave));
+    }
 }
 
-float tile_fbm(glm::vec2 uv, uint32_t period, uint32_t octaves, uint32_t seed) {
-    float sum = 0, weight = 0.5f, total = 0;
-    for (uint32_t i = 0; i < octaves; ++i) {
-        sum += weight * tile_noise(uv, period << i, seed + i);
-        total += weight;
-        weight /= 2;
+float TileNoise::operator()(glm::vec2 uv) const {
+    float sum = 0;
+    uv -= glm::floor(uv);
+    for (const Octave& octave : octaves_) {
+        const uint32_t n = octave.period;
+        const glm::vec2 p = uv * static_cast<float>(n);
+        const auto cx = static_cast<uint32_t>(p.x), cy = static_cast<uint32_t>(p.y);
+        const float fx = fade(p.x - static_cast<float>(cx));
+        const float fy = fade(p.y - static_cast<float>(cy));
+        // Rounding can make uv · n equal to n.
+        const uint32_t x0 = cx < n ? cx : 0, x1 = x0 + 1 < n ? x0 + 1 : 0;
+        const uint32_t y0 = cy < n ? cy : 0, y1 = y0 + 1 < n ? y0 + 1 : 0;
+        const float* row0 = &octave.lattice[size_t{y0} * n];
+        const float* row1 = &octave.lattice[size_t{y1} * n];
+        const float a = row0[x0] + fx * (row0[x1] - row0[x0]);
+        const float b = row1[x0] + fx * (row1[x1] - row1[x0]);
+        sum += octave.weight * (a + fy * (b - a));
     }
-    return sum / total;
+    return sum;
 }
 
 Cellular tile_cells(glm::vec2 uv, uint32_t period, uint32_t seed) {

@@ -13,10 +13,22 @@ namespace prelight::city {
 float hash_unit(uint32_t x, uint32_t y, uint32_t seed);
 
 /// Value noise on a lattice of `period` × `period` points over the unit square, smooth (quintic
-/// blend) and continuous over the square's edges. Result 0 … 1.
-float tile_noise(glm::vec2 uv, uint32_t period, uint32_t seed);
-/// Sum of `octaves` such noises of doubling period and falling weight (gain 0.5), 0 … 1.
-float tile_fbm(glm::vec2 uv, uint32_t period, uint32_t octaves, uint32_t seed);
+/// blend) and continuous over the square's edges; `octaves` of them, each of twice the period and half
+/// the weight of the one before. The lattices are tables: a texture asks a million times.
+class TileNoise {
+public:
+    explicit TileNoise(uint32_t period, uint32_t seed, uint32_t octaves = 1);
+    /// 0 … 1.
+    float operator()(glm::vec2 uv) const;
+
+private:
+    struct Octave {
+        uint32_t period;
+        float weight; ///< the weights' sum is 1
+        std::vector<float> lattice;
+    };
+    std::vector<Octave> octaves_;
+};
 
 /// Distance field of jittered points, one for each of `period` × `period` cells, tileable.
 struct Cellular {

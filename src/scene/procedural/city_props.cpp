@@ -38,7 +38,7 @@ void add_lamps(Plan& plan) {
         const glm::vec3 head = foot + glm::vec3(lamp_arm * std::cos(yaw), lamp_height - 0.06f,
                                                 -lamp_arm * std::sin(yaw));
         plan.add_site(Rank::lamp, {.light = {.kind = LightKind::spot, .colour = colour,
-                                             .intensity = 210, .range = 17, .inner_cone = 0.55f,
+                                             .intensity = 300, .range = 17, .inner_cone = 0.55f,
                                              .outer_cone = 1.2f},
                                    .position = head});
     };
@@ -74,7 +74,7 @@ void signal(Plan& plan, const Frame& frame, bool go) {
         b.use(Surface::metal);
         b.box(lens + glm::vec3(-0.13f, 0.115f, 0), lens + glm::vec3(0.13f, 0.13f, 0.16f));
         if (on)
-            plan.add_point(Rank::tail, frame.point(lens + glm::vec3(0, 0, 0.3f)),
+            plan.add_point(Rank::tail, frame.point(lens + glm::vec3(0, 0, 0.7f)),
                            glow_colour(colours[i]), 3.5f, 7);
     }
     plan.build(b, "signal", frame.origin);

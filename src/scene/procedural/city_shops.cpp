@@ -43,7 +43,7 @@ void fascia(Plan& plan, MeshBuilder& b, float s0, float s1, glm::vec3 tint, glm:
     b.box({s0 - 0.03f, head + 0.82f, -0.02f}, {s1 + 0.03f, head + 0.9f, 0.18f}, no_back);
     b.use(plan.chance(0.6) ? Glow::warm_white : Glow::cool_white);
     b.box({s0 + 0.1f, head + 0.19f, 0.02f}, {s1 - 0.1f, head + 0.215f, 0.09f}, all_faces);
-    plan.add_point(Rank::shop, b.frame.point({(s0 + s1) / 2, 2.95f, 0.7f}), light, 4.5f, 5.5f);
+    plan.add_point(Rank::shop, b.frame.point({(s0 + s1) / 2, 2.95f, 0.7f}), light, 4.5f, 4.8f);
 }
 
 void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
@@ -90,7 +90,7 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
         awning(b, s0 + 0.05f, s1 - 0.05f, plan.chance(0.5) ? glm::vec3(1) : glm::vec3(0.3f, 0.9f, 0.8f));
     for (const float share : {0.25f, 0.75f})
         plan.add_point(Rank::shop, b.frame.point({glm::mix(w0, w1, share), 1.5f, 0.35f}), light,
-                       3.6f, 5.0f);
+                       3.2f, 4.2f);
 }
 
 /// A rolled-down shutter.
@@ -119,7 +119,7 @@ void entrance(Plan& plan, MeshBuilder& b, float s0, float s1) {
     b.box({s1 + 0.1f, 2.18f, -0.02f}, {s1 + 0.18f, 2.24f, 0.2f}, no_back);
     b.use(Glow::warm_white);
     b.sphere({s1 + 0.14f, 2.36f, 0.14f}, glm::vec3(0.10f, 0.12f, 0.10f), 14, 8);
-    plan.add_point(Rank::shop, b.frame.point({s1 + 0.14f, 2.36f, 0.4f}), {1, 0.72f, 0.42f}, 5, 5);
+    plan.add_point(Rank::shop, b.frame.point({s1 + 0.14f, 2.36f, 0.4f}), {1, 0.72f, 0.42f}, 5, 4.2f);
 }
 
 } // namespace

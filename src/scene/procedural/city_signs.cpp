@@ -43,14 +43,17 @@ void blade(Plan& plan, const Word& word, float side, float z, float base) {
             {-w, 0.05f, thick + 0.035f}}};
         b.tube(ring, 0.017f, 6);
     }
-    const auto lights = static_cast<uint32_t>(word.text.size() / 2 + 1);
+    const auto lights = static_cast<uint32_t>(word.text.size() / 3 + 1);
     for (uint32_t i = 0; i < lights; ++i)
         for (const float facing : {1.0f, -1.0f}) {
             const float y = height * (static_cast<float>(i) + 0.5f) / static_cast<float>(lights);
             const Glow colour = i % 3 == 2 ? word.border : word.letters;
-            plan.add_point(Rank::neon, centre + glm::vec3(-side * 0.2f, y, facing * 0.5f),
-                           glow_colour(colour), 7.5f, 8.5f);
+            plan.add_point(Rank::neon, centre + glm::vec3(-side * 0.45f, y, facing * 0.6f),
+                           glow_colour(colour), 7, 7);
         }
+    // One that reaches across the street: its streak on the wet asphalt is seen from afar.
+    plan.add_point(Rank::neon, centre + glm::vec3(-side * 0.9f, height / 2, 0),
+                   glow_colour(word.letters), 24, 32);
     plan.build(b, "blade sign", centre);
 }
 
@@ -68,6 +71,36 @@ void edge_tube(Plan& plan, float side, float z0, float z1, float y, Glow colour)
     plan.build(b, "light line");
 }
 
+/// The town's name over the street: two girders between the houses with letters towards +z.
+void arch(Plan& plan, std::string_view text, float z, float y) {
+    constexpr float letter = 1.5f, girder = 0.09f, reach = house_line;
+    const float half = neon_width(text, letter) / 2;
+    MeshBuilder b;
+    b.frame.origin = {0, y, z};
+    b.use(Surface::metal);
+    for (const float at : {-0.35f, letter + 0.35f})
+        b.box({-reach, at - girder, -girder}, {reach, at + girder, girder}, top | bottom | front | back);
+    const auto bays = static_cast<uint32_t>(2 * reach / 1.7f);
+    for (uint32_t i = 0; i < bays; ++i) { // lattice
+        const float a = -reach + 2 * reach * static_cast<float>(i) / static_cast<float>(bays);
+        const float c = -reach + 2 * reach * static_cast<float>(i + 1) / static_cast<float>(bays);
+        const bool rising = i % 2 == 0;
+        b.cone({a, rising ? -0.35f : letter + 0.35f, 0}, {c, rising ? letter + 0.35f : -0.35f, 0},
+               0.025f, 0.025f, 6);
+    }
+    b.use(Glow::cyan);
+    neon_row(b, text, {-half, 0, 0.14f}, letter, 0.05f);
+    b.use(Glow::magenta);
+    for (const float at : {-0.28f, letter + 0.28f})
+        b.cone({-half - 0.6f, at, 0.13f}, {half + 0.6f, at, 0.13f}, 0.03f, 0.03f, 8);
+    for (uint32_t i = 0; i < text.size(); ++i) {
+        const float s = 2 * half * ((static_cast<float>(i) + 0.5f) / static_cast<float>(text.size()) - 0.5f);
+        plan.add_point(Rank::neon, {s, y + (i % 2 == 0 ? 0.2f : 1.3f), z + (i % 2 == 0 ? 0.7f : -0.7f)},
+                       glow_colour(i % 4 < 2 ? Glow::cyan : Glow::magenta), 12, i % 4 == 0 ? 34.0f : 10.0f);
+    }
+    plan.build(b, "arch", {0, y, z});
+}
+
 } // namespace
 
 void add_signs(Plan& plan) {
@@ -79,14 +112,16 @@ void add_signs(Plan& plan) {
         {"ARCADE", Glow::violet, Glow::cyan}, {"NOODLES", Glow::orange, Glow::pink},
         {"DISCO", Glow::pink, Glow::violet}, {"PIZZA", Glow::green, Glow::red},
         {"LUX", Glow::cyan, Glow::blue}}};
+    arch(plan, "PRELIGHT", cross_z - cross_line - 1.5f, 8.6f);
     const uint32_t shift = plan.random.below(words.size());
-    uint32_t next = shift;
-    for (const float side : {-1.0f, 1.0f})
+    for (const float side : {-1.0f, 1.0f}) {
+        uint32_t next = shift + (side > 0 ? words.size() / 2 : 0);
         for (float z = 9 - side * 1.7f; z > street_far + 8; z -= plan.uniform(6.0f, 9.5f)) {
             if (std::abs(z - cross_z) < cross_line + 1)
                 continue;
             blade(plan, words[next++ % words.size()], side, z, plan.uniform(4.5f, 6.5f));
         }
+    }
     for (const float side : {-1.0f, 1.0f})
         for (float z = 4; z > street_far + 20; z -= plan.uniform(22, 30)) {
             const float end = z - plan.uniform(7, 10);

@@ -39,8 +39,8 @@ void add_strings(Plan& plan) {
         if (std::abs(z - cross_z) < cross_line)
             continue;
         const float lean = plan.uniform(-3, 3);
-        garland(plan, {-wall, plan.uniform(8.2f, 9.4f), z}, {wall, plan.uniform(8.2f, 9.4f), z + lean},
-                plan.uniform(1.3f, 1.9f), colourful);
+        garland(plan, {-wall, plan.uniform(7.4f, 8.4f), z}, {wall, plan.uniform(7.4f, 8.4f), z + lean},
+                plan.uniform(0.9f, 1.4f), colourful);
         colourful = !colourful;
     }
     for (const float x : {-24.0f, -38.0f, 24.0f, 38.0f})

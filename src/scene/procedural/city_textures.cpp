@@ -10,38 +10,65 @@ namespace {
 constexpr auto glow_count = static_cast<uint32_t>(Glow::count);
 
 /// Road paint, worn: alpha is where it is left.
-glm::vec4 marking_texel(glm::vec2 uv) {
-    const float wear = tile_fbm(uv, 8, 5, 301), grain = tile_noise(uv, 128, 310);
-    const float left = ramp(0.36f, 0.44f, wear + 0.22f * (grain - 0.5f));
-    const float grey = 0.50f + 0.18f * tile_fbm(uv, 16, 3, 320);
-    return {grey, grey, grey * 0.96f, left};
+TextureImage marking_picture() {
+    const TileNoise wear(8, 301, 5), grain(128, 310), dirt(16, 320, 3);
+    return paint("marking", 512, 512, [&](glm::vec2 uv) {
+        const float left = ramp(0.34f, 0.42f, wear(uv) + 0.22f * (grain(uv) - 0.5f));
+        const float grey = 0.50f + 0.18f * dirt(uv);
+        return glm::vec4(grey, grey, grey * 0.96f, left);
+    }, true);
 }
 
-glm::vec4 wood_texel(glm::vec2 uv) {
-    const float grain = tile_noise({uv.x, uv.y * 0.0625f}, 64, 401);
-    const float rings = 0.5f + 0.5f * std::sin(6.2831853f * (uv.x * 6 + tile_fbm(uv, 2, 3, 402)));
-    const float v = 0.10f + 0.08f * grain + 0.06f * rings;
-    return {v, v * 0.52f, v * 0.28f, 1};
+TextureImage wood_picture() {
+    // A stretched lattice: 64 fibres across, 4 along.
+    const TileNoise fibres(64, 401), growth(2, 402, 3);
+    return paint("wood", 256, 256, [&](glm::vec2 uv) {
+        const float grain = fibres({uv.x, std::abs(uv.y - 0.5f) * 0.125f});
+        const float rings = 0.5f + 0.5f * std::sin(6.2831853f * (uv.x * 6 + growth(uv)));
+        const float v = 0.10f + 0.08f * grain + 0.06f * rings;
+        return glm::vec4(v, v * 0.52f, v * 0.28f, 1);
+    }, true);
 }
 
 /// Awnings: broad stripes, white for the vertex colour and pale.
-glm::vec4 fabric_texel(glm::vec2 uv) {
-    const float stripe = std::abs(uv.x - 0.5f) < 0.25f ? 1.0f : 0.0f;
-    const glm::vec3 c = glm::mix(glm::vec3(0.75f, 0.7f, 0.62f), glm::vec3(0.45f, 0.06f, 0.06f),
-                                 stripe) * (0.85f + 0.15f * tile_noise(uv, 32, 501));
-    return {c, 1};
+TextureImage fabric_picture() {
+    const TileNoise fade(32, 501);
+    return paint("fabric", 128, 128, [&](glm::vec2 uv) {
+        const float stripe = std::abs(uv.x - 0.5f) < 0.25f ? 1.0f : 0.0f;
+        const glm::vec3 c = glm::mix(glm::vec3(0.75f, 0.7f, 0.62f), glm::vec3(0.45f, 0.06f, 0.06f),
+                                     stripe);
+        return glm::vec4(c * (0.85f + 0.15f * fade(uv)), 1);
+    }, true);
 }
 
-/// A spray of pointed leaves with gaps between them.
-glm::vec4 leaves_texel(glm::vec2 uv) {
-    const Cellular cells = tile_cells(uv, 7, 601);
-    const float shade = 0.6f + 0.4f * hash_unit(cells.cell, 1, 602);
-    const float edge = cells.second - cells.nearest;
-    const glm::vec2 c = uv * 2.0f - 1.0f;
-    const bool inside = edge > 0.16f && cells.nearest < 0.72f &&
-                        glm::dot(c, c) < 0.75f + 0.5f * tile_noise(uv, 9, 603);
-    const glm::vec3 green = glm::vec3(0.10f, 0.17f, 0.035f) * shade * (0.7f + edge);
-    return {green, inside ? 1.0f : 0.0f};
+/// A spray of pointed leaves on twigs from the middle, gaps between them.
+TextureImage leaves_picture() {
+    struct Leaf {
+        glm::vec2 centre, axis;
+        float shade;
+    };
+    std::vector<Leaf> leaves;
+    for (uint32_t i = 0; i < 46; ++i) {
+        const float angle = 2.3999632f * static_cast<float>(i); // the golden angle
+        const float radius = 0.40f * std::sqrt((static_cast<float>(i) + 0.5f) / 46);
+        const float turn = angle + 1.6f * (hash_unit(i, 0, 601) - 0.5f);
+        leaves.push_back({glm::vec2(0.5f) + radius * glm::vec2(std::cos(angle), std::sin(angle)),
+                          {std::cos(turn), std::sin(turn)}, 0.55f + 0.45f * hash_unit(i, 1, 602)});
+    }
+    return paint("leaves", 256, 256, [&](glm::vec2 uv) {
+        for (const Leaf& leaf : leaves) {
+            const glm::vec2 q = uv - leaf.centre;
+            const float along = glm::dot(q, leaf.axis) / 0.078f;
+            const float across = (q.y * leaf.axis.x - q.x * leaf.axis.y) / 0.030f;
+            const float half = 1 - along * along; // pointed at both ends
+            if (std::abs(along) < 1 && std::abs(across) < half) {
+                const float vein = std::abs(across) < 0.08f ? 1.35f : 1.0f;
+                const float v = leaf.shade * vein * (0.8f + 0.2f * std::abs(across));
+                return glm::vec4(glm::vec3(0.11f, 0.17f, 0.04f) * v, 1);
+            }
+        }
+        return glm::vec4(0.05f, 0.08f, 0.02f, 0);
+    }, true);
 }
 
 glm::vec4 palette_texel(glm::vec2 uv) {
@@ -50,15 +77,15 @@ glm::vec4 palette_texel(glm::vec2 uv) {
 }
 
 /// Night sky over a town: a glow at the horizon (v = 1), cloud lit from below, a few stars.
-glm::vec4 sky_texel(glm::vec2 uv) {
+glm::vec4 sky_texel(glm::vec2 uv, const TileNoise& clouds) {
     const float up = 1 - uv.y;
     const float glow = std::exp(-up * 7);
-    const float cloud = ramp(0.42f, 0.72f, tile_fbm(uv, 4, 6, 701)) * (1 - 0.6f * up);
+    const float cloud = ramp(0.42f, 0.72f, clouds(uv)) * (1 - 0.6f * up);
     glm::vec3 c = glm::mix(glm::vec3(0.0035f, 0.006f, 0.017f), glm::vec3(0.045f, 0.032f, 0.040f), glow);
     c += cloud * (glm::vec3(0.010f, 0.011f, 0.020f) + glow * glm::vec3(0.05f, 0.03f, 0.025f));
-    const Cellular star = tile_cells(uv, 90, 702);
+    const Cellular star = tile_cells(uv, 110, 702);
     const float bright = hash_unit(star.cell, 2, 703);
-    c += (1 - cloud) * ramp(0.10f, 0.03f, star.nearest) * bright * bright * ramp(0.1f, 0.5f, up) *
+    c += (1 - cloud) * ramp(0.09f, 0.04f, star.nearest) * ramp(0.6f, 1.0f, bright) * ramp(0.1f, 0.5f, up) *
          glm::vec3(0.30f, 0.33f, 0.4f);
     return {c, 1};
 }
@@ -78,12 +105,13 @@ glm::vec2 palette_uv(Glow colour) {
 }
 
 void add_small_pictures(std::vector<TextureImage>& images) {
-    images.push_back(paint("marking", 512, 512, marking_texel, true));
-    images.push_back(paint("wood", 256, 256, wood_texel, true));
-    images.push_back(paint("fabric", 128, 128, fabric_texel, true));
-    images.push_back(paint("leaves", 256, 256, leaves_texel, true));
+    images.push_back(marking_picture());
+    images.push_back(wood_picture());
+    images.push_back(fabric_picture());
+    images.push_back(leaves_picture());
     images.push_back(paint("palette", glow_count * 8, 8, palette_texel, true));
-    images.push_back(paint("sky", 1024, 512, sky_texel, true));
+    const TileNoise clouds(4, 701, 6);
+    images.push_back(paint("sky", 1024, 512, [&](glm::vec2 uv) { return sky_texel(uv, clouds); }, true));
 }
 
 std::vector<TextureImage> make_pictures() {

@@ -16,21 +16,27 @@ struct Asphalt {
     float wet;     ///< 0 … 1, film of water
 };
 
-Asphalt asphalt_at(glm::vec2 uv) {
-    Asphalt a{};
-    const float dents = tile_fbm(uv, 5, 4, 11);
-    a.water = ramp(0.565f, 0.63f, dents + 0.05f * (tile_noise(uv, 48, 17) - 0.5f));
-    a.wet = tile_fbm(uv, 9, 3, 23);
-    // Cracks: where a broad noise crosses its middle, in some places only.
-    const float line = std::abs(tile_fbm(uv, 6, 4, 31) - 0.5f);
-    a.crack = ramp(0.008f, 0.003f, line) * ramp(0.5f, 0.6f, tile_noise(uv, 7, 37));
-    const float coarse = tile_noise(uv, 420, 41), fine = tile_noise(uv, 210, 43);
-    a.stone = coarse;
-    const float rough = 0.0042f * (coarse - 0.5f) + 0.0030f * (fine - 0.5f);
-    const float swell = 0.02f * tile_fbm(uv, 12, 3, 47);
-    a.height = std::lerp(rough + swell - 0.006f * a.crack, 0.0f, a.water);
-    return a;
-}
+class AsphaltField {
+public:
+    Asphalt operator()(glm::vec2 uv) const {
+        Asphalt a{};
+        a.water = ramp(0.59f, 0.655f, dents(uv) + 0.05f * (shore(uv) - 0.5f));
+        a.wet = film(uv);
+        // Cracks: where a broad noise crosses its middle, in some places only.
+        const float line = std::abs(course(uv) - 0.5f);
+        a.crack = ramp(0.008f, 0.003f, line) * ramp(0.5f, 0.6f, broken(uv));
+        a.stone = grains(uv);
+        const float rough = 0.0030f * (a.stone - 0.5f) + 0.0014f * (gravel(uv) - 0.5f);
+        // Water hides the stones; the wind leaves low ripples on it.
+        const float still = 0.0016f * ripples(uv);
+        a.height = std::lerp(rough + 0.02f * swell(uv) - 0.006f * a.crack, still, a.water);
+        return a;
+    }
+
+private:
+    TileNoise dents{5, 11, 4}, shore{48, 17}, film{9, 23, 3}, course{6, 31, 4}, broken{7, 37},
+        grains{460, 41}, gravel{230, 43}, swell{12, 47, 3}, ripples{60, 53};
+};
 
 constexpr uint32_t asphalt_side = 1024;
 constexpr uint32_t paving_side = 512;
@@ -40,7 +46,7 @@ struct Slab {
     float height, joint, tone, water;
 };
 
-Slab slab_at(glm::vec2 uv) {
+Slab slab_at(glm::vec2 uv, const TileNoise& damp, const TileNoise& grain) {
     const float row = std::floor(uv.y * 4);
     const float shift = static_cast<int>(row) % 2 == 0 ? 0.0f : 0.5f;
     const float x = uv.x * 3 + shift, y = uv.y * 4;
@@ -51,9 +57,8 @@ Slab slab_at(glm::vec2 uv) {
     const auto column = static_cast<uint32_t>(std::floor(x)) % 3;
     const auto line = static_cast<uint32_t>(row);
     s.tone = hash_unit(column, line, 71);
-    s.water = ramp(0.55f, 0.68f, tile_fbm(uv, 3, 4, 73));
-    const float grain = tile_noise(uv, 170, 79);
-    s.height = -0.005f * s.joint + 0.0012f * (grain - 0.5f) * (1 - s.water) +
+    s.water = ramp(0.55f, 0.68f, damp(uv));
+    s.height = -0.005f * s.joint + 0.0012f * (grain(uv) - 0.5f) * (1 - s.water) +
                0.004f * (s.tone - 0.5f) * fx;
     return s;
 }
@@ -62,42 +67,44 @@ Slab slab_at(glm::vec2 uv) {
 
 void add_ground_pictures(std::vector<TextureImage>& images) {
     // One pass over the tile, three pictures from it.
+    const AsphaltField field;
     std::vector<Asphalt> asphalt;
     Field height;
     asphalt.reserve(size_t{asphalt_side} * asphalt_side);
     for (uint32_t y = 0; y < asphalt_side; ++y)
         for (uint32_t x = 0; x < asphalt_side; ++x) {
-            asphalt.push_back(asphalt_at((glm::vec2(x, y) + 0.5f) / float(asphalt_side)));
+            asphalt.push_back(field((glm::vec2(x, y) + 0.5f) / float(asphalt_side)));
             height.push_back(asphalt.back().height);
         }
     size_t i = 0;
     images.push_back(paint("asphalt colour", asphalt_side, asphalt_side, [&](glm::vec2) {
         const Asphalt& a = asphalt[i++];
-        const float dry = 0.035f + 0.055f * a.stone * a.stone;
-        const float v = std::lerp(dry * (0.75f + 0.4f * (1 - a.wet)) * (1 - 0.7f * a.crack), 0.018f,
+        const float dry = 0.026f + 0.042f * a.stone * a.stone;
+        const float v = std::lerp(dry * (0.75f + 0.4f * (1 - a.wet)) * (1 - 0.7f * a.crack), 0.013f,
                                   a.water);
         return glm::vec4(v, v * 1.01f, v * 1.05f, 1);
     }, true));
     i = 0;
     images.push_back(paint("asphalt surface", asphalt_side, asphalt_side, [&](glm::vec2) {
         const Asphalt& a = asphalt[i++];
-        const float damp = 0.50f - 0.26f * ramp(0.3f, 0.65f, a.wet) + 0.10f * (a.stone - 0.5f);
-        return glm::vec4(1, std::lerp(damp, 0.13f, a.water), 0, 1);
+        const float damp = 0.43f - 0.23f * ramp(0.3f, 0.65f, a.wet) + 0.10f * (a.stone - 0.5f);
+        return glm::vec4(1, std::lerp(damp, 0.17f, a.water), 0, 1);
     }, false));
     images.push_back(normal_map("asphalt normal", height, asphalt_side,
                                 tile_metres(Surface::asphalt)));
 
     Field slab_height;
     std::vector<Slab> slabs;
+    const TileNoise damp(3, 73, 4), grain(170, 79), stains(6, 83, 3);
     for (uint32_t y = 0; y < paving_side; ++y)
         for (uint32_t x = 0; x < paving_side; ++x) {
-            slabs.push_back(slab_at((glm::vec2(x, y) + 0.5f) / float(paving_side)));
+            slabs.push_back(slab_at((glm::vec2(x, y) + 0.5f) / float(paving_side), damp, grain));
             slab_height.push_back(slabs.back().height);
         }
     i = 0;
     images.push_back(paint("paving colour", paving_side, paving_side, [&](glm::vec2 uv) {
         const Slab& s = slabs[i++];
-        const float stain = tile_fbm(uv, 6, 3, 83);
+        const float stain = stains(uv);
         const float v = (0.13f + 0.07f * s.tone + 0.10f * (stain - 0.5f)) * (1 - 0.6f * s.joint) *
                         (1 - 0.35f * s.water);
         return glm::vec4(v, v * 0.97f, v * 0.92f, 1);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <scene/procedural/city_noise.hpp>
 #include <scene/procedural/city_textures.hpp>
 
@@ -29,7 +30,7 @@ float figure(glm::vec2 p, float x, float size) {
 }
 
 /// A room behind a window; p from the lower left corner, 0 … 1.
-glm::vec3 room(uint32_t cell, glm::vec2 p) {
+glm::vec3 room(uint32_t cell, glm::vec2 p, const TileNoise& foliage) {
     const bool lit = cell < lit_windows;
     const float pick = hash_unit(cell, 0, 201);
     glm::vec3 light = window_light(cell);
@@ -43,7 +44,7 @@ glm::vec3 room(uint32_t cell, glm::vec2 p) {
     if (cell % 5 == 2) // a plant on the sill
         c *= 1 - 0.9f * std::max(blob(p, {0.72f, 0.1f}, {0.07f, 0.1f}),
                                  blob(p, {0.72f, 0.3f}, {0.15f, 0.16f}) *
-                                     ramp(0.42f, 0.5f, tile_noise(p, 17, 204)));
+                                     ramp(0.42f, 0.5f, foliage(p)));
     if (cell % 4 == 3) // blinds
         c *= 0.35f + 0.65f * ramp(0.25f, 0.45f, std::abs(p.y * 14 - std::floor(p.y * 14) - 0.5f));
     if (lit && cell % 3 == 0)
@@ -62,7 +63,7 @@ glm::vec3 room(uint32_t cell, glm::vec2 p) {
 glm::vec3 shop(uint32_t cell, glm::vec2 p) {
     const glm::vec3 light = shop_light(cell);
     const float spots = 0.6f + 0.4f * std::cos(p.x * 6.2831853f * 3);
-    glm::vec3 c = light * (0.30f + 0.55f * p.y * spots);
+    glm::vec3 c = light * light * (0.10f + 0.32f * p.y * spots);
     const bool bar = cell % 4 == 1;
     const float shelves = bar ? 6.0f : 4.0f;
     const float y = p.y * shelves, row = std::floor(y), fy = y - row;
@@ -74,9 +75,13 @@ glm::vec3 shop(uint32_t cell, glm::vec2 p) {
         const float tall = 0.35f + 0.5f * hash_unit(id, line, 211);
         const float wide = 0.30f + 0.18f * hash_unit(id, line, 212);
         if (fy < tall && std::abs(fx - 0.5f) < wide && hash_unit(id, line, 213) > 0.18f) {
-            const glm::vec3 goods(hash_unit(id, line, 214), hash_unit(id, line, 215),
-                                  hash_unit(id, line, 216));
-            c = light * goods * goods * (0.45f + 0.6f * p.y);
+            // Muted packages, a few of them loud, with a paler label across each.
+            const float tone = hash_unit(id, line, 214), loud = hash_unit(id, line, 215);
+            const glm::vec3 hue = 0.5f + 0.5f * glm::cos(6.2831853f * (tone + glm::vec3(0, 0.33f, 0.67f)));
+            glm::vec3 goods = glm::mix(glm::vec3(0.30f + 0.3f * tone), hue * hue, loud * loud * 0.8f);
+            if (std::abs(fy / tall - 0.55f) < 0.16f)
+                goods = glm::mix(goods, glm::vec3(0.8f), 0.5f);
+            c = light * goods * (0.35f + 0.5f * p.y);
         }
         if (fy > 0.94f)
             c *= 0.2f; // the board
@@ -112,7 +117,7 @@ glm::vec3 window_light(uint32_t cell) {
 
 glm::vec3 shop_light(uint32_t cell) {
     constexpr std::array<glm::vec3, 8> lights{{{0.95f, 0.72f, 0.42f}, {0.85f, 0.40f, 0.14f},
-        {0.70f, 0.85f, 0.90f}, {0.95f, 0.62f, 0.34f}, {0.90f, 0.84f, 0.70f}, {0.75f, 0.20f, 0.34f},
+        {0.45f, 0.75f, 0.95f}, {0.95f, 0.62f, 0.34f}, {0.95f, 0.80f, 0.55f}, {0.75f, 0.20f, 0.34f},
         {0.50f, 0.82f, 0.70f}, {0.95f, 0.78f, 0.50f}}};
     return lights[cell % lights.size()];
 }
@@ -124,8 +129,10 @@ void add_window_pictures(std::vector<TextureImage>& images) {
         return glm::vec4(inside(static_cast<uint32_t>(cell.y) * cells.x +
                                     static_cast<uint32_t>(cell.x), p), 1);
     };
+    const TileNoise foliage(17, 204);
     images.push_back(paint("windows", 1024, 1024, [&](glm::vec2 uv) {
-        return atlas(uv, glm::uvec2(window_cells), room);
+        return atlas(uv, glm::uvec2(window_cells),
+                     [&](uint32_t cell, glm::vec2 p) { return room(cell, p, foliage); });
     }, true));
     images.push_back(paint("shops", 1024, 512, [&](glm::vec2 uv) {
         return atlas(uv, shop_cells, shop);
