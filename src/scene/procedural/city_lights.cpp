@@ -37,15 +37,15 @@ std::vector<uint32_t> shuffled(size_t count, Random& random) {
     return order;
 }
 
-/// Small lights: their range falls with the root of their number, so that the sum of their areas and
-/// with it the number of lights on a point stays; their intensity falls with the range squared, so
-/// that each looks as bright in the middle of its smaller circle.
+/// Small lights: their range falls with the root of their number, so that the sum of their areas, and
+/// with it the number of lights on a point, stays the same; their intensity falls with the range
+/// squared, so that each looks as bright in the middle of its smaller circle.
 struct Small {
     float range, intensity;
-    Small(uint32_t count, float area) {
-        constexpr float overlap = 7;
-        const float pi = std::numbers::pi_v<float>;
-        range = std::min(3.0f, std::sqrt(overlap * area / (pi * static_cast<float>(count))));
+    Small(size_t count, double area) {
+        constexpr double overlap = 7, widest = 3; // lights on a point; metres
+        range = static_cast<float>(
+            std::min(widest, std::sqrt(overlap * area / (std::numbers::pi * static_cast<double>(count)))));
         intensity = 0.11f * range * range;
     }
 };
@@ -65,39 +65,66 @@ Site on_sheet(Plan& plan, const std::vector<double>& area_sums, const Small& sma
             .position = at};
 }
 
+/// Takes from `first` and `second` in turn; the rest of the longer one follows.
+std::vector<Site> in_turn(const std::vector<Site>& first, const std::vector<Site>& second) {
+    std::vector<Site> sites;
+    for (size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
+        if (i < first.size())
+            sites.push_back(first[i]);
+        if (i < second.size())
+            sites.push_back(second[i]);
+    }
+    return sites;
+}
+
+/// `count` small lights: on bulbs in random order, and when these are used up on the sheets.
+std::vector<Site> small_lights(Plan& plan, size_t count) {
+    std::vector<Site> sites;
+    const size_t hung = std::min(count, plan.bulbs.size());
+    constexpr double bulb_area = 1.0; // square metres that a bulb has to light
+    const Small bulb_light(hung, bulb_area * static_cast<double>(plan.bulbs.size()));
+    const std::vector<uint32_t> order = shuffled(plan.bulbs.size(), plan.random);
+    for (size_t i = 0; i < hung; ++i) {
+        const Bulb& bulb = plan.bulbs[order[i]];
+        sites.push_back({.light = {.colour = bulb.colour, .intensity = bulb_light.intensity,
+                                   .range = bulb_light.range},
+                         .position = bulb.position});
+    }
+    std::vector<double> area_sums;
+    double area = 0;
+    for (const Sheet& sheet : plan.sheets)
+        area_sums.push_back(area += double(sheet.size.x) * double(sheet.size.y));
+    const Small sheet_light(std::max<size_t>(count - hung, 1), area);
+    while (sites.size() < count)
+        sites.push_back(on_sheet(plan, area_sums, sheet_light));
+    return sites;
+}
+
 } // namespace
 
 void place_lights(Plan& plan, uint32_t count) {
     Scene& scene = plan.scene;
     scene.lights.reserve(count);
     scene.nodes.reserve(scene.nodes.size() + count);
-    for (auto& rank : plan.sites) {
-        std::stable_sort(rank.begin(), rank.end(), [](const Site& a, const Site& b) {
+    for (auto& sites : plan.sites)
+        std::stable_sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) {
             return glm::distance(a.position, focus) < glm::distance(b.position, focus);
         });
-        for (const Site& site : rank)
+    const auto rank = [&](Rank r) -> const std::vector<Site>& {
+        return plan.sites[static_cast<size_t>(r)];
+    };
+    const auto place = [&](const std::vector<Site>& sites) {
+        for (const Site& site : sites)
             if (scene.lights.size() < count)
                 add_site(scene, site);
-    }
-    const auto left = count - static_cast<uint32_t>(scene.lights.size());
-    if (left == 0)
-        return;
-    std::vector<double> area_sums;
-    double area = 0;
-    for (const Sheet& sheet : plan.sheets)
-        area_sums.push_back(area += double(sheet.size.x) * double(sheet.size.y));
-    const Small small(left, static_cast<float>(area));
-    const std::vector<uint32_t> order = shuffled(plan.bulbs.size(), plan.random);
-    for (uint32_t i = 0; i < left; ++i) {
-        if (i < order.size()) {
-            const Bulb& bulb = plan.bulbs[order[i]];
-            add_site(scene, {.light = {.colour = bulb.colour, .intensity = small.intensity,
-                                       .range = small.range},
-                             .position = bulb.position});
-        } else {
-            add_site(scene, on_sheet(plan, area_sums, small));
-        }
-    }
+    };
+    place(in_turn(rank(Rank::lamp), rank(Rank::head)));
+    for (const Rank r : {Rank::neon, Rank::shop, Rank::tail})
+        place(rank(r));
+    // Windows and small lights share what is left, half and half while there are windows.
+    const size_t left = count - scene.lights.size();
+    const size_t windows = std::min(left / 2, rank(Rank::window).size());
+    place(in_turn(small_lights(plan, left - windows), rank(Rank::window)));
 }
 
 } // namespace prelight::city

@@ -168,7 +168,7 @@ Mesh bollard() {
 /// Faces +z.
 Mesh bench() {
     MeshBuilder b;
-    b.use(Surface::wood, glm::vec3(2.2f));
+    b.use(Surface::wood, glm::vec3(0.75f));
     for (uint32_t i = 0; i < 4; ++i) {
         const float d = 0.12f * static_cast<float>(i);
         b.box({-0.85f, 0.43f, d - 0.2f}, {0.85f, 0.465f, d - 0.11f});

@@ -59,7 +59,7 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
     const float d0 = door_left ? s0 + 0.02f : w1 + 0.1f, d1 = d0 + door_width;
     const float post = door_left ? s0 + door_width + 0.02f : w1;
 
-    b.use(Surface::wood, paint * 6.0f); // riser, and the post beside the door
+    b.use(Surface::wood, paint * 2.0f); // riser, and the post beside the door
     b.box({w0, 0, -depth}, {w1, 0.5f, -depth + 0.2f}, no_back & ~unsigned{bottom});
     b.box({post, 0, -depth}, {post + 0.1f, head, -depth + 0.22f}, left | right | front);
     b.use(Surface::shop);
@@ -77,7 +77,7 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
         const float s = w0 + (w1 - w0 - 0.06f) * static_cast<float>(i) / static_cast<float>(panes);
         b.box({s, 0.5f, f0}, {s + 0.06f, 2.45f, f1}, left | right | front);
     }
-    b.use(Surface::wood, paint * 5.0f);
+    b.use(Surface::wood, paint * 1.7f);
     b.box({d0, 0.03f, -depth - 0.02f}, {d1, 0.9f, -depth + 0.05f}, no_back);
     for (const float s : {d0, d1 - 0.09f})
         b.box({s, 0.9f, -depth - 0.02f}, {s + 0.09f, 2.3f, -depth + 0.05f}, left | right | front);
@@ -112,7 +112,7 @@ void entrance(Plan& plan, MeshBuilder& b, float s0, float s1) {
     b.use(Surface::frame, glm::vec3(0.12f));
     b.box({s0, 0.04f, -depth}, {middle - 0.6f, head, -depth + 0.1f}, right | front);
     b.box({middle + 0.6f, 0.04f, -depth}, {s1, head, -depth + 0.1f}, left | front);
-    door(b, middle - 0.6f, middle + 0.6f, 2.3f, -depth + 0.01f, {0.9f, 0.75f, 0.7f});
+    door(b, middle - 0.6f, middle + 0.6f, 2.3f, -depth + 0.01f, {0.32f, 0.26f, 0.24f});
     b.use(Surface::window);
     b.quad({middle - 0.6f, 2.3f, -depth + 0.01f}, {1.2f, 0, 0}, {0, head - 2.3f, 0}, window_rect(4));
     b.use(Surface::metal);

@@ -25,7 +25,7 @@ TextureImage wood_picture() {
     return paint("wood", 256, 256, [&](glm::vec2 uv) {
         const float grain = fibres({uv.x, std::abs(uv.y - 0.5f) * 0.125f});
         const float rings = 0.5f + 0.5f * std::sin(6.2831853f * (uv.x * 6 + growth(uv)));
-        const float v = 0.10f + 0.08f * grain + 0.06f * rings;
+        const float v = 0.30f + 0.24f * grain + 0.18f * rings;
         return glm::vec4(v, v * 0.52f, v * 0.28f, 1);
     }, true);
 }
