@@ -30,7 +30,7 @@ Facade choose_style(Plan& plan) {
     static constexpr std::array<glm::vec3, 5> plasters{{{0.52f, 0.46f, 0.36f}, {0.42f, 0.45f, 0.46f},
         {0.50f, 0.36f, 0.30f}, {0.38f, 0.42f, 0.36f}, {0.55f, 0.52f, 0.48f}}};
     Facade f;
-    f.style = static_cast<Style>(plan.random.below(3));
+    f.style = static_cast<Style>(plan.scene.meshes.size() % 3); // neighbours differ
     const uint32_t pick = plan.random.below(5);
     f.wall = f.style == Style::brick ? Surface::brick : Surface::plaster;
     f.wall_tint = f.style == Style::brick ? bricks[pick] : plasters[pick];

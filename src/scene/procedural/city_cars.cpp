@@ -122,7 +122,7 @@ void wheels(MeshBuilder& b, const Shape& shape) {
             b.cone({x(-0.3f), r + 0.06f, z}, {x(0.006f), r + 0.06f, z}, r + 0.05f, r + 0.05f, 28);
             b.cone({x(-0.2f), r, z}, {x(0.018f), r, z}, r, r, 28, false);
             b.cone({x(0.018f), r, z}, {x(0.03f), r, z}, r, r * 0.9f, 28);
-            b.use(Surface::chrome);
+            b.use(Surface::board, glm::vec3(0.45f));
             b.cone({x(0.02f), r, z}, {x(0.036f), r, z}, r * 0.66f, r * 0.60f, 20);
             b.use(Surface::rubber);
             for (uint32_t i = 0; i < 5; ++i) { // gaps between the spokes
@@ -146,6 +146,13 @@ Mesh make_car(const Shape& shape, glm::vec3 paint, bool lit, bool taxi) {
     b.use(Surface::rubber); // underbody, grille, bumper line
     b.box({-0.78f, 0.14f, front + 0.35f}, {0.78f, 0.42f, rear - 0.35f});
     b.box({-0.42f, 0.40f, front - 0.015f}, {0.42f, 0.52f, front + 0.1f});
+    b.box({-0.74f, 0.34f, rear - 0.1f}, {0.74f, 0.46f, rear + 0.03f});
+    for (const float sign : {-1.0f, 1.0f}) { // sills between the wheels, lines below the windows
+        const float x = sign * (shape.stations[shape.stations.size() / 2].half - 0.03f);
+        b.box({x - 0.05f, 0.17f, shape.front_axle + 0.4f}, {x + 0.05f, 0.29f, shape.rear_axle - 0.4f});
+        const float line = sign * shape.cabin.half;
+        b.box({line - 0.02f, 0.90f, shape.cabin.front + 0.12f}, {line + 0.02f, 0.925f, shape.cabin.rear - 0.1f});
+    }
     b.use(Surface::chrome);
     b.box({-0.46f, 0.525f, front - 0.02f}, {0.46f, 0.545f, front + 0.1f});
     b.use(Surface::board, glm::vec3(0.6f));
@@ -186,7 +193,7 @@ void car_lights(Plan& plan, const Shape& shape, glm::vec3 position, float yaw) {
                                  .intensity = 170, .range = 32, .inner_cone = 0.10f, .outer_cone = 0.42f},
                        .position = point(sign * 0.64f, 0.63f, shape.stations[0].z - 0.1f),
                        .direction = aim});
-        plan.add_point(Rank::tail, point(sign * 0.62f, 0.75f, shape.stations.back().z + 0.5f),
+        plan.add_point(Rank::tail, point(sign * 0.62f, 0.75f, shape.stations.back().z + 0.9f),
                        glow_colour(Glow::red), 2.0f, 5);
     }
 }

@@ -43,7 +43,8 @@ void fascia(Plan& plan, MeshBuilder& b, float s0, float s1, glm::vec3 tint, glm:
     b.box({s0 - 0.03f, head + 0.82f, -0.02f}, {s1 + 0.03f, head + 0.9f, 0.18f}, no_back);
     b.use(plan.chance(0.6) ? Glow::warm_white : Glow::cool_white);
     b.box({s0 + 0.1f, head + 0.19f, 0.02f}, {s1 - 0.1f, head + 0.215f, 0.09f}, all_faces);
-    plan.add_point(Rank::shop, b.frame.point({(s0 + s1) / 2, 2.95f, 0.7f}), light, 4.5f, 4.8f);
+    // Reaches far enough to be mirrored by the wet street.
+    plan.add_point(Rank::shop, b.frame.point({(s0 + s1) / 2, 2.95f, 1.4f}), light, 7, 12);
 }
 
 void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
@@ -54,14 +55,15 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
     const glm::vec3 light = shop_light(cell);
     const bool door_left = plan.chance(0.5);
     const float door_width = 1.05f;
-    const float w0 = door_left ? s0 + door_width + 0.12f : s0;
-    const float w1 = door_left ? s1 : s1 - door_width - 0.12f;
-    const float d0 = door_left ? s0 + 0.02f : w1 + 0.1f, d1 = d0 + door_width;
-    const float post = door_left ? s0 + door_width + 0.02f : w1;
+    constexpr float post_width = 0.1f;
+    const float w0 = door_left ? s0 + door_width + post_width : s0;
+    const float w1 = door_left ? s1 : s1 - door_width - post_width;
+    const float d0 = door_left ? s0 : w1 + post_width, d1 = d0 + door_width;
+    const float post = door_left ? d1 : w1;
 
     b.use(Surface::wood, paint * 2.0f); // riser, and the post beside the door
     b.box({w0, 0, -depth}, {w1, 0.5f, -depth + 0.2f}, no_back & ~unsigned{bottom});
-    b.box({post, 0, -depth}, {post + 0.1f, head, -depth + 0.22f}, left | right | front);
+    b.box({post, 0, -depth}, {post + post_width, head, -depth + 0.22f}, left | right | front);
     b.use(Surface::shop);
     TexRect rect = shop_rect(cell);
     b.quad({w0, 0.5f, -depth + 0.08f}, {w1 - w0, 0, 0}, {0, head - 0.5f, 0}, rect);

@@ -49,11 +49,11 @@ void blade(Plan& plan, const Word& word, float side, float z, float base) {
             const float y = height * (static_cast<float>(i) + 0.5f) / static_cast<float>(lights);
             const Glow colour = i % 3 == 2 ? word.border : word.letters;
             plan.add_point(Rank::neon, centre + glm::vec3(-side * 0.45f, y, facing * 0.6f),
-                           glow_colour(colour), 7, 7);
+                           glow_colour(colour), 7, 6.5f);
         }
     // One that reaches across the street: its streak on the wet asphalt is seen from afar.
-    plan.add_point(Rank::neon, centre + glm::vec3(-side * 0.9f, height / 2, 0),
-                   glow_colour(word.letters), 24, 32);
+    plan.add_point(Rank::neon, centre + glm::vec3(-side * 1.4f, height / 2, 0),
+                   glow_colour(word.letters), 19, 28);
     plan.build(b, "blade sign", centre);
 }
 

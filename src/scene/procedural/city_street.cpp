@@ -1,3 +1,4 @@
+#include <array>
 #include <glm/common.hpp>
 #include <numbers>
 #include <scene/procedural/city_plan.hpp>
@@ -8,6 +9,7 @@ namespace {
 constexpr float paint_height = 0.006f; ///< of a marking above the asphalt
 constexpr float corner = 2.5f;         ///< radius of the kerb at the crossing
 constexpr uint32_t corner_steps = 8;
+constexpr float stone = 0.28f, bevel = 0.03f; ///< a kerb stone's width, its broken edge
 
 /// Horizontal rectangle facing up, x0 … x1, z0 … z1.
 void flat(MeshBuilder& b, float x0, float x1, float z0, float z1, float y = 0) {
@@ -44,7 +46,6 @@ void roads(Plan& plan) {
 /// Pavement between the kerb and the houses: top, kerb stone's top and face. `inner` … `outer` are
 /// distances from the street's axis, in a frame whose s runs along the street and d to the axis.
 void pavement(MeshBuilder& b, float length, float width) {
-    constexpr float stone = 0.28f, bevel = 0.03f;
     b.use(Surface::paving);
     b.quad({0, kerb_height, width - stone}, {length, 0, 0}, {0, 0, -(width - stone)});
     b.use(Surface::kerb);
@@ -56,7 +57,6 @@ void pavement(MeshBuilder& b, float length, float width) {
 /// The quarter at a house's corner at the crossing: a rounded kerb. The frame's origin is the house
 /// corner; s and d lead along the two kerbs' normals, away from the house, s × y = d.
 void corner_pavement(MeshBuilder& b, float s_width, float d_width) {
-    constexpr float stone = 0.28f;
     const glm::vec2 centre(s_width - corner, d_width - corner);
     const auto ring = [&](float radius, uint32_t i) {
         const float angle = std::numbers::pi_v<float> / 2 * static_cast<float>(i) / corner_steps;
@@ -71,19 +71,18 @@ void corner_pavement(MeshBuilder& b, float s_width, float d_width) {
     b.use(Surface::paving);
     b.polygon(slab);
     b.use(Surface::kerb);
-    std::vector<glm::vec2> outer{{s_width, 0}}, inner{{s_width - stone, 0}};
-    for (uint32_t i = 0; i <= corner_steps; ++i) {
-        outer.push_back(ring(corner, i));
-        inner.push_back(ring(corner - stone, i));
-    }
-    outer.emplace_back(0, d_width);
-    inner.emplace_back(0, d_width - stone);
-    for (size_t i = 0; i + 1 < outer.size(); ++i) {
-        b.polygon(std::vector{at(outer[i], kerb_height), at(inner[i], kerb_height),
-                              at(inner[i + 1], kerb_height), at(outer[i + 1], kerb_height)});
-        b.polygon(std::vector{at(outer[i], -0.02f), at(outer[i], kerb_height),
-                              at(outer[i + 1], kerb_height), at(outer[i + 1], -0.02f)});
-    }
+    const auto line = [&](float inside, float y) { // parallel to the kerb, from end to end
+        std::vector<glm::vec3> points{at({s_width - inside, 0}, y)};
+        for (uint32_t i = 0; i <= corner_steps; ++i)
+            points.push_back(at(ring(corner - inside, i), y));
+        points.push_back(at({0, d_width - inside}, y));
+        return points;
+    };
+    const std::array lines{line(0, -0.02f), line(0, kerb_height - bevel), line(bevel, kerb_height),
+                           line(stone, kerb_height)};
+    for (size_t k = 0; k + 1 < lines.size(); ++k)
+        for (size_t i = 0; i + 1 < lines[k].size(); ++i)
+            b.polygon(std::array{lines[k][i], lines[k + 1][i], lines[k + 1][i + 1], lines[k][i + 1]});
 }
 
 void pavements(Plan& plan) {

@@ -73,7 +73,10 @@ TextureImage leaves_picture() {
 
 glm::vec4 palette_texel(glm::vec2 uv) {
     const auto cell = static_cast<uint32_t>(uv.x * static_cast<float>(glow_count));
-    return {glow_colour(static_cast<Glow>(std::min(cell, glow_count - 1))), 1};
+    const auto colour = static_cast<Glow>(std::min(cell, glow_count - 1));
+    // Tubes are dimmer than lamps: brighter ones would lose their colour in the tone mapper.
+    const bool lamp = colour == Glow::warm_white || colour == Glow::cool_white;
+    return {glow_colour(colour) * (lamp ? 1.0f : 0.5f), 1};
 }
 
 /// Night sky over a town: a glow at the horizon (v = 1), cloud lit from below, a few stars.

@@ -98,7 +98,7 @@ void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, gl
         return;
     const glm::vec3 colour = window_light(cell);
     plan.add_point(Rank::window, b.frame.point({(low.x + high.x) / 2, low.y + 0.5f, 0.30f}), colour,
-                   1.1f, 2.8f);
+                   1.1f, 2.6f);
 }
 
 } // namespace prelight::city
