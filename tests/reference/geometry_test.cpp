@@ -200,7 +200,7 @@ TEST(Geometry, TenKilometresFromTheOriginNothingIsLost) {
         material.normal_texture.image = add_bumps(*test);
         test->add_material(material);
         test->add(sphere(), glm::translate(glm::dmat4(1), where));
-        test->add(square(20), glm::translate(glm::dmat4(1), where + glm::dvec3(0, 0, -1)));
+        test->add(square(20), glm::translate(glm::dmat4(1), where + glm::dvec3(0, 0, -1.03)));
         for (int i = 0; i < 20; ++i)
             test->add_light({.intensity = 2, .range = 4},
                             where + glm::dvec3(std::sin(i * 2.0) * 2, std::cos(i * 3.0) * 2,
@@ -209,8 +209,8 @@ TEST(Geometry, TenKilometresFromTheOriginNothingIsLost) {
     };
     const glm::dvec3 far(10000.123, -7000.77, 3000.5);
     const auto near_world = world_at({0, 0, 0}), far_world = world_at(far);
-    const auto a = shown(*near_world, front_camera(4), 64, 64);
-    PlacedCamera camera = front_camera(4);
+    const auto a = shown(*near_world, front_camera(4.1), 64, 64);
+    PlacedCamera camera = front_camera(4.1);
     camera.position += far;
     const auto b = shown(*far_world, camera, 64, 64);
     EXPECT_EQ(a.instance, b.instance);
