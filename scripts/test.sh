@@ -10,8 +10,10 @@ build=$root/build/release
 logs=$build/test-logs
 jobs=2
 
-scripts/setup.sh --tests
-scripts/build.sh --tests
+if ! scripts/setup.sh --tests || ! scripts/build.sh --tests; then
+    echo "0 passed, 1 failed" # nothing could be run
+    exit 1
+fi
 if [ -f tests/oracle/package.json ]; then
     # The oracles are extra witnesses: without a network their tests say that they were skipped.
     if ! (cd tests/oracle && npm ci --no-audit --no-fund --silent >"$build/npm.log" 2>&1); then
@@ -70,6 +72,18 @@ run_fuzz() {
     fi
 }
 
+# What the failed tests wrote, and the end of the log when that says nothing (a crash, the fuzzer).
+explain_failure() { # LOG
+    local text
+    text=$(awk '/\[ RUN      \]/ { test = "" } { test = test $0 "\n" }
+                /\[  FAILED  \].*ms\)$/ { printf "%s", test; test = "" }' "$1" |
+        cut -c 1-400 | head -n 150)
+    if [ -z "$text" ] || ! grep -q '^\[==========\].* ran' "$1"; then
+        text+=$(printf '\n--- end of %s\n' "$1"; tail -n 30 "$1")
+    fi
+    echo "$text"
+}
+
 run_one() { # NAME: runs it, then prints its line
     local began=$SECONDS passed failed skipped
     if [ "$1" = fuzz ]; then
@@ -82,9 +96,7 @@ run_one() { # NAME: runs it, then prints its line
     line=$(printf '%-12s %4d passed, %d failed, %d skipped  (%d s)' \
         "$1" "$passed" "$failed" "$skipped" $((SECONDS - began)))
     if [ "$failed" != 0 ]; then
-        line+=$'\n'$(grep -E '^\[  FAILED  \]|Failure$|^ended by|^timed out|ERROR:' "$logs/$1.log" |
-            head -n 40 || true)
-        line+=$'\n'"--- end of $logs/$1.log"$'\n'$(tail -n 30 "$logs/$1.log")
+        line+=$'\n'$(explain_failure "$logs/$1.log")
     elif [ "$skipped" != 0 ]; then
         line+=$'\n'$(grep -A 1 'Skipped$' "$logs/$1.log" | grep -v -e 'Skipped$' -e '^--$' |
             sort | uniq -c | sed 's/^/  skipped: /' || true)
