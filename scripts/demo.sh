@@ -8,7 +8,7 @@ scripts/build.sh
 
 out=out/demo
 mkdir -p $out
-build/release/prelight render city --lights 1024 --size 1280x720 --frames 10 -o $out/city.png \
+build/release/prelight render city --lights 1024 --size 1280x720 --frames 3 -o $out/city.png \
     --view depth=$out/depth.png --view normal=$out/normal.png \
     --view diffuse-light=$out/diffuse-light.png --view specular-light=$out/specular-light.png \
     --stats $out/city.json
