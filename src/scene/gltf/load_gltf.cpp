@@ -1,5 +1,6 @@
 #include <new>
 #include <prelight/scene_io.hpp>
+#include <scene/gltf/extras.hpp>
 #include <scene/gltf/load.hpp>
 #include <scene/gltf/nodes.hpp>
 #include <scene/gltf/primitives.hpp>
@@ -20,6 +21,7 @@ Scene read_scene(gltf::Document&& document) {
     gltf::read_meshes(document, buffers, accessors, scene);
     gltf::read_cameras(document, scene);
     gltf::read_lights(document, scene);
+    gltf::read_extras(document, scene);
     gltf::read_nodes(document, accessors, scene);
     gltf::read_scenes(document, scene);
     if (document.root().has("animations"))

@@ -1,0 +1,50 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <scene/gltf/extras.hpp>
+
+namespace prelight::gltf {
+namespace {
+
+/// Extras may be any JSON value; only an object can hold ours.
+std::optional<Item> own_extras(const Item& item) {
+    const auto extras = item.find("extras");
+    if (!extras || !extras->is_object())
+        return {};
+    return Item(item.file(), item.label() + " extras", *extras).object("prelight");
+}
+
+void read_ambient(const Item& own, Scene& scene) {
+    const auto ambient = own.numbers<3>("ambient", {0, 0, 0});
+    for (int c = 0; c < 3; ++c) {
+        scene.ambient[c] = float(ambient[size_t(c)]);
+        if (!(scene.ambient[c] >= 0) || !std::isfinite(scene.ambient[c]))
+            own.fail("ambient is negative or too large");
+    }
+}
+
+void read_light(const Item& own, Light& light) {
+    const std::string falloff = own.text("falloff");
+    if (falloff == "linear")
+        light.falloff = Falloff::linear;
+    else if (falloff == "quadratic")
+        light.falloff = Falloff::quadratic;
+    else if (!falloff.empty())
+        own.fail(fmt::format("falloff \"{}\" is not known", printable(falloff)));
+    if (light.falloff != Falloff::gltf && !std::isfinite(light.range))
+        own.fail(fmt::format("falloff {} needs a range", falloff));
+    light.shininess = own.real("shininess", 1);
+    if (!(light.shininess > 0))
+        own.fail("shininess is not above 0");
+}
+
+} // namespace
+
+void read_extras(const Document& document, Scene& scene) {
+    if (const auto own = own_extras(document.root()))
+        read_ambient(*own, scene);
+    for (size_t i = 0; i < scene.lights.size(); ++i)
+        if (const auto own = own_extras(document.item(Table::lights, i)))
+            read_light(*own, scene.lights[i]);
+}
+
+} // namespace prelight::gltf
