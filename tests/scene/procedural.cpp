@@ -63,8 +63,7 @@ struct Counts {
 
 Counts count(const Scene& scene) {
     Counts counts;
-    for (const uint32_t root : scene.scenes.at(scene.default_scene).nodes) {
-        const Node& node = scene.nodes.at(root);
+    for (const Node& node : scene.nodes) {
         if (node.mesh) {
             ++counts.objects;
             for (const Primitive& primitive : scene.meshes.at(*node.mesh).primitives)

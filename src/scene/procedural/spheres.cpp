@@ -51,7 +51,7 @@ Scene make_spheres_scene(uint32_t lights, uint64_t seed) {
         const double z = random.uniform(3, 6);
         const glm::vec3 colour = hue_colour(random.unit(), 0.35);
         add_light(scene,
-                  {.colour = colour, .intensity = 240.0f / static_cast<float>(lights), .range = 20},
+                  {.colour = colour, .intensity = 60.0f / static_cast<float>(lights), .range = 20},
                   {x, y, z});
     }
     return scene;
