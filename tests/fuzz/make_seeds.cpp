@@ -1,0 +1,81 @@
+#include "gltf_builder.hpp"
+#include <cstdio>
+#include <fstream>
+
+// fuzz_seeds FOLDER: writes one small valid file for each part of the reader.
+
+using namespace prelight::test;
+
+namespace {
+
+GltfBuilder with_texture(const Bytes& picture) {
+    GltfBuilder b = GltfBuilder::textured_triangle();
+    b.add_image(picture);
+    b.json["textures"] = Json::array({{{"source", 0}, {"sampler", 0}}});
+    b.json["samplers"] = Json::array({{{"wrapS", 33071}, {"wrapT", 33648}, {"minFilter", 9985}}});
+    b.json["materials"][0] = {
+        {"normalTexture", {{"index", 0}, {"scale", 0.5}}},
+        {"alphaMode", "MASK"},
+        {"pbrMetallicRoughness",
+         {{"baseColorTexture",
+           {{"index", 0},
+            {"extensions", {{"KHR_texture_transform", {{"rotation", 1}, {"offset", {0, 1}}}}}}}}}}};
+    return b;
+}
+
+GltfBuilder with_sparse() {
+    GltfBuilder b = GltfBuilder::triangle();
+    const size_t places = b.add_view({1});
+    const size_t values = b.add_view(bytes_of<float>({5, 6, 7}));
+    b.json["accessors"][0]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", places}, {"componentType", 5121}}},
+        {"values", {{"bufferView", values}}}};
+    b.primitive()["indices"] = b.add_values<uint8_t>({0, 1, 2, 1, 0}, 5121, "SCALAR");
+    b.primitive()["mode"] = 5;
+    return b;
+}
+
+GltfBuilder with_nodes() {
+    GltfBuilder b = GltfBuilder::triangle();
+    b.json["cameras"] = Json::array(
+        {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}},
+         {{"type", "orthographic"}, {"orthographic", {{"ymag", 2}, {"znear", 0}, {"zfar", 9}}}}});
+    b.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array(
+        {{{"type", "spot"}, {"spot", {{"outerConeAngle", 0.4}}}}, {{"type", "point"}, {"range", 5}}});
+    b.json["nodes"] = Json::array(
+        {{{"mesh", 0}, {"children", {1, 2}}, {"scale", {1, -1, 2}}},
+         {{"camera", 0}, {"rotation", {0, 0, 1, 0}}},
+         {{"camera", 1}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}}});
+    const size_t t = b.add_floats({1, 2, 3, 4, 5, 6}, "VEC3");
+    b.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = t;
+    return b;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::fputs("usage: fuzz_seeds FOLDER\n", stderr);
+        return 2;
+    }
+    const std::filesystem::path folder = arguments[1];
+    std::filesystem::create_directories(folder);
+    const auto write = [&folder](const char* name, const Bytes& bytes) {
+        std::ofstream(folder / name, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    };
+    const Bytes pixels = solid(4, 4, {200, 100, 50, 128});
+    write("triangle.glb", GltfBuilder::triangle().glb());
+    write("triangle.gltf", GltfBuilder::triangle().gltf());
+    write("png.glb", with_texture(png(4, 4, pixels)).glb());
+    write("jpeg.glb", with_texture(jpeg(4, 4, pixels)).glb());
+    write("webp-lossless.glb", with_texture(webp_lossless(4, 4, pixels)).glb());
+    write("webp-lossy.glb", with_texture(webp_lossy(4, 4, pixels)).glb());
+    write("sparse.glb", with_sparse().glb());
+    write("nodes.glb", with_nodes().glb());
+    write("draco-edgebreaker.glb", draco_grid(true).glb());
+    write("draco-sequential.glb", draco_grid(false).glb());
+    write("meshopt.glb", meshopt_grid().glb());
+    return 0;
+}
