@@ -162,6 +162,17 @@ TEST(GltfLimits, JpegWithManyScansAndWithoutItsEnd) {
     EXPECT_THAT(picture_error(bytes), HasSubstr("more than 100 scans"));
 }
 
+TEST(GltfLimits, JpegWithAHuffmanTableThatIsTooLong) {
+    // Found by fuzzing: stb_image 2.27 writes the 272 values past its table of 256.
+    Bytes bytes = jpeg(16, 16, solid(16, 16, {200, 100, 50, 255}));
+    Bytes table = {0xff, 0xc4, 0x01, 0x23, 0x00};
+    table.insert(table.end(), 16, 17);
+    table.insert(table.end(), 272, 1);
+    bytes.insert(bytes.begin() + 2, table.begin(), table.end());
+    EXPECT_THAT(picture_error(bytes),
+                HasSubstr("image 0: does not decode (JPEG: bad Huffman table)"));
+}
+
 TEST(GltfLimits, ManyPrimitivesOverOneLargeBufferStaySmallAndFast) {
     // A reader that copies all vertices for each primitive would take 2,000 × 2.4 MB here.
     GltfBuilder b = GltfBuilder::triangle();

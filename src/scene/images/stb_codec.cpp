@@ -9,10 +9,11 @@ namespace {
 thread_local size_t allowance = 0;
 constexpr size_t block_header = alignof(std::max_align_t); ///< holds the block's size
 
+/// Zeroed: for a damaged JPEG stb reads tables that it never filled.
 void* bounded_malloc(size_t size) {
     if (size > allowance || size + block_header < size)
         return nullptr;
-    auto* block = static_cast<std::byte*>(std::malloc(size + block_header));
+    auto* block = static_cast<std::byte*>(std::calloc(size + block_header, 1));
     if (!block)
         return nullptr;
     allowance -= size;
@@ -70,40 +71,13 @@ void* bounded_realloc(void* pointer, size_t size) {
 #include <scene/images/codecs.hpp>
 
 namespace prelight::images {
-namespace {
-
-/// A progressive JPEG walks the whole picture once a scan, and a scan may be a few bytes long.
-constexpr int max_scans = 100;
-
-/// Throws unless the JPEG ends as it should: stb fills what is missing with grey without a word.
-void check_jpeg_markers(std::span<const uint8_t> bytes) {
-    int scans = 0;
-    bool ended = false;
-    for (size_t i = 0; i + 1 < bytes.size(); ++i) {
-        if (bytes[i] != 0xff)
-            continue;
-        if (bytes[i + 1] == 0xda) {
-            ++scans;
-            ended = false;
-        } else if (bytes[i + 1] == 0xd9) {
-            ended = true;
-        }
-    }
-    if (scans > max_scans)
-        throw DecodeError(fmt::format("JPEG has more than {} scans", max_scans));
-    if (!ended)
-        throw DecodeError("JPEG is truncated");
-}
-
-} // namespace
-
 Cost inspect_stb(std::span<const uint8_t> bytes, Format format) {
+    if (format == Format::jpeg)
+        check_jpeg(bytes);
     allowance = size_t(1) << 20;
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), int(bytes.size()), &width, &height, &channels))
         throw DecodeError(fmt::format("does not decode ({})", stbi_failure_reason()));
-    if (format == Format::jpeg)
-        check_jpeg_markers(bytes);
     // 8-bit PNG: unpacked lines, picture, de-interlaced picture, at most 4 bytes a pixel each;
     // JPEG: coefficients, planes, picture, 13 in all. 16-bit PNG: the same twice as wide, and
     // converted.
