@@ -36,7 +36,7 @@ for binary in "$build"/tests/test_*; do
     name=${binary##*/test_}
     [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
 done
-[ -d tests/fuzz ] && names+=(fuzz)
+[ -f scripts/fuzz.sh ] && names+=(fuzz)
 if [ $# -gt 0 ]; then
     names=("$@")
 fi
@@ -65,7 +65,7 @@ run_fuzz() {
     if ! command -v clang++ >/dev/null; then
         echo "clang++ is missing" >"$log"
         echo "0 0 1" >"$logs/fuzz.count"
-    elif tests/fuzz/run.sh "$seconds" >"$log" 2>&1; then
+    elif sh scripts/fuzz.sh "$seconds" >"$log" 2>&1; then
         echo "1 0 0" >"$logs/fuzz.count"
     else
         echo "0 1 0" >"$logs/fuzz.count"
