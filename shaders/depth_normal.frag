@@ -23,7 +23,7 @@ void main() {
         n = mat3(frame.view_from_world) * n;
     float roughness = metallic_roughness().y;
     if (normal_encoding == NORMAL_OCT24)
-        out_normal = vec4(oct24_encode(n), roughness);
+        out_normal = vec4(oct24_encode(n), roughness_encode(roughness));
     else if (normal_encoding == NORMAL_OCT32)
         out_normal = vec4(oct32_encode(n), 0.0, 0.0);
     else

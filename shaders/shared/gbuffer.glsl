@@ -35,7 +35,7 @@ vec3 read_normal(ivec2 pixel) {
 }
 
 float read_roughness(ivec2 pixel) {
-    return normal_encoding == NORMAL_OCT24 ? texelFetch(normal_buffer, pixel, 0).a
+    return normal_encoding == NORMAL_OCT24 ? roughness_decode(texelFetch(normal_buffer, pixel, 0).a)
                                            : texelFetch(roughness_buffer, pixel, 0).r;
 }
 

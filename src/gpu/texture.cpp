@@ -3,10 +3,20 @@
 #include <algorithm>
 #include <bit>
 #include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
 #include <prelight/error.hpp>
 
 namespace prelight::gpu {
 namespace {
+
+VkFormat format_of(TextureEncoding encoding) {
+    switch (encoding) {
+    case TextureEncoding::srgb8: return VK_FORMAT_R8G8B8A8_SRGB;
+    case TextureEncoding::linear8: return VK_FORMAT_R8G8B8A8_UNORM;
+    case TextureEncoding::half: return VK_FORMAT_R16G16B16A16_SFLOAT;
+    }
+    return VK_FORMAT_UNDEFINED;
+}
 
 VkImageMemoryBarrier2 level_barrier(VkImage image, uint32_t level, VkImageLayout from, VkImageLayout to,
                                     VkAccessFlags2 source, VkAccessFlags2 target) {
@@ -37,7 +47,8 @@ VkOffset3D corner(uint32_t size_x, uint32_t size_y, uint32_t level) {
 
 } // namespace
 
-Texture::Texture(const Context& context, MemoryPool& pool, const TextureImage& image, bool srgb) {
+Texture::Texture(const Context& context, MemoryPool& pool, const TextureImage& image,
+                 TextureEncoding encoding) {
     const std::string name = image.name.empty() ? "texture" : image.name;
     const uint32_t limit = context.limits().maxImageDimension2D;
     if (image.width > limit || image.height > limit)
@@ -46,7 +57,7 @@ Texture::Texture(const Context& context, MemoryPool& pool, const TextureImage& i
     const uint32_t levels = static_cast<uint32_t>(std::bit_width(std::max(image.width, image.height)));
     VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
     info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
+    info.format = format_of(encoding);
     info.extent = {image.width, image.height, 1};
     info.mipLevels = levels;
     info.arrayLayers = 1;
@@ -71,13 +82,19 @@ Texture::Texture(const Context& context, MemoryPool& pool, const TextureImage& i
     check(vkCreateImageView(context.device(), &view, nullptr, &view_handle), name);
     view_ = {context.device(), view_handle};
     context.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(view_handle), name);
-    fill(context, image, levels);
+    fill(context, image, encoding, levels);
 }
 
-void Texture::fill(const Context& context, const TextureImage& image, uint32_t levels) const {
-    Buffer staging(context, "texture staging", image.rgba.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                   BufferPlace::upload);
-    std::copy(image.rgba.begin(), image.rgba.end(), staging.mapped<uint8_t>());
+void Texture::fill(const Context& context, const TextureImage& image, TextureEncoding encoding,
+                   uint32_t levels) const {
+    const bool half = encoding == TextureEncoding::half;
+    Buffer staging(context, "texture staging", image.rgba.size() * (half ? 2 : 1),
+                   VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::upload);
+    if (half)
+        std::transform(image.rgba.begin(), image.rgba.end(), staging.mapped<uint16_t>(),
+                       [](uint8_t v) { return glm::packHalf1x16(static_cast<float>(v) / 255.0f); });
+    else
+        std::copy(image.rgba.begin(), image.rgba.end(), staging.mapped<uint8_t>());
     context.run("upload texture " + image.name, [&](VkCommandBuffer commands) {
         constexpr auto write = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
         constexpr auto read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;

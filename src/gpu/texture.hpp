@@ -4,16 +4,23 @@
 
 namespace prelight::gpu {
 
-/// A sampled RGBA8 picture with its full chain of mip maps.
+enum class TextureEncoding {
+    srgb8,  ///< colours
+    linear8,
+    half,   ///< linear values as half floats: lavapipe filters 8-bit linear textures in 8-bit fixed
+            ///< point, too coarse for normals that are compared with the reference
+};
+
+/// A sampled RGBA picture with its full chain of mip maps.
 class Texture {
 public:
-    /// Uploads `image` and makes its mip maps by averaging (linear filtering in linear light when
-    /// `srgb`). Throws Error naming the image when it exceeds the device's limit.
-    Texture(const Context& context, MemoryPool& pool, const TextureImage& image, bool srgb);
+    /// Uploads `image` and makes its mip maps by averaging (in linear light when sRGB).
+    /// Throws Error naming the image when it exceeds the device's limit.
+    Texture(const Context& context, MemoryPool& pool, const TextureImage& image, TextureEncoding encoding);
     VkImageView view() const { return view_; }
 
 private:
-    void fill(const Context& context, const TextureImage& image, uint32_t levels) const;
+    void fill(const Context& context, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const;
     UniqueImage image_;
     UniqueImageView view_;
 };

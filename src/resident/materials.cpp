@@ -53,7 +53,10 @@ private:
             return found->second;
         static const TextureImage white{"white", 1, 1, {255, 255, 255, 255}};
         const TextureImage& source = image == no_image ? white : scene_.images[image];
-        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, source, srgb)).first->second;
+        const auto encoding = srgb                                      ? gpu::TextureEncoding::srgb8
+                              : filter_ == gpu::TextureFilter::bilinear ? gpu::TextureEncoding::half
+                                                                        : gpu::TextureEncoding::linear8;
+        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, source, encoding)).first->second;
     }
     VkSampler find_sampler(const Sampler& sampler) {
         for (size_t i = 0; i < known_.size(); ++i)

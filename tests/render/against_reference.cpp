@@ -1,0 +1,107 @@
+#include "against_reference.hpp"
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+namespace prelight {
+namespace {
+
+RenderOptions options_of(const Shot& shot) {
+    RenderOptions options;
+    options.width = shot.width;
+    options.height = shot.height;
+    options.exposure = shot.exposure;
+    options.shading = shot.shading;
+    options.settings = shot.settings;
+    options.settings["texture-filter"] = "bilinear";
+    return options;
+}
+
+bool is(const Shot& shot, const char* key, const char* value) {
+    const auto found = shot.settings.find(key);
+    return found != shot.settings.end() && found->second == value;
+}
+
+} // namespace
+
+Device& test_device() {
+    // Ends before the process does: the layer's own statics must still be there.
+    struct Holder : testing::Environment {
+        std::unique_ptr<Device> device = Device::create({.select = "cpu", .validate = true});
+        void TearDown() override { device.reset(); }
+    };
+    static auto* holder = static_cast<Holder*>(testing::AddGlobalTestEnvironment(new Holder));
+    return *holder->device;
+}
+
+std::unique_ptr<Device> swiftshader_device() {
+    const char* icd = "/usr/lib/chromium/vk_swiftshader_icd.json";
+    if (!std::filesystem::exists(icd))
+        return nullptr;
+    setenv("VK_DRIVER_FILES", icd, 1);
+    std::unique_ptr<Device> device = Device::create({.select = "auto", .validate = true});
+    unsetenv("VK_DRIVER_FILES");
+    return device;
+}
+
+ReferenceForm form_of(const Shot& shot) {
+    using Fresnel = ReferenceForm::Fresnel;
+    const bool packed = is(shot, "light-buffer", "packed-rgba16f") || is(shot, "light-buffer", "packed-rgba8");
+    ReferenceForm form;
+    form.shading = shot.shading;
+    form.fresnel = packed ? Fresnel::mono : is(shot, "model", "nv") ? Fresnel::nv : Fresnel::weighted;
+    form.mono_specular = packed;
+    form.gate_by_step = is(shot, "specular-gate", "step");
+    form.reflection_vector = is(shot, "specular-vector", "reflection");
+    form.ambient_as_light = is(shot, "ambient", "light");
+    return form;
+}
+
+Image render_linear(Device& device, const Shot& shot) {
+    const auto renderer = create_renderer("light-prepass", &device, options_of(shot));
+    renderer->set_world(*shot.world);
+    renderer->render(shot.camera);
+    return renderer->read("linear");
+}
+
+Comparison against_reference(Device& device, const Shot& shot) {
+    const Image picture = render_linear(device, shot);
+    const ReferencePicture reference =
+        render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form_of(shot));
+    if (const char* folder = std::getenv("PRELIGHT_TEST_PICTURES")) {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        std::string name = std::string(info->test_suite_name()) + "." + info->name();
+        std::replace(name.begin(), name.end(), '/', '-');
+        const auto base = std::filesystem::path(folder) / name;
+        save_png(tonemap(picture, Tonemap::none), base.string() + ".png");
+        save_png(tonemap(reference.linear, Tonemap::none), base.string() + ".reference.png");
+        Image difference(picture.width, picture.height);
+        const std::vector<uint8_t> out = reference.left_out();
+        for (size_t i = 0; i < difference.pixels.size(); ++i)
+            difference.pixels[i] = out[i] ? glm::vec3(0, 0, 0.3f)
+                                          : glm::abs(picture.pixels[i] - reference.linear.pixels[i]) * 20.0f;
+        save_png(difference, base.string() + ".difference.png");
+    }
+    return compare(picture, reference.linear, reference.left_out());
+}
+
+void expect_validation_clean(Device& device) {
+    static std::map<const Device*, size_t> seen;
+    const std::vector<std::string> messages = device.validation_messages();
+    for (size_t i = seen[&device]; i < messages.size(); ++i)
+        ADD_FAILURE() << "validation: " << messages[i];
+    seen[&device] = messages.size();
+}
+
+void expect_agrees(const Shot& shot, const Bound& bound) {
+    const Comparison c = against_reference(test_device(), shot);
+    EXPECT_GE(c.psnr, bound.psnr);
+    EXPECT_LE(c.off_share, bound.off_share);
+    EXPECT_LE(c.block, bound.block) << "at pixel " << c.block_x << ", " << c.block_y;
+    EXPECT_LE(c.left_out_share, bound.left_out);
+    expect_validation_clean(test_device());
+    std::printf("    %.1f dB, %.3f %% off, block %.2f/255, FLIP %.4f, %.1f %% left out\n", c.psnr,
+                c.off_share * 100, c.block, c.flip, c.left_out_share * 100);
+}
+
+} // namespace prelight

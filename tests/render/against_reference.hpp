@@ -1,0 +1,49 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <map>
+#include <prelight/device.hpp>
+#include <prelight/metrics.hpp>
+#include <prelight/reference.hpp>
+#include <prelight/renderer.hpp>
+#include <string>
+
+namespace prelight {
+
+/// One picture of the light pre-pass and the reference that it is judged against.
+struct Shot {
+    const World* world = nullptr;
+    PlacedCamera camera;
+    uint32_t width = 320, height = 180;
+    double exposure = 0;
+    Shading shading = Shading::ggx;
+    std::map<std::string, std::string> settings;
+};
+
+/// Bounds of docs/measuring.md for a picture against the reference of its own form of the model.
+struct Bound {
+    double psnr = 55;         ///< dB
+    double off_share = 0.001; ///< pixels off by more than 2/255
+    double block = 1;         ///< 16×16 block means, in 1/255
+    double left_out = 0.1;
+};
+inline constexpr Bound half_float_bound{};
+/// Blended with scale 2, at most 4 lights on a pixel.
+inline constexpr Bound rgba8_bound{.psnr = 40, .off_share = 1, .block = 255};
+
+/// The device of all tests in this process, with core and synchronization validation.
+Device& test_device();
+/// A second device on another driver's ICD file, e.g. SwiftShader's; null when it is not installed.
+std::unique_ptr<Device> swiftshader_device();
+
+/// The reference's form that belongs to the settings of a shot.
+ReferenceForm form_of(const Shot& shot);
+Image render_linear(Device& device, const Shot& shot);
+/// Renders both and compares; texture filtering is bilinear on level 0 in both.
+Comparison against_reference(Device& device, const Shot& shot);
+/// EXPECTs the bound, printing the figures; no validation message may have come.
+void expect_agrees(const Shot& shot, const Bound& bound = half_float_bound);
+
+/// Fails the test when the device's validation has said anything since the last call.
+void expect_validation_clean(Device& device);
+
+} // namespace prelight

@@ -1,0 +1,70 @@
+// [L1] [L2] [L3] [L4]: every way to store normals, depth and light, against the reference.
+#include "garden.hpp"
+
+namespace prelight {
+namespace {
+
+using Format = std::tuple<const char*, const char*, const char*, const char*>;
+class SurfaceFormats : public testing::TestWithParam<Format> {};
+
+TEST_P(SurfaceFormats, AgreeWithTheReference) {
+    Garden garden;
+    garden.add_lights(12, 4, 6);
+    Shot shot = garden.shot();
+    const auto& [normals, space, depth, position] = GetParam();
+    shot.settings = {{"normals", normals}, {"normal-space", space}, {"depth", depth}, {"position", position}};
+    expect_agrees(shot);
+}
+INSTANTIATE_TEST_SUITE_P(L1L2L3, SurfaceFormats,
+                         testing::Combine(testing::Values("oct24", "oct32", "rgb10a2"),
+                                          testing::Values("world", "view"),
+                                          testing::Values("attachment", "r32f"),
+                                          testing::Values("ray", "matrix")));
+
+/// At most four lights on a pixel, and no light above what the buffer stores.
+struct FewLights : Garden {
+    FewLights() {
+        for (int i = 0; i < 4; ++i)
+            add_light(point(9, 6), {2.6 * i - 3.9, 4.5, 1.0 + 0.3 * i});
+    }
+};
+
+TEST(LightBuffers, PackedRgba8BlendedWithScale2) {
+    FewLights garden;
+    Shot shot = garden.shot();
+    shot.settings = {{"light-buffer", "packed-rgba8"}, {"light-scale", "2"}};
+    shot.exposure = 0.7;
+    for (const Shading shading : {Shading::ggx, Shading::phong}) {
+        shot.shading = shading;
+        expect_agrees(shot, rgba8_bound);
+    }
+}
+
+TEST(LightBuffers, PackedRgba8ClipsWhatItsScaleDoesNotHold) {
+    FewLights garden;
+    Shot shot = garden.shot();
+    shot.settings = {{"light-buffer", "packed-rgba8"}, {"light-scale", "0.1"}};
+    shot.exposure = 0.7;
+    EXPECT_LT(against_reference(test_device(), shot).psnr, rgba8_bound.psnr);
+}
+
+TEST(LightBuffers, NeverHoldInfinity) {
+    Garden garden;
+    garden.add_light(garden.point(50, 1e6f), {0, 2.05, 0.8});
+    for (int i = 0; i < 40; ++i)
+        garden.add_light(garden.point(50, 1e5f), {0.01 * i, 3, 0});
+    for (const float pixel : {0.0f, 12.0f}) {
+        Shot shot = garden.shot();
+        shot.exposure = pixel;
+        const Image picture = render_linear(test_device(), shot);
+        for (const glm::vec3& value : picture.pixels)
+            for (int c = 0; c < 3; ++c) {
+                ASSERT_TRUE(std::isfinite(value[c]));
+                ASSERT_LE(value[c], 65504.0f);
+            }
+    }
+    expect_validation_clean(test_device());
+}
+
+} // namespace
+} // namespace prelight

@@ -1,0 +1,25 @@
+#pragma once
+#include "against_reference.hpp"
+#include <reference/worlds.hpp>
+
+namespace prelight {
+
+/// A floor of 12 × 12 m with five spheres of different material on it, seen from above its near
+/// edge: enough curvature, overlap and horizon for every test of lights and formats.
+struct Garden : TestWorld {
+    Garden();
+    /// `origin` moves everything, camera included.
+    explicit Garden(glm::dvec3 origin);
+    PlacedCamera camera;
+    Light point(float range, float intensity, glm::vec3 colour = {1, 0.9f, 0.8f}) const;
+    Light spot(float outer, float range, float intensity) const;
+    /// `count` lights over the floor, hues in turn, each with this range.
+    void add_lights(uint32_t count, float range, float intensity);
+    Shot shot() const { return {.world = &world, .camera = camera}; }
+    glm::dvec3 at(double x, double y, double z) const { return origin_ + glm::dvec3(x, y, z); }
+
+private:
+    glm::dvec3 origin_{0};
+};
+
+} // namespace prelight

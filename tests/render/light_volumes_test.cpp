@@ -1,0 +1,140 @@
+// [V1] [V3] [V5]: volumes find every pixel of their light once, wherever the camera is.
+#include "garden.hpp"
+#include <passes/volume_meshes.hpp>
+
+namespace prelight {
+namespace {
+
+constexpr float degrees = 3.14159265f / 180;
+
+struct Placement {
+    const char* name;
+    double distance; ///< of the light from the camera, in ranges
+};
+
+struct VolumeCase {
+    const char* name;
+    Light light;
+    glm::dvec3 direction{0, -1, -0.3};
+};
+void PrintTo(const VolumeCase& c, std::ostream* out) { *out << c.name; }
+
+std::vector<VolumeCase> cases() {
+    const Garden g;
+    return {{"point", g.point(4, 12)},
+            {"narrow_spot", g.spot(15 * degrees, 6, 60)},
+            {"wide_spot", g.spot(60 * degrees, 4, 20)},
+            {"spot_of_79_degrees", g.spot(79 * degrees, 4, 16)},
+            {"spot_of_85_degrees", g.spot(85 * degrees, 4, 16)},
+            {"spot_seen_from_behind", g.spot(30 * degrees, 6, 40), {0, -0.5, -1}},
+            {"spot_towards_the_camera", g.spot(40 * degrees, 6, 40), {0, 0.3, 1}}};
+}
+
+class Volumes : public testing::TestWithParam<VolumeCase> {};
+
+/// The same light drawn by its volume and by a full-screen triangle: the same picture, and exactly
+/// the same count of pixels that it lights.
+void expect_same_as_fullscreen(Garden& garden, const PlacedCamera& camera, const std::string& where) {
+    Image pictures[2];
+    uint64_t contributing[2], evaluated[2];
+    for (const int full : {0, 1}) {
+        RenderOptions options;
+        options.width = 320;
+        options.height = 180;
+        options.count_pairs = true;
+        options.settings = {{"light-culling", full ? "fullscreen" : "volumes"}};
+        const auto renderer = create_renderer("light-prepass", &test_device(), options);
+        renderer->set_world(garden.world);
+        renderer->render(camera);
+        pictures[full] = renderer->read("linear");
+        contributing[full] = renderer->stats().pairs_contributing;
+        evaluated[full] = renderer->stats().pairs_evaluated;
+    }
+    EXPECT_EQ(contributing[0], contributing[1]) << where;
+    EXPECT_LE(evaluated[0], evaluated[1]) << where;
+    // Lights seen from inside are drawn after those seen from outside, and half floats round by order.
+    const Comparison same = compare(pictures[0], pictures[1]);
+    EXPECT_GE(same.psnr, 70) << where;
+    EXPECT_LE(same.block, 0.25) << where;
+}
+
+TEST_P(Volumes, FindTheirPixelsOnceFromOutsideInsideAndCutByTheNearPlane) {
+    const VolumeCase& c = GetParam();
+    for (const double share : {2.5, 1.05, 1.0, 0.95, 0.5, 0.05}) {
+        Garden garden;
+        garden.camera.camera.znear = 0.25; // a large near rectangle, so that volumes are really cut
+        const glm::dvec3 forward = -garden.camera.axes[2];
+        const double distance = share * c.light.range;
+        garden.add_light(c.light, garden.camera.position + forward * distance, c.direction);
+        expect_same_as_fullscreen(garden, garden.camera, "light at " + std::to_string(share) + " ranges");
+    }
+    expect_validation_clean(test_device());
+}
+
+TEST_P(Volumes, AgreeWithTheReferenceFromInside) {
+    Garden garden;
+    Light light = GetParam().light;
+    light.range *= 3; // reaches floor and camera at once
+    light.intensity *= 2;
+    garden.add_light(light, garden.at(0.5, 3.8, 6.5), GetParam().direction);
+    expect_agrees(garden.shot());
+}
+INSTANTIATE_TEST_SUITE_P(V3, Volumes, testing::ValuesIn(cases()),
+                         [](const auto& form) { return std::string(form.param.name); });
+
+TEST(VolumeCulling, ManyLightsLightTheSamePixelsAsFullScreen) {
+    Garden garden;
+    garden.add_lights(64, 1.5f, 3);
+    expect_same_as_fullscreen(garden, garden.camera, "64 lights");
+    Garden orthographic;
+    orthographic.add_lights(64, 1.5f, 3);
+    orthographic.camera.camera.kind = ProjectionKind::orthographic;
+    orthographic.camera.camera.ymag = 2;
+    orthographic.camera.camera.znear = 7; // cuts through the garden
+    orthographic.camera.camera.zfar = 11;
+    expect_same_as_fullscreen(orthographic, orthographic.camera, "orthographic");
+    Garden finite;
+    finite.add_lights(64, 3, 3);
+    finite.camera.camera.zfar = 11; // volumes reach past the far plane
+    expect_same_as_fullscreen(finite, finite.camera, "finite far plane");
+}
+
+TEST(VolumeCulling, LightsOffScreenOrDarkCostNothing) { // [L8]
+    Garden garden;
+    garden.add_light(garden.point(3, 10), {0, 2, 60});
+    garden.add_light(garden.point(3, 0), {0, 2, 0});
+    garden.add_light(garden.point(3, 10, {0, 0, 0}), {0, 2, 0});
+    RenderOptions options;
+    options.width = 64;
+    options.height = 36;
+    options.count_pairs = true;
+    const auto renderer = create_renderer("light-prepass", &test_device(), options);
+    renderer->set_world(garden.world);
+    renderer->render(garden.camera);
+    EXPECT_EQ(renderer->stats().pairs_evaluated, 0u);
+    garden.add_light(garden.point(3, 10), {0, 2, 0});
+    renderer->set_world(garden.world);
+    renderer->render(garden.camera);
+    EXPECT_GT(renderer->stats().pairs_contributing, 0u);
+}
+
+/// Distance from the origin to the nearest triangle's plane, outward positive.
+double nearest_plane(const std::vector<glm::vec3>& points, const std::vector<uint32_t>& indices) {
+    double nearest = 1e9;
+    for (size_t i = 0; i < indices.size(); i += 3) {
+        const glm::dvec3 a = points[indices[i]], b = points[indices[i + 1]], c = points[indices[i + 2]];
+        nearest = std::min(nearest, glm::dot(glm::normalize(glm::cross(b - a, c - a)), a));
+    }
+    return nearest;
+}
+
+TEST(VolumeMeshes, SphereCircumscribesTheUnitSphere) {
+    const passes::VolumeMesh mesh = passes::sphere_volume();
+    EXPECT_EQ(mesh.indices.size(), 80u * 3);
+    EXPECT_GE(nearest_plane(mesh.points, mesh.indices), 1 - 1e-6);
+    for (const glm::vec3& p : mesh.points)
+        EXPECT_LT(glm::length(p), 1.1f); // resident::volume_slack
+}
+
+} // namespace
+} // namespace prelight
