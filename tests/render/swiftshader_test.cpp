@@ -1,0 +1,40 @@
+// A smoke of the same pictures on a second driver.
+#include "garden.hpp"
+
+namespace prelight {
+namespace {
+
+class SwiftShader : public testing::Test {
+protected:
+    void SetUp() override {
+        device_ = swiftshader_device();
+        if (!device_)
+            GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
+    }
+    std::unique_ptr<Device> device_;
+};
+
+TEST_F(SwiftShader, EveryLightBufferAndEncodingAgreesWithTheReference) {
+    Garden garden;
+    garden.add_lights(6, 4, 6);
+    garden.add_light(garden.spot(0.6f, 8, 30), {1, 4, 2}, {0, -1, -0.2});
+    garden.add_light({.kind = LightKind::directional, .intensity = 0.4f}, {0, 0, 0}, {-0.3, -1, -0.5});
+    const std::map<std::string, std::string> settings[] = {
+        {},
+        {{"light-buffer", "packed-rgba16f"}, {"normals", "oct32"}, {"normal-space", "view"}},
+        {{"normals", "rgb10a2"}, {"depth", "r32f"}, {"position", "matrix"}, {"model", "nv"}}};
+    for (const auto& set : settings) {
+        Shot shot = garden.shot();
+        shot.width = 160;
+        shot.height = 90;
+        shot.settings = set;
+        const Comparison c = against_reference(*device_, shot);
+        EXPECT_GE(c.psnr, half_float_bound.psnr);
+        EXPECT_LE(c.off_share, half_float_bound.off_share);
+        EXPECT_LE(c.block, half_float_bound.block);
+        expect_validation_clean(*device_);
+    }
+}
+
+} // namespace
+} // namespace prelight
