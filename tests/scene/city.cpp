@@ -258,27 +258,21 @@ TEST(City, MaterialsReferToPicturesAndPrimitivesCarryWhatTheyNeed) {
     EXPECT_EQ(std::count(used.begin(), used.end(), false), 0);
 }
 
-/// Largest and mean difference of the texels on both sides of a vertical line, or of a horizontal one.
-struct Step {
-    double mean = 0;
-    int largest = 0;
-};
-Step step_across(const TextureImage& image, uint32_t line, bool vertical) {
-    const uint32_t width = vertical ? image.width : image.height;
+/// Mean difference of the texels on both sides of a line between columns (or rows) of a picture that
+/// repeats; line 0 is its edge.
+double step_across(const TextureImage& image, uint32_t line, bool vertical) {
+    const uint32_t across = vertical ? image.width : image.height;
     const uint32_t along = vertical ? image.height : image.width;
-    Step step;
+    double sum = 0;
     for (uint32_t i = 0; i < along; ++i)
         for (uint32_t channel = 0; channel < 4; ++channel) {
             const auto at = [&](uint32_t k) {
                 const size_t x = vertical ? k : i, y = vertical ? i : k;
                 return int{image.rgba[4 * (y * image.width + x) + channel]};
             };
-            const int d = std::abs(at(line % width) - at((line + width - 1) % width));
-            step.mean += d;
-            step.largest = std::max(step.largest, d);
+            sum += std::abs(at(line) - at((line + across - 1) % across));
         }
-    step.mean /= along;
-    return step;
+    return sum / along;
 }
 
 TEST(City, PicturesThatRepeatAreContinuousOverTheirEdges) {
@@ -294,13 +288,16 @@ TEST(City, PicturesThatRepeatAreContinuousOverTheirEdges) {
             continue;
         ++checked;
         for (const bool vertical : {true, false}) {
-            // The step over the edge is one like those inside. Joints between bricks and slabs lie on
-            // lines of the picture too: the largest of a period's steps is the measure.
-            double inside = 0;
+            // The edge runs through the middle of joints and bricks, where colours change little: its
+            // step is like most inside. In a normal map a joint's two slopes meet there, as they do
+            // on every joint: the largest step inside is the measure.
+            std::vector<double> inside;
             for (uint32_t line = 1; line < image.width; ++line)
-                inside = std::max(inside, step_across(image, line, vertical).mean);
-            const Step edge = step_across(image, 0, vertical);
-            EXPECT_LE(edge.mean, 1.1 * inside + 0.5) << image.name << (vertical ? " u" : " v");
+                inside.push_back(step_across(image, line, vertical));
+            std::sort(inside.begin(), inside.end());
+            const bool slopes = image.name.ends_with("normal");
+            const double bound = slopes ? 1.1 * inside.back() : 1.5 * inside[inside.size() / 2] + 0.5;
+            EXPECT_LE(step_across(image, 0, vertical), bound) << image.name << (vertical ? " u" : " v");
         }
     }
     EXPECT_EQ(checked, 11);

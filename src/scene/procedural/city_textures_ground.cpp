@@ -105,14 +105,14 @@ void add_ground_pictures(std::vector<TextureImage>& images) {
     images.push_back(paint("paving colour", paving_side, paving_side, [&](glm::vec2 uv) {
         const Slab& s = slabs[i++];
         const float stain = stains(uv);
-        const float v = (0.13f + 0.07f * s.tone + 0.10f * (stain - 0.5f)) * (1 - 0.6f * s.joint) *
-                        (1 - 0.35f * s.water);
+        const float stone = 0.13f + 0.07f * s.tone + 0.10f * (stain - 0.5f);
+        const float v = std::lerp(stone * (1 - 0.35f * s.water), 0.05f, s.joint);
         return glm::vec4(v, v * 0.97f, v * 0.92f, 1);
     }, true));
     i = 0;
     images.push_back(paint("paving surface", paving_side, paving_side, [&](glm::vec2) {
         const Slab& s = slabs[i++];
-        return glm::vec4(1, std::lerp(0.46f + 0.1f * s.tone, 0.22f, s.water) + 0.2f * s.joint, 0, 1);
+        return glm::vec4(1, std::lerp(std::lerp(0.46f + 0.1f * s.tone, 0.22f, s.water), 0.7f, s.joint), 0, 1);
     }, false));
     images.push_back(normal_map("paving normal", slab_height, paving_side,
                                 tile_metres(Surface::paving)));
