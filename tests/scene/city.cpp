@@ -17,7 +17,8 @@ const Scene& city() {
 /// FNV-1a (Fowler, Noll, Vo) over the bytes of plain data.
 class Digest {
 public:
-    template <typename T> void add(const std::vector<T>& list) {
+    template <typename T>
+    void add(const std::vector<T>& list) {
         const auto* bytes = reinterpret_cast<const unsigned char*>(list.data());
         for (size_t i = 0; i < list.size() * sizeof(T); ++i)
             value = (value ^ bytes[i]) * 0x100000001b3u;
@@ -41,12 +42,13 @@ uint64_t digest(const Scene& scene) {
     for (const Node& node : scene.nodes)
         d.add(std::vector{node.local});
     for (const Light& light : scene.lights)
-        d.add(std::vector{light.colour.r, light.colour.g, light.colour.b, light.intensity, light.range,
-                          light.inner_cone, light.outer_cone});
+        d.add(std::vector{light.colour.r, light.colour.g, light.colour.b, light.intensity,
+                          light.range, light.inner_cone, light.outer_cone});
     return d.value;
 }
 
-template <typename Check> void for_each_primitive(const Scene& scene, Check check) {
+template <typename Check>
+void for_each_primitive(const Scene& scene, Check check) {
     for (const Mesh& mesh : scene.meshes)
         for (size_t i = 0; i < mesh.primitives.size(); ++i) {
             SCOPED_TRACE(mesh.name + " primitive " + std::to_string(i));
@@ -54,7 +56,8 @@ template <typename Check> void for_each_primitive(const Scene& scene, Check chec
         }
 }
 
-template <typename V> bool all_finite(const std::vector<V>& list) {
+template <typename V>
+bool all_finite(const std::vector<V>& list) {
     return std::all_of(list.begin(), list.end(), [](const V& v) {
         for (int i = 0; i < v.length(); ++i)
             if (!std::isfinite(v[i]))
@@ -69,10 +72,10 @@ struct Ref {
 };
 std::vector<Ref> textures(const Material& m) {
     std::vector<Ref> used;
-    for (const Ref& r : {Ref{"base colour", m.base_colour_texture},
-                         Ref{"metallic-roughness", m.metallic_roughness_texture},
-                         Ref{"normal", m.normal_texture}, Ref{"occlusion", m.occlusion_texture},
-                         Ref{"emissive", m.emissive_texture}})
+    for (const Ref& r :
+         {Ref{"base colour", m.base_colour_texture},
+          Ref{"metallic-roughness", m.metallic_roughness_texture}, Ref{"normal", m.normal_texture},
+          Ref{"occlusion", m.occlusion_texture}, Ref{"emissive", m.emissive_texture}})
         if (r.ref)
             used.push_back(r);
     return used;
@@ -143,7 +146,8 @@ TEST(City, ObjectsDoNotDependOnTheNumberOfLights) {
     ASSERT_EQ(few.meshes.size(), city().meshes.size());
     for (size_t i = 0; i < few.meshes.size(); ++i)
         for (size_t k = 0; k < few.meshes[i].primitives.size(); ++k)
-            EXPECT_EQ(few.meshes[i].primitives[k].positions, city().meshes[i].primitives[k].positions);
+            EXPECT_EQ(few.meshes[i].primitives[k].positions,
+                      city().meshes[i].primitives[k].positions);
 }
 
 TEST(City, HasTheSizeOfItsDescription) {
@@ -221,7 +225,8 @@ TEST(City, TangentsFollowTheTextureCoordinates) {
     for_each_primitive(city(), [&](const Primitive& p) {
         for (size_t i = 0; i < p.indices.size() && !p.tangents.empty(); i += 3) {
             const uint32_t a = p.indices[i], b = p.indices[i + 1], c = p.indices[i + 2];
-            const glm::dvec3 e1(p.positions[b] - p.positions[a]), e2(p.positions[c] - p.positions[a]);
+            const glm::dvec3 e1(p.positions[b] - p.positions[a]),
+                e2(p.positions[c] - p.positions[a]);
             const auto& uv = p.texcoords[0];
             const glm::dvec2 d1(uv[b] - uv[a]), d2(uv[c] - uv[a]);
             const double det = d1.x * d2.y - d2.x * d1.y;
@@ -230,8 +235,9 @@ TEST(City, TangentsFollowTheTextureCoordinates) {
             const glm::dvec3 along_v = (e2 * d1.x - e1 * d2.x) / det;
             const glm::dvec3 n(p.normals[a]), t(p.tangents[a]);
             ASSERT_GT(glm::dot(glm::normalize(along_u), t), 0.999);
-            ASSERT_GT(glm::dot(glm::normalize(-along_v), glm::cross(n, t) * double(p.tangents[a].w)),
-                      0.999);
+            ASSERT_GT(
+                glm::dot(glm::normalize(-along_v), glm::cross(n, t) * double(p.tangents[a].w)),
+                0.999);
             ++checked;
         }
     });
@@ -258,8 +264,8 @@ TEST(City, MaterialsReferToPicturesAndPrimitivesCarryWhatTheyNeed) {
     EXPECT_EQ(std::count(used.begin(), used.end(), false), 0);
 }
 
-/// Mean difference of the texels on both sides of a line between columns (or rows) of a picture that
-/// repeats; line 0 is its edge.
+/// Mean difference of the texels on both sides of a line between columns (or rows) of a picture
+/// that repeats; line 0 is its edge.
 double step_across(const TextureImage& image, uint32_t line, bool vertical) {
     const uint32_t across = vertical ? image.width : image.height;
     const uint32_t along = vertical ? image.height : image.width;
@@ -288,16 +294,18 @@ TEST(City, PicturesThatRepeatAreContinuousOverTheirEdges) {
             continue;
         ++checked;
         for (const bool vertical : {true, false}) {
-            // The edge runs through the middle of joints and bricks, where colours change little: its
-            // step is like most inside. In a normal map a joint's two slopes meet there, as they do
-            // on every joint: the largest step inside is the measure.
+            // The edge runs through the middle of joints and bricks, where colours change little:
+            // its step is like most inside. In a normal map a joint's two slopes meet there, as
+            // they do on every joint: the largest step inside is the measure.
             std::vector<double> inside;
             for (uint32_t line = 1; line < image.width; ++line)
                 inside.push_back(step_across(image, line, vertical));
             std::sort(inside.begin(), inside.end());
             const bool slopes = image.name.ends_with("normal");
-            const double bound = slopes ? 1.1 * inside.back() : 1.5 * inside[inside.size() / 2] + 0.5;
-            EXPECT_LE(step_across(image, 0, vertical), bound) << image.name << (vertical ? " u" : " v");
+            const double bound =
+                slopes ? 1.1 * inside.back() : 1.5 * inside[inside.size() / 2] + 0.5;
+            EXPECT_LE(step_across(image, 0, vertical), bound)
+                << image.name << (vertical ? " u" : " v");
         }
     }
     EXPECT_EQ(checked, 11);

@@ -8,8 +8,8 @@ namespace {
 enum Side : unsigned { east = 1, west = 2, south = 4, north = 8 }; // +x, −x, +z, −z
 
 struct House {
-    glm::vec2 low, high;  ///< x and z of the footprint
-    unsigned fronts;      ///< sides with a façade; the others are plain walls
+    glm::vec2 low, high; ///< x and z of the footprint
+    unsigned fronts;     ///< sides with a façade; the others are plain walls
     uint32_t floors;
 };
 
@@ -17,27 +17,37 @@ struct House {
 std::pair<Frame, float> side_frame(const House& h, Side side) {
     const float w = h.high.x - h.low.x, l = h.high.y - h.low.y, y = kerb_height;
     switch (side) {
-    case east: return {{{h.high.x, y, h.high.y}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}}, l};
-    case west: return {{{h.low.x, y, h.low.y}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, l};
-    case south: return {{{h.low.x, y, h.high.y}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, w};
-    default: return {{{h.high.x, y, h.low.y}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, w};
+    case east:
+        return {{{h.high.x, y, h.high.y}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}}, l};
+    case west:
+        return {{{h.low.x, y, h.low.y}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, l};
+    case south:
+        return {{{h.low.x, y, h.high.y}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, w};
+    default:
+        return {{{h.high.x, y, h.low.y}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, w};
     }
 }
 
 Facade choose_style(Plan& plan) {
-    static constexpr std::array<glm::vec3, 5> bricks{{{0.72f, 0.30f, 0.22f}, {0.85f, 0.62f, 0.40f},
-        {0.55f, 0.33f, 0.28f}, {0.62f, 0.56f, 0.52f}, {0.90f, 0.50f, 0.32f}}};
-    static constexpr std::array<glm::vec3, 5> plasters{{{0.52f, 0.46f, 0.36f}, {0.42f, 0.45f, 0.46f},
-        {0.50f, 0.36f, 0.30f}, {0.38f, 0.42f, 0.36f}, {0.55f, 0.52f, 0.48f}}};
+    static constexpr std::array<glm::vec3, 5> bricks{{{0.72f, 0.30f, 0.22f},
+                                                      {0.85f, 0.62f, 0.40f},
+                                                      {0.55f, 0.33f, 0.28f},
+                                                      {0.62f, 0.56f, 0.52f},
+                                                      {0.90f, 0.50f, 0.32f}}};
+    static constexpr std::array<glm::vec3, 5> plasters{{{0.52f, 0.46f, 0.36f},
+                                                        {0.42f, 0.45f, 0.46f},
+                                                        {0.50f, 0.36f, 0.30f},
+                                                        {0.38f, 0.42f, 0.36f},
+                                                        {0.55f, 0.52f, 0.48f}}};
     Facade f;
     f.style = static_cast<Style>(plan.scene.meshes.size() % 3); // neighbours differ
     const uint32_t pick = plan.random.below(5);
     f.wall = f.style == Style::brick ? Surface::brick : Surface::plaster;
-    f.wall_tint = f.style == Style::brick ? bricks[pick] : plasters[pick];
+    f.wall_tint = f.style == Style::brick ? bricks[pick] : 0.82f * plasters[pick];
     if (f.style == Style::modern)
         f.wall_tint = f.wall_tint * 0.75f;
-    f.trim_tint = f.style == Style::stucco ? glm::vec3(0.55f, 0.52f, 0.46f)
-                                           : glm::vec3(0.40f, 0.38f, 0.35f);
+    f.trim_tint =
+        f.style == Style::stucco ? glm::vec3(0.45f, 0.425f, 0.38f) : glm::vec3(0.40f, 0.38f, 0.35f);
     f.frame_tint = f.style == Style::modern ? glm::vec3(0.04f) : glm::vec3(0.5f, 0.48f, 0.44f);
     return f;
 }
@@ -63,7 +73,8 @@ void roof(Plan& plan, MeshBuilder& b, const House& h, const Facade& f, float hei
             b.box({x, y, -parapet}, {x + 0.7f, y + 1.5f, tall}, on_roof);
             b.use(Surface::trim, glm::vec3(0.3f));
             for (const float at : {0.3f, 0.75f, 1.2f})
-                b.cone({x + 0.35f, y + at, tall}, {x + 0.35f, y + at, tall + 0.45f}, 0.13f, 0.10f, 10);
+                b.cone({x + 0.35f, y + at, tall}, {x + 0.35f, y + at, tall + 0.45f}, 0.13f, 0.10f,
+                       10);
         } else {
             b.use(Surface::grating);
             b.box({x, y, -parapet}, {x + 1.1f, y + 1.6f, tall - 0.6f}, on_roof);
@@ -114,8 +125,10 @@ void main_row(Plan& plan, float sign, float z0, float z1) {
     const std::vector<float> cuts = lots(plan, z0, z1);
     for (size_t i = 0; i + 1 < cuts.size(); ++i) {
         const float x0 = sign * house_line, x1 = sign * (house_line + lot_depth);
-        House h{{std::min(x0, x1), cuts[i]}, {std::max(x0, x1), cuts[i + 1]},
-                sign < 0 ? unsigned{east} : unsigned{west}, 3 + plan.random.below(3)};
+        House h{{std::min(x0, x1), cuts[i]},
+                {std::max(x0, x1), cuts[i + 1]},
+                sign < 0 ? unsigned{east} : unsigned{west},
+                3 + plan.random.below(3)};
         if (cuts[i] == cross_z + cross_line)
             h.fronts |= north;
         if (cuts[i + 1] == cross_z - cross_line)
@@ -129,8 +142,10 @@ void cross_row(Plan& plan, float sign, float x0, float x1) {
     const std::vector<float> cuts = lots(plan, x0, x1);
     for (size_t i = 0; i + 1 < cuts.size(); ++i) {
         const float z0 = cross_z + sign * cross_line, z1 = z0 + sign * lot_depth;
-        build_house(plan, {{cuts[i], std::min(z0, z1)}, {cuts[i + 1], std::max(z0, z1)},
-                           sign > 0 ? unsigned{north} : unsigned{south}, 3 + plan.random.below(3)});
+        build_house(plan, {{cuts[i], std::min(z0, z1)},
+                           {cuts[i + 1], std::max(z0, z1)},
+                           sign > 0 ? unsigned{north} : unsigned{south},
+                           3 + plan.random.below(3)});
     }
 }
 
@@ -145,8 +160,10 @@ void add_buildings(Plan& plan) {
         cross_row(plan, sign, -cross_end, -inner);
         // The cross street's ends.
         const float x0 = sign * cross_end, x1 = sign * (cross_end + lot_depth);
-        build_house(plan, {{std::min(x0, x1), cross_z - 12}, {std::max(x0, x1), cross_z + 12},
-                           sign > 0 ? unsigned{west} : unsigned{east}, 4});
+        build_house(plan, {{std::min(x0, x1), cross_z - 12},
+                           {std::max(x0, x1), cross_z + 12},
+                           sign > 0 ? unsigned{west} : unsigned{east},
+                           4});
     }
     // What closes the view: a taller house in the street's axis, and one behind the camera.
     build_house(plan, {{-inner, street_far - lot_depth}, {-6.5f, street_far}, south, 4});

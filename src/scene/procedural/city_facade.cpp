@@ -10,9 +10,12 @@ struct Openings {
 
 Openings openings(const Facade& f) {
     switch (f.style) {
-    case Style::brick: return {1.15f, 1.85f, 0.75f, static_cast<uint32_t>(f.width / 2.35f)};
-    case Style::stucco: return {1.2f, 2.15f, 0.55f, static_cast<uint32_t>(f.width / 2.6f)};
-    case Style::modern: return {2.3f, 1.75f, 0.85f, static_cast<uint32_t>(f.width / 3.1f)};
+    case Style::brick:
+        return {1.15f, 1.85f, 0.75f, static_cast<uint32_t>(f.width / 2.35f)};
+    case Style::stucco:
+        return {1.2f, 2.15f, 0.55f, static_cast<uint32_t>(f.width / 2.6f)};
+    case Style::modern:
+        return {2.3f, 1.75f, 0.85f, static_cast<uint32_t>(f.width / 3.1f)};
     }
     return {};
 }
@@ -61,10 +64,10 @@ void wall_grid(MeshBuilder& b, const std::vector<float>& s, const std::vector<fl
 
 void reveal(MeshBuilder& b, glm::vec2 low, glm::vec2 high, float depth) {
     const float w = high.x - low.x, h = high.y - low.y;
-    b.quad({low.x, low.y, 0}, {0, 0, -depth}, {0, h, 0});        // faces right
-    b.quad({high.x, low.y, -depth}, {0, 0, depth}, {0, h, 0});   // faces left
-    b.quad({low.x, high.y, -depth}, {w, 0, 0}, {0, 0, depth});   // faces down
-    b.quad({low.x, low.y, 0}, {w, 0, 0}, {0, 0, -depth});        // faces up
+    b.quad({low.x, low.y, 0}, {0, 0, -depth}, {0, h, 0});      // faces right
+    b.quad({high.x, low.y, -depth}, {0, 0, depth}, {0, h, 0}); // faces left
+    b.quad({low.x, high.y, -depth}, {w, 0, 0}, {0, 0, depth}); // faces down
+    b.quad({low.x, low.y, 0}, {w, 0, 0}, {0, 0, -depth});      // faces up
 }
 
 void build_facade(Plan& plan, MeshBuilder& b, const Facade& f) {

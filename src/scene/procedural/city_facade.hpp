@@ -8,11 +8,11 @@ enum class Style { brick, stucco, modern };
 /// One front of a house. Lengths in metres.
 struct Facade {
     float width = 10;
-    uint32_t floors = 5;       ///< upper floors, above the ground floor
+    uint32_t floors = 5; ///< upper floors, above the ground floor
     Style style = Style::brick;
     Surface wall = Surface::brick;
     glm::vec3 wall_tint{1}, trim_tint{1}, frame_tint{1};
-    bool cap_left = true;      ///< cornices run around the corner at this end
+    bool cap_left = true; ///< cornices run around the corner at this end
     bool cap_right = true;
     bool shops = true;
 };
@@ -29,7 +29,7 @@ void build_facade(Plan& plan, MeshBuilder& b, const Facade& f);
 // Parts, one file each.
 void build_ground_floor(Plan& plan, MeshBuilder& b, const Facade& f); // city_shops.cpp
 void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high,
-                  bool balcony);                                       // city_windows.cpp
+                  bool balcony); // city_windows.cpp
 
 /// Quads of a wall at d = 0 between the grid lines, with holes: no vertex lies on another's edge.
 void wall_grid(MeshBuilder& b, const std::vector<float>& s, const std::vector<float>& y,

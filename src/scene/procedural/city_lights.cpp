@@ -37,15 +37,15 @@ std::vector<uint32_t> shuffled(size_t count, Random& random) {
     return order;
 }
 
-/// Small lights: their range falls with the root of their number, so that the sum of their areas, and
-/// with it the number of lights on a point, stays the same; their intensity falls with the range
-/// squared, so that each looks as bright in the middle of its smaller circle.
+/// Small lights: their range falls with the root of their number, so that the sum of their areas,
+/// and with it the number of lights on a point, stays the same; their intensity falls with the
+/// range squared, so that each looks as bright in the middle of its smaller circle.
 struct Small {
     float range, intensity;
     Small(size_t count, double area) {
         constexpr double overlap = 7, widest = 3; // lights on a point; metres
-        range = static_cast<float>(
-            std::min(widest, std::sqrt(overlap * area / (std::numbers::pi * static_cast<double>(count)))));
+        range = static_cast<float>(std::min(
+            widest, std::sqrt(overlap * area / (std::numbers::pi * static_cast<double>(count)))));
         intensity = 0.11f * range * range;
     }
 };
@@ -59,9 +59,11 @@ Site on_sheet(Plan& plan, const std::vector<double>& area_sums, const Small& sma
     const float d = small.range * plan.uniform(0.25f, 0.6f);
     // Broad fields of colour drift over the fronts.
     const glm::vec3 at = sheet.frame.point({s, y, d});
-    const double hue = 0.08 + 0.10 * std::sin(0.11 * at.z + 0.21 * at.y) + (plan.chance(0.25) ? plan.random.unit() : 0);
+    const double hue = 0.08 + 0.10 * std::sin(0.11 * at.z + 0.21 * at.y) +
+                       (plan.chance(0.25) ? plan.random.unit() : 0);
     return {.light = {.colour = hue_colour(hue, plan.random.uniform(0.35, 0.85)),
-                      .intensity = small.intensity, .range = small.range},
+                      .intensity = small.intensity,
+                      .range = small.range},
             .position = at};
 }
 
@@ -86,7 +88,8 @@ std::vector<Site> small_lights(Plan& plan, size_t count) {
     const std::vector<uint32_t> order = shuffled(plan.bulbs.size(), plan.random);
     for (size_t i = 0; i < hung; ++i) {
         const Bulb& bulb = plan.bulbs[order[i]];
-        sites.push_back({.light = {.colour = bulb.colour, .intensity = bulb_light.intensity,
+        sites.push_back({.light = {.colour = bulb.colour,
+                                   .intensity = bulb_light.intensity,
                                    .range = bulb_light.range},
                          .position = bulb.position});
     }

@@ -32,8 +32,8 @@ void textured_ground(Scene& scene) {
     asphalt.metallic_roughness_texture = texture(Picture::asphalt_surface);
     asphalt.normal_texture = texture(Picture::asphalt_normal);
 
-    // Paint shows the stones below it: the asphalt's normal map, brought to its scale by a transform
-    // because the two pictures repeat after different lengths.
+    // Paint shows the stones below it: the asphalt's normal map, brought to its scale by a
+    // transform because the two pictures repeat after different lengths.
     plain(scene, Surface::marking, "road marking", glm::vec3(1), 0.36f);
     Material& marking = material(scene, Surface::marking);
     marking.base_colour_texture = texture(Picture::marking);
@@ -86,17 +86,30 @@ void glowing(Scene& scene) {
 
 float tile_metres(Surface surface) {
     switch (surface) {
-    case Surface::asphalt: return 12;
-    case Surface::marking: return 3;
-    case Surface::paving: return 2;
-    case Surface::kerb: return 1.5f;
-    case Surface::brick: return 2.4f;
-    case Surface::plaster: return 3;
-    case Surface::wood: return 0.8f;
-    case Surface::fabric: return 0.5f;
-    case Surface::leaves: case Surface::window: case Surface::shop: case Surface::glow:
-    case Surface::sky: return 1; // their own rectangles
-    default: return 0;
+    case Surface::asphalt:
+        return 12;
+    case Surface::marking:
+        return 3;
+    case Surface::paving:
+        return 2;
+    case Surface::kerb:
+        return 1.5f;
+    case Surface::brick:
+        return 2.4f;
+    case Surface::plaster:
+        return 3;
+    case Surface::wood:
+        return 0.8f;
+    case Surface::fabric:
+        return 0.5f;
+    case Surface::leaves:
+    case Surface::window:
+    case Surface::shop:
+    case Surface::glow:
+    case Surface::sky:
+        return 1; // their own rectangles
+    default:
+        return 0;
     }
 }
 

@@ -187,7 +187,8 @@ void MeshBuilder::patch(std::span<const glm::vec3> points, uint32_t columns) {
         for (uint32_t column = 0; column < columns; ++column) {
             const uint32_t c0 = column > 0 ? column - 1 : 0, c1 = std::min(column + 1, columns - 1);
             const uint32_t r0 = row > 0 ? row - 1 : 0, r1 = std::min(row + 1, rows - 1);
-            const glm::vec3 along = at(row, c1) - at(row, c0), down = at(r1, column) - at(r0, column);
+            const glm::vec3 along = at(row, c1) - at(row, c0),
+                            down = at(r1, column) - at(r0, column);
             vertex(p, at(row, column), glm::normalize(glm::cross(along, down)),
                    glm::normalize(along), planar(at(row, column), {1, 0, 0}, {0, 0, -1}));
         }

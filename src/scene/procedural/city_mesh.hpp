@@ -9,13 +9,47 @@ namespace prelight::city {
 
 /// Index into Scene::materials; city_materials.cpp makes them in this order.
 enum class Surface : uint32_t {
-    asphalt, marking, paving, kerb, brick, plaster, trim, frame, window, shop, wood, metal, glow,
-    board, car_paint, car_glass, rubber, chrome, bark, leaves, roofing, fabric, grating, sky, count
+    asphalt,
+    marking,
+    paving,
+    kerb,
+    brick,
+    plaster,
+    trim,
+    frame,
+    window,
+    shop,
+    wood,
+    metal,
+    glow,
+    board,
+    car_paint,
+    car_glass,
+    rubber,
+    chrome,
+    bark,
+    leaves,
+    roofing,
+    fabric,
+    grating,
+    sky,
+    count
 };
 
 /// Colours of the one emissive material: cells of its palette.
 enum class Glow : uint32_t {
-    warm_white, cool_white, amber, red, pink, magenta, violet, blue, cyan, green, yellow, orange,
+    warm_white,
+    cool_white,
+    amber,
+    red,
+    pink,
+    magenta,
+    violet,
+    blue,
+    cyan,
+    green,
+    yellow,
+    orange,
     count
 };
 
@@ -34,7 +68,13 @@ struct Frame {
 
 /// Faces of a box, to be left out where nothing can see them.
 enum Faces : unsigned {
-    left = 1, right = 2, bottom = 4, top = 8, back = 16, front = 32, all_faces = 63
+    left = 1,
+    right = 2,
+    bottom = 4,
+    top = 8,
+    back = 16,
+    front = 32,
+    all_faces = 63
 };
 
 /// A texture rectangle: u0, v0 at the lower left corner of a quad, u1, v1 at its upper right one.
@@ -43,8 +83,8 @@ struct TexRect {
 };
 
 /// Gathers one mesh, a primitive for each material. Everything is given in the current frame.
-/// Surfaces get unit normals, texture coordinates in metres ÷ the material's tile (or a rectangle of
-/// the texture) where the material is textured, and exact tangents where it has a normal map.
+/// Surfaces get unit normals, texture coordinates in metres ÷ the material's tile (or a rectangle
+/// of the texture) where the material is textured, and exact tangents where it has a normal map.
 class MeshBuilder {
 public:
     Frame frame;

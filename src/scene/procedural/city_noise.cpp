@@ -7,7 +7,9 @@
 namespace prelight::city {
 namespace {
 
-float fade(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
+float fade(float t) {
+    return t * t * t * (t * (t * 6 - 15) + 10);
+}
 
 uint8_t to_byte(float x) {
     return static_cast<uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255 + 0.5f);
@@ -88,7 +90,8 @@ float ramp(float low, float high, float x) {
 
 TextureImage paint(std::string name, uint32_t width, uint32_t height,
                    const std::function<glm::vec4(glm::vec2)>& texel, bool srgb) {
-    // Encoding through a table: a million calls of a power function would take longer than the noise.
+    // Encoding through a table: a million calls of a power function would take longer than the
+    // noise.
     std::vector<uint8_t> encode(4097);
     for (size_t i = 0; i < encode.size(); ++i) {
         const float x = static_cast<float>(i) / 4096;
@@ -98,8 +101,9 @@ TextureImage paint(std::string name, uint32_t width, uint32_t height,
     image.rgba.reserve(size_t{4} * width * height);
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
-            const glm::vec4 c = texel({(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                                       (static_cast<float>(y) + 0.5f) / static_cast<float>(height)});
+            const glm::vec4 c =
+                texel({(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                       (static_cast<float>(y) + 0.5f) / static_cast<float>(height)});
             for (int i = 0; i < 3; ++i) {
                 // The table is indexed by the square root, which spreads the dark end.
                 const float root = std::sqrt(std::clamp(c[i], 0.0f, 1.0f));

@@ -13,8 +13,8 @@ namespace prelight::city {
 float hash_unit(uint32_t x, uint32_t y, uint32_t seed);
 
 /// Value noise on a lattice of `period` × `period` points over the unit square, smooth (quintic
-/// blend) and continuous over the square's edges; `octaves` of them, each of twice the period and half
-/// the weight of the one before. The lattices are tables: a texture asks a million times.
+/// blend) and continuous over the square's edges; `octaves` of them, each of twice the period and
+/// half the weight of the one before. The lattices are tables: a texture asks a million times.
 class TileNoise {
 public:
     explicit TileNoise(uint32_t period, uint32_t seed, uint32_t octaves = 1);

@@ -5,8 +5,8 @@
 namespace prelight::city {
 
 void Plan::add_point(Rank rank, glm::vec3 position, glm::vec3 colour, float cd, float range) {
-    add_site(rank, {.light = {.colour = colour, .intensity = cd, .range = range},
-                    .position = position});
+    add_site(rank,
+             {.light = {.colour = colour, .intensity = cd, .range = range}, .position = position});
 }
 
 uint32_t Plan::add_mesh(Mesh mesh) {

@@ -22,21 +22,22 @@ struct Bulb {
     glm::vec3 colour;
 };
 
-/// A vertical or horizontal rectangle, frame.origin its lower left corner, where small lights may lie.
+/// A vertical or horizontal rectangle, frame.origin its lower left corner, where small lights may
+/// lie.
 struct Sheet {
     Frame frame;
     glm::vec2 size;
 };
 
 // The street's measures in metres, all symmetric about x = 0.
-inline constexpr float road_half = 5.0f;       ///< kerb of the main street
-inline constexpr float house_line = 8.5f;      ///< façades of the main street
-inline constexpr float cross_z = -26.0f;       ///< middle of the cross street
-inline constexpr float cross_half = 4.0f;      ///< its kerbs
-inline constexpr float cross_line = 7.0f;      ///< its façades
-inline constexpr float street_near = 30.0f;    ///< the main street's ends
+inline constexpr float road_half = 5.0f;    ///< kerb of the main street
+inline constexpr float house_line = 8.5f;   ///< façades of the main street
+inline constexpr float cross_z = -26.0f;    ///< middle of the cross street
+inline constexpr float cross_half = 4.0f;   ///< its kerbs
+inline constexpr float cross_line = 7.0f;   ///< its façades
+inline constexpr float street_near = 30.0f; ///< the main street's ends
 inline constexpr float street_far = -118.0f;
-inline constexpr float cross_end = 62.0f;      ///< the cross street's ends at ±x
+inline constexpr float cross_end = 62.0f; ///< the cross street's ends at ±x
 inline constexpr float kerb_height = 0.14f;
 
 /// The scene while it is being put together.
@@ -62,14 +63,14 @@ struct Plan {
     bool chance(double share) { return random.unit() < share; }
 };
 
-void add_materials(Scene& scene);                   // city_materials.cpp
-void add_ground(Plan& plan);                        // city_street.cpp
-void add_buildings(Plan& plan);                     // city_buildings.cpp
-void add_signs(Plan& plan);                         // city_signs.cpp
-void add_cars(Plan& plan);                          // city_cars.cpp
-void add_props(Plan& plan);                         // city_props.cpp
-void add_strings(Plan& plan);                       // city_strings.cpp
+void add_materials(Scene& scene); // city_materials.cpp
+void add_ground(Plan& plan);      // city_street.cpp
+void add_buildings(Plan& plan);   // city_buildings.cpp
+void add_signs(Plan& plan);       // city_signs.cpp
+void add_cars(Plan& plan);        // city_cars.cpp
+void add_props(Plan& plan);       // city_props.cpp
+void add_strings(Plan& plan);     // city_strings.cpp
 /// Exactly `count` lights as nodes of the scene, by rank, then bulbs, then places on the sheets.
-void place_lights(Plan& plan, uint32_t count);      // city_lights.cpp
+void place_lights(Plan& plan, uint32_t count); // city_lights.cpp
 
 } // namespace prelight::city

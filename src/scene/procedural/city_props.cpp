@@ -24,7 +24,8 @@ Mesh lamp_post() {
         arm.emplace_back(lamp_arm * t, 5.4f + 0.85f * std::sin(t * pi / 2), 0);
     }
     b.tube(arm, 0.04f, 10);
-    b.box({lamp_arm - 0.35f, lamp_height + 0.05f, -0.14f}, {lamp_arm + 0.35f, lamp_height + 0.18f, 0.14f});
+    b.box({lamp_arm - 0.35f, lamp_height + 0.05f, -0.14f},
+          {lamp_arm + 0.35f, lamp_height + 0.18f, 0.14f});
     b.use(Glow::warm_white);
     b.box({lamp_arm - 0.30f, lamp_height, -0.11f}, {lamp_arm + 0.30f, lamp_height + 0.05f, 0.11f},
           all_faces & ~unsigned{top});
@@ -37,8 +38,11 @@ void add_lamps(Plan& plan) {
         plan.place(mesh, foot, yaw);
         const glm::vec3 head = foot + glm::vec3(lamp_arm * std::cos(yaw), lamp_height - 0.06f,
                                                 -lamp_arm * std::sin(yaw));
-        plan.add_site(Rank::lamp, {.light = {.kind = LightKind::spot, .colour = colour,
-                                             .intensity = 300, .range = 17, .inner_cone = 0.55f,
+        plan.add_site(Rank::lamp, {.light = {.kind = LightKind::spot,
+                                             .colour = colour,
+                                             .intensity = 300,
+                                             .range = 17,
+                                             .inner_cone = 0.55f,
                                              .outer_cone = 1.2f},
                                    .position = head});
     };
@@ -102,7 +106,8 @@ Mesh tree(Plan& plan, std::vector<glm::vec3>& bulbs) {
     for (uint32_t i = 0; i < 7; ++i) {
         const float a = 2 * pi * static_cast<float>(i) / 7, reach = plan.uniform(0.5f, 1.1f);
         b.cone({0.04f, 2.0f + 0.09f * static_cast<float>(i), 0.02f},
-               {reach * std::cos(a), plan.uniform(3.4f, 4.6f), reach * std::sin(a)}, 0.05f, 0.012f, 7);
+               {reach * std::cos(a), plan.uniform(3.4f, 4.6f), reach * std::sin(a)}, 0.05f, 0.012f,
+               7);
     }
     b.use(Surface::leaves);
     for (uint32_t i = 0; i < 260; ++i) {
@@ -110,9 +115,10 @@ Mesh tree(Plan& plan, std::vector<glm::vec3>& bulbs) {
         const float ring = std::sqrt(1 - y * y), depth = plan.uniform(0.55f, 1.0f);
         const glm::vec3 out(ring * std::cos(a), y, ring * std::sin(a));
         // Leaves hang outwards, each turned a little its own way.
-        const glm::vec3 n = glm::normalize(out + glm::vec3(plan.uniform(-0.7f, 0.7f), 0.5f,
-                                                           plan.uniform(-0.7f, 0.7f)));
-        const glm::vec3 u = glm::normalize(glm::cross(glm::vec3(0.3f, 0.2f, 1), n)), v = glm::cross(n, u);
+        const float lean_x = plan.uniform(-0.7f, 0.7f), lean_z = plan.uniform(-0.7f, 0.7f);
+        const glm::vec3 n = glm::normalize(out + glm::vec3(lean_x, 0.5f, lean_z));
+        const glm::vec3 u = glm::normalize(glm::cross(glm::vec3(0.3f, 0.2f, 1), n)),
+                        v = glm::cross(n, u);
         const float size = plan.uniform(0.38f, 0.62f);
         b.quad(centre + radii * out * depth - (u + v) * (size / 2), u * size, v * size, TexRect{});
     }
@@ -120,7 +126,8 @@ Mesh tree(Plan& plan, std::vector<glm::vec3>& bulbs) {
     for (uint32_t i = 0; i < 44; ++i) {
         const float t = (static_cast<float>(i) + 0.5f) / 44, y = 1 - 2 * t, a = t * 8.5f * 2 * pi;
         const float ring = std::sqrt(1 - y * y);
-        bulbs.push_back(centre + radii * 1.04f * glm::vec3(ring * std::cos(a), y, ring * std::sin(a)));
+        bulbs.push_back(centre +
+                        radii * 1.04f * glm::vec3(ring * std::cos(a), y, ring * std::sin(a)));
         b.gem(bulbs.back(), 0.028f);
     }
     b.use(Surface::metal); // grille round the trunk
@@ -191,7 +198,8 @@ Mesh manhole() {
     b.cone({0, -0.01f, 0}, {0, 0.007f, 0}, 0.34f, 0.34f, 28);
     for (int i = -2; i <= 2; ++i) {
         const float z = 0.1f * static_cast<float>(i), half = std::sqrt(0.30f * 0.30f - z * z);
-        b.box({-half, 0.006f, z - 0.022f}, {half, 0.013f, z + 0.022f}, all_faces & ~unsigned{bottom});
+        b.box({-half, 0.006f, z - 0.022f}, {half, 0.013f, z + 0.022f},
+              all_faces & ~unsigned{bottom});
     }
     return b.finish("manhole");
 }
@@ -209,7 +217,8 @@ void add_props(Plan& plan) {
             if (std::abs(z - cross_z) < cross_line + 1)
                 continue;
             plan.place(bin_mesh, {side * (road_half + 0.75f), kerb_height, z});
-            plan.place(bench_mesh, {side * (house_line - 0.9f), kerb_height, z - 3}, side < 0 ? pi / 2 : -pi / 2);
+            plan.place(bench_mesh, {side * (house_line - 0.9f), kerb_height, z - 3},
+                       side < 0 ? pi / 2 : -pi / 2);
         }
         for (uint32_t i = 0; i < 5; ++i)
             for (const float z : {cross_z + cross_line + 1.2f, cross_z - cross_line - 1.2f}) {

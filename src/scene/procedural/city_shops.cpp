@@ -5,8 +5,8 @@
 namespace prelight::city {
 namespace {
 
-constexpr float head = 3.15f;   ///< top of the openings
-constexpr float depth = 0.42f;  ///< of a shop front behind the wall
+constexpr float head = 3.15f;  ///< top of the openings
+constexpr float depth = 0.42f; ///< of a shop front behind the wall
 constexpr unsigned no_back = all_faces & ~unsigned{back};
 
 /// A door leaf with panels, in a recess; width about 1 m.
@@ -26,13 +26,14 @@ void awning(MeshBuilder& b, float s0, float s1, glm::vec3 tint) {
     b.use(Surface::fabric, tint);
     const glm::vec3 wall(s0, 3.42f, 0.13f), slope(0, -0.62f, 1.25f), across(s1 - s0, 0, 0);
     const glm::vec3 thick(0, -0.03f, 0), edge = wall + slope;
-    b.quad(edge, across, -slope);                              // above
-    b.quad(wall + thick, across, slope);                       // below
+    b.quad(edge, across, -slope);        // above
+    b.quad(wall + thick, across, slope); // below
     const glm::vec3 drop(0, -0.26f, 0);
-    b.quad(edge + drop, across, -drop);                        // the valance, both sides
+    b.quad(edge + drop, across, -drop); // the valance, both sides
     b.quad(edge + drop + across - glm::vec3(0, 0, 0.02f), -across, -drop + thick);
     b.polygon(std::array{wall + thick, edge + thick, edge, wall});
-    b.polygon(std::array{wall + across, edge + across, edge + thick + across, wall + thick + across});
+    b.polygon(
+        std::array{wall + across, edge + across, edge + thick + across, wall + thick + across});
 }
 
 /// The board above a shop with small lamps on arms or a line of light below it.
@@ -48,8 +49,12 @@ void fascia(Plan& plan, MeshBuilder& b, float s0, float s1, glm::vec3 tint, glm:
 }
 
 void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
-    static constexpr std::array<glm::vec3, 6> paints{{{0.03f, 0.09f, 0.07f}, {0.16f, 0.03f, 0.03f},
-        {0.025f, 0.05f, 0.12f}, {0.10f, 0.09f, 0.08f}, {0.22f, 0.17f, 0.08f}, {0.03f, 0.03f, 0.035f}}};
+    static constexpr std::array<glm::vec3, 6> paints{{{0.03f, 0.09f, 0.07f},
+                                                      {0.16f, 0.03f, 0.03f},
+                                                      {0.025f, 0.05f, 0.12f},
+                                                      {0.10f, 0.09f, 0.08f},
+                                                      {0.22f, 0.17f, 0.08f},
+                                                      {0.03f, 0.03f, 0.035f}}};
     const glm::vec3 paint = paints[plan.random.below(paints.size())];
     const uint32_t cell = plan.random.below(shop_cells.x * shop_cells.y);
     const glm::vec3 light = shop_light(cell);
@@ -85,14 +90,16 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
         b.box({s, 0.9f, -depth - 0.02f}, {s + 0.09f, 2.3f, -depth + 0.05f}, left | right | front);
     b.box({d0, 2.3f, -depth - 0.02f}, {d1, 2.42f, -depth + 0.05f}, top | bottom | front);
     b.use(Surface::chrome);
-    b.cone({d0 + 0.14f, 0.95f, -depth + 0.1f}, {d0 + 0.14f, 1.35f, -depth + 0.1f}, 0.015f, 0.015f, 8);
+    b.cone({d0 + 0.14f, 0.95f, -depth + 0.1f}, {d0 + 0.14f, 1.35f, -depth + 0.1f}, 0.015f, 0.015f,
+           8);
 
     fascia(plan, b, s0 - 0.05f, s1 + 0.05f, paint, light);
     if (plan.chance(0.35))
-        awning(b, s0 + 0.05f, s1 - 0.05f, plan.chance(0.5) ? glm::vec3(1) : glm::vec3(0.3f, 0.9f, 0.8f));
+        awning(b, s0 + 0.05f, s1 - 0.05f,
+               plan.chance(0.5) ? glm::vec3(1) : glm::vec3(0.3f, 0.9f, 0.8f));
     for (const float share : {0.25f, 0.75f})
         plan.add_point(Rank::shop, b.frame.point({glm::mix(w0, w1, share), 1.5f, 0.35f}), light,
-                       3.2f, 4.2f);
+                       3.2f, 3.8f);
 }
 
 /// A rolled-down shutter.
@@ -116,12 +123,14 @@ void entrance(Plan& plan, MeshBuilder& b, float s0, float s1) {
     b.box({middle + 0.6f, 0.04f, -depth}, {s1, head, -depth + 0.1f}, left | front);
     door(b, middle - 0.6f, middle + 0.6f, 2.3f, -depth + 0.01f, {0.32f, 0.26f, 0.24f});
     b.use(Surface::window);
-    b.quad({middle - 0.6f, 2.3f, -depth + 0.01f}, {1.2f, 0, 0}, {0, head - 2.3f, 0}, window_rect(4));
+    b.quad({middle - 0.6f, 2.3f, -depth + 0.01f}, {1.2f, 0, 0}, {0, head - 2.3f, 0},
+           window_rect(4));
     b.use(Surface::metal);
     b.box({s1 + 0.1f, 2.18f, -0.02f}, {s1 + 0.18f, 2.24f, 0.2f}, no_back);
     b.use(Glow::warm_white);
     b.sphere({s1 + 0.14f, 2.36f, 0.14f}, glm::vec3(0.10f, 0.12f, 0.10f), 14, 8);
-    plan.add_point(Rank::shop, b.frame.point({s1 + 0.14f, 2.36f, 0.4f}), {1, 0.72f, 0.42f}, 5, 4.2f);
+    plan.add_point(Rank::shop, b.frame.point({s1 + 0.14f, 2.36f, 0.4f}), {1, 0.72f, 0.42f}, 5,
+                   4.2f);
 }
 
 } // namespace

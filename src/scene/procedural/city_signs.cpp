@@ -12,8 +12,8 @@ struct Word {
     Glow letters, border;
 };
 
-/// A blade sign at right angles to the wall: letters on both faces, a border tube, lights around it.
-/// `side`: +1 on the wall at +x, −1 on the one at −x.
+/// A blade sign at right angles to the wall: letters on both faces, a border tube, lights around
+/// it. `side`: +1 on the wall at +x, −1 on the one at −x.
 void blade(Plan& plan, const Word& word, float side, float z, float base) {
     constexpr float letter = 0.62f, step = 0.80f, half = 0.36f, thick = 0.11f;
     const float height = step * static_cast<float>(word.text.size()) + 0.35f;
@@ -38,9 +38,11 @@ void blade(Plan& plan, const Word& word, float side, float z, float base) {
                         letter, 0.026f);
         b.use(word.border);
         constexpr float w = half - 0.05f;
-        const std::array<glm::vec3, 5> ring{{{-w, 0.05f, thick + 0.035f}, {w, 0.05f, thick + 0.035f},
-            {w, height - 0.05f, thick + 0.035f}, {-w, height - 0.05f, thick + 0.035f},
-            {-w, 0.05f, thick + 0.035f}}};
+        const std::array<glm::vec3, 5> ring{{{-w, 0.05f, thick + 0.035f},
+                                             {w, 0.05f, thick + 0.035f},
+                                             {w, height - 0.05f, thick + 0.035f},
+                                             {-w, height - 0.05f, thick + 0.035f},
+                                             {-w, 0.05f, thick + 0.035f}}};
         b.tube(ring, 0.017f, 6);
     }
     const auto lights = static_cast<uint32_t>(word.text.size() / 3 + 1);
@@ -65,8 +67,9 @@ void edge_tube(Plan& plan, float side, float z0, float z1, float y, Glow colour)
     b.cone({x, y, z0}, {x, y, z1}, 0.025f, 0.025f, 8);
     const auto lights = static_cast<uint32_t>(std::abs(z1 - z0) / 2.2f) + 1;
     for (uint32_t i = 0; i < lights; ++i) {
-        const float z = glm::mix(z0, z1, (static_cast<float>(i) + 0.5f) / static_cast<float>(lights));
-        plan.add_point(Rank::neon, {x - side * 0.25f, y, z}, glow_colour(colour), 2.2f, 5);
+        const float z =
+            glm::mix(z0, z1, (static_cast<float>(i) + 0.5f) / static_cast<float>(lights));
+        plan.add_point(Rank::neon, {x - side * 0.25f, y, z}, glow_colour(colour), 2.2f, 4.2f);
     }
     plan.build(b, "light line");
 }
@@ -79,7 +82,8 @@ void arch(Plan& plan, std::string_view text, float z, float y) {
     b.frame.origin = {0, y, z};
     b.use(Surface::metal);
     for (const float at : {-0.35f, letter + 0.35f})
-        b.box({-reach, at - girder, -girder}, {reach, at + girder, girder}, top | bottom | front | back);
+        b.box({-reach, at - girder, -girder}, {reach, at + girder, girder},
+              top | bottom | front | back);
     const auto bays = static_cast<uint32_t>(2 * reach / 1.7f);
     for (uint32_t i = 0; i < bays; ++i) { // lattice
         const float a = -reach + 2 * reach * static_cast<float>(i) / static_cast<float>(bays);
@@ -94,9 +98,11 @@ void arch(Plan& plan, std::string_view text, float z, float y) {
     for (const float at : {-0.28f, letter + 0.28f})
         b.cone({-half - 0.6f, at, 0.13f}, {half + 0.6f, at, 0.13f}, 0.03f, 0.03f, 8);
     for (uint32_t i = 0; i < text.size(); ++i) {
-        const float s = 2 * half * ((static_cast<float>(i) + 0.5f) / static_cast<float>(text.size()) - 0.5f);
-        plan.add_point(Rank::neon, {s, y + (i % 2 == 0 ? 0.2f : 1.3f), z + (i % 2 == 0 ? 0.7f : -0.7f)},
-                       glow_colour(i % 4 < 2 ? Glow::cyan : Glow::magenta), 12, i % 4 == 0 ? 34.0f : 10.0f);
+        const float s =
+            2 * half * ((static_cast<float>(i) + 0.5f) / static_cast<float>(text.size()) - 0.5f);
+        plan.add_point(
+            Rank::neon, {s, y + (i % 2 == 0 ? 0.2f : 1.3f), z + (i % 2 == 0 ? 0.7f : -0.7f)},
+            glow_colour(i % 4 < 2 ? Glow::cyan : Glow::magenta), 12, i % 4 == 0 ? 34.0f : 10.0f);
     }
     plan.build(b, "arch", {0, y, z});
 }
@@ -105,13 +111,19 @@ void arch(Plan& plan, std::string_view text, float z, float y) {
 
 void add_signs(Plan& plan) {
     static constexpr std::array<Word, 14> words{{{"HOTEL", Glow::red, Glow::amber},
-        {"RAMEN", Glow::pink, Glow::cyan}, {"BAR", Glow::cyan, Glow::magenta},
-        {"JAZZ", Glow::blue, Glow::violet}, {"CINEMA", Glow::amber, Glow::red},
-        {"CAFE", Glow::green, Glow::yellow}, {"CLUB", Glow::magenta, Glow::blue},
-        {"BOOKS", Glow::yellow, Glow::green}, {"24H", Glow::cool_white, Glow::red},
-        {"ARCADE", Glow::violet, Glow::cyan}, {"NOODLES", Glow::orange, Glow::pink},
-        {"DISCO", Glow::pink, Glow::violet}, {"PIZZA", Glow::green, Glow::red},
-        {"LUX", Glow::cyan, Glow::blue}}};
+                                                 {"RAMEN", Glow::pink, Glow::cyan},
+                                                 {"BAR", Glow::cyan, Glow::magenta},
+                                                 {"JAZZ", Glow::blue, Glow::violet},
+                                                 {"CINEMA", Glow::amber, Glow::red},
+                                                 {"CAFE", Glow::green, Glow::yellow},
+                                                 {"CLUB", Glow::magenta, Glow::blue},
+                                                 {"BOOKS", Glow::yellow, Glow::green},
+                                                 {"24H", Glow::cool_white, Glow::red},
+                                                 {"ARCADE", Glow::violet, Glow::cyan},
+                                                 {"NOODLES", Glow::orange, Glow::pink},
+                                                 {"DISCO", Glow::pink, Glow::violet},
+                                                 {"PIZZA", Glow::green, Glow::red},
+                                                 {"LUX", Glow::cyan, Glow::blue}}};
     arch(plan, "PRELIGHT", cross_z - cross_line - 1.5f, 8.6f);
     const uint32_t shift = plan.random.below(words.size());
     for (const float side : {-1.0f, 1.0f}) {

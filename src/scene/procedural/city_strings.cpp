@@ -21,8 +21,8 @@ void garland(Plan& plan, glm::vec3 from, glm::vec3 to, float sag, bool colourful
     b.tube(cable, 0.012f, 5);
     for (uint32_t i = 0; i < bulbs; ++i) {
         const Glow colour = colourful ? mix[i % mix.size()] : Glow::warm_white;
-        const glm::vec3 p = at((static_cast<float>(i) + 0.5f) / static_cast<float>(bulbs)) -
-                            glm::vec3(0, 0.07f, 0);
+        const glm::vec3 p =
+            at((static_cast<float>(i) + 0.5f) / static_cast<float>(bulbs)) - glm::vec3(0, 0.07f, 0);
         b.use(colour);
         b.gem(p, 0.045f);
         plan.bulbs.push_back({p - glm::vec3(0, 0.1f, 0), glow_colour(colour)});
@@ -38,14 +38,16 @@ void add_strings(Plan& plan) {
     for (float z = 1; z > street_far + 12; z -= 10) {
         if (std::abs(z - cross_z) < cross_line)
             continue;
+        // One statement each: the order in which a call's arguments are drawn is unspecified.
         const float lean = plan.uniform(-3, 3);
-        garland(plan, {-wall, plan.uniform(7.4f, 8.4f), z}, {wall, plan.uniform(7.4f, 8.4f), z + lean},
-                plan.uniform(0.9f, 1.4f), colourful);
+        const float left_end = plan.uniform(7.4f, 8.4f), right_end = plan.uniform(7.4f, 8.4f);
+        const float sag = plan.uniform(0.9f, 1.4f);
+        garland(plan, {-wall, left_end, z}, {wall, right_end, z + lean}, sag, colourful);
         colourful = !colourful;
     }
     for (const float x : {-24.0f, -38.0f, 24.0f, 38.0f})
-        garland(plan, {x, 8.4f, cross_z - cross_line + 0.02f}, {x + 2, 8.4f, cross_z + cross_line - 0.02f}, 1.3f,
-                true);
+        garland(plan, {x, 8.4f, cross_z - cross_line + 0.02f},
+                {x + 2, 8.4f, cross_z + cross_line - 0.02f}, 1.3f, true);
 }
 
 } // namespace prelight::city

@@ -7,19 +7,34 @@ namespace prelight::city {
 
 /// Index into Scene::images.
 enum class Picture : uint32_t {
-    asphalt_colour, asphalt_surface, asphalt_normal, paving_colour, paving_surface, paving_normal,
-    brick_colour, brick_normal, plaster_normal, windows, shops, marking, wood, fabric, leaves,
-    palette, sky, count
+    asphalt_colour,
+    asphalt_surface,
+    asphalt_normal,
+    paving_colour,
+    paving_surface,
+    paving_normal,
+    brick_colour,
+    brick_normal,
+    plaster_normal,
+    windows,
+    shops,
+    marking,
+    wood,
+    fabric,
+    leaves,
+    palette,
+    sky,
+    count
 };
 
 /// All pictures in the order of `Picture`. Those that repeat are tileable.
 std::vector<TextureImage> make_pictures();
 
 // Parts of make_pictures, one file each.
-void add_ground_pictures(std::vector<TextureImage>& images);  ///< asphalt …, paving …
-void add_wall_pictures(std::vector<TextureImage>& images);    ///< brick …, plaster
-void add_window_pictures(std::vector<TextureImage>& images);  ///< windows, shops
-void add_small_pictures(std::vector<TextureImage>& images);   ///< marking … sky
+void add_ground_pictures(std::vector<TextureImage>& images); ///< asphalt …, paving …
+void add_wall_pictures(std::vector<TextureImage>& images);   ///< brick …, plaster
+void add_window_pictures(std::vector<TextureImage>& images); ///< windows, shops
+void add_small_pictures(std::vector<TextureImage>& images);  ///< marking … sky
 
 inline constexpr uint32_t window_cells = 4; ///< windows: 4 × 4 rooms
 inline constexpr uint32_t lit_windows = 11; ///< the first 11 are lit, the rest dark

@@ -9,11 +9,11 @@ namespace {
 
 /// What asphalt is like at a point of its 12 m tile.
 struct Asphalt {
-    float height;  ///< metres
-    float stone;   ///< 0 … 1, brightness of the aggregate
-    float water;   ///< 0 … 1, depth of standing water
-    float crack;   ///< 0 … 1
-    float wet;     ///< 0 … 1, film of water
+    float height; ///< metres
+    float stone;  ///< 0 … 1, brightness of the aggregate
+    float water;  ///< 0 … 1, depth of standing water
+    float crack;  ///< 0 … 1
+    float wet;    ///< 0 … 1, film of water
 };
 
 class AsphaltField {
@@ -51,7 +51,8 @@ Slab slab_at(glm::vec2 uv, const TileNoise& damp, const TileNoise& grain) {
     const float shift = static_cast<int>(row) % 2 == 0 ? 0.0f : 0.5f;
     const float x = uv.x * 3 + shift, y = uv.y * 4;
     const float fx = x - std::floor(x), fy = y - row;
-    const float edge = std::min(std::min(fx, 1 - fx) * 0.667f, std::min(fy, 1 - fy) * 0.5f); // metres
+    const float edge =
+        std::min(std::min(fx, 1 - fx) * 0.667f, std::min(fy, 1 - fy) * 0.5f); // metres
     Slab s{};
     s.joint = ramp(0.012f, 0.004f, edge);
     const auto column = static_cast<uint32_t>(std::floor(x)) % 3;
@@ -77,21 +78,27 @@ void add_ground_pictures(std::vector<TextureImage>& images) {
             height.push_back(asphalt.back().height);
         }
     size_t i = 0;
-    images.push_back(paint("asphalt colour", asphalt_side, asphalt_side, [&](glm::vec2) {
-        const Asphalt& a = asphalt[i++];
-        const float dry = 0.026f + 0.042f * a.stone * a.stone;
-        const float v = std::lerp(dry * (0.75f + 0.4f * (1 - a.wet)) * (1 - 0.7f * a.crack), 0.013f,
-                                  a.water);
-        return glm::vec4(v, v * 1.01f, v * 1.05f, 1);
-    }, true));
+    images.push_back(paint(
+        "asphalt colour", asphalt_side, asphalt_side,
+        [&](glm::vec2) {
+            const Asphalt& a = asphalt[i++];
+            const float dry = 0.026f + 0.042f * a.stone * a.stone;
+            const float v = std::lerp(dry * (0.75f + 0.4f * (1 - a.wet)) * (1 - 0.7f * a.crack),
+                                      0.013f, a.water);
+            return glm::vec4(v, v * 1.01f, v * 1.05f, 1);
+        },
+        true));
     i = 0;
-    images.push_back(paint("asphalt surface", asphalt_side, asphalt_side, [&](glm::vec2) {
-        const Asphalt& a = asphalt[i++];
-        const float damp = 0.43f - 0.23f * ramp(0.3f, 0.65f, a.wet) + 0.10f * (a.stone - 0.5f);
-        return glm::vec4(1, std::lerp(damp, 0.17f, a.water), 0, 1);
-    }, false));
-    images.push_back(normal_map("asphalt normal", height, asphalt_side,
-                                tile_metres(Surface::asphalt)));
+    images.push_back(paint(
+        "asphalt surface", asphalt_side, asphalt_side,
+        [&](glm::vec2) {
+            const Asphalt& a = asphalt[i++];
+            const float damp = 0.43f - 0.23f * ramp(0.3f, 0.65f, a.wet) + 0.10f * (a.stone - 0.5f);
+            return glm::vec4(1, std::lerp(damp, 0.17f, a.water), 0, 1);
+        },
+        false));
+    images.push_back(
+        normal_map("asphalt normal", height, asphalt_side, tile_metres(Surface::asphalt)));
 
     Field slab_height;
     std::vector<Slab> slabs;
@@ -102,20 +109,28 @@ void add_ground_pictures(std::vector<TextureImage>& images) {
             slab_height.push_back(slabs.back().height);
         }
     i = 0;
-    images.push_back(paint("paving colour", paving_side, paving_side, [&](glm::vec2 uv) {
-        const Slab& s = slabs[i++];
-        const float stain = stains(uv);
-        const float stone = 0.13f + 0.07f * s.tone + 0.10f * (stain - 0.5f);
-        const float v = std::lerp(stone * (1 - 0.35f * s.water), 0.05f, s.joint);
-        return glm::vec4(v, v * 0.97f, v * 0.92f, 1);
-    }, true));
+    images.push_back(paint(
+        "paving colour", paving_side, paving_side,
+        [&](glm::vec2 uv) {
+            const Slab& s = slabs[i++];
+            const float stain = stains(uv);
+            const float stone = 0.13f + 0.07f * s.tone + 0.10f * (stain - 0.5f);
+            const float v = std::lerp(stone * (1 - 0.35f * s.water), 0.05f, s.joint);
+            return glm::vec4(v, v * 0.97f, v * 0.92f, 1);
+        },
+        true));
     i = 0;
-    images.push_back(paint("paving surface", paving_side, paving_side, [&](glm::vec2) {
-        const Slab& s = slabs[i++];
-        return glm::vec4(1, std::lerp(std::lerp(0.46f + 0.1f * s.tone, 0.22f, s.water), 0.7f, s.joint), 0, 1);
-    }, false));
-    images.push_back(normal_map("paving normal", slab_height, paving_side,
-                                tile_metres(Surface::paving)));
+    images.push_back(paint(
+        "paving surface", paving_side, paving_side,
+        [&](glm::vec2) {
+            const Slab& s = slabs[i++];
+            return glm::vec4(
+                1, std::lerp(std::lerp(0.46f + 0.1f * s.tone, 0.22f, s.water), 0.7f, s.joint), 0,
+                1);
+        },
+        false));
+    images.push_back(
+        normal_map("paving normal", slab_height, paving_side, tile_metres(Surface::paving)));
 }
 
 } // namespace prelight::city

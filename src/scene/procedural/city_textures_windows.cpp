@@ -14,7 +14,8 @@ namespace {
 TexRect cell_rect(glm::uvec2 cell, glm::uvec2 cells, glm::vec2 texels) {
     const glm::vec2 size = 1.0f / glm::vec2(cells), low = glm::vec2(cell) * size;
     const glm::vec2 inset = 1.5f / texels;
-    return {{low.x + inset.x, low.y + size.y - inset.y}, {low.x + size.x - inset.x, low.y + inset.y}};
+    return {{low.x + inset.x, low.y + size.y - inset.y},
+            {low.x + size.x - inset.x, low.y + inset.y}};
 }
 
 /// 1 inside the ellipse, soft at its edge.
@@ -68,7 +69,8 @@ glm::vec3 shop(uint32_t cell, glm::vec2 p) {
     const float shelves = bar ? 6.0f : 4.0f;
     const float y = p.y * shelves, row = std::floor(y), fy = y - row;
     if (p.y < 0.85f && (!bar || p.y > 0.35f)) {
-        const float items = bar ? 26.0f : 11.0f + 4 * hash_unit(cell, static_cast<uint32_t>(row), 210);
+        const float items =
+            bar ? 26.0f : 11.0f + 4 * hash_unit(cell, static_cast<uint32_t>(row), 210);
         const auto id = static_cast<uint32_t>(p.x * items);
         const auto line = static_cast<uint32_t>(row) + 16 * cell;
         const float fx = p.x * items - static_cast<float>(id);
@@ -77,8 +79,10 @@ glm::vec3 shop(uint32_t cell, glm::vec2 p) {
         if (fy < tall && std::abs(fx - 0.5f) < wide && hash_unit(id, line, 213) > 0.18f) {
             // Muted packages, a few of them loud, with a paler label across each.
             const float tone = hash_unit(id, line, 214), loud = hash_unit(id, line, 215);
-            const glm::vec3 hue = 0.5f + 0.5f * glm::cos(6.2831853f * (tone + glm::vec3(0, 0.33f, 0.67f)));
-            glm::vec3 goods = glm::mix(glm::vec3(0.30f + 0.3f * tone), hue * hue, loud * loud * 0.8f);
+            const glm::vec3 hue =
+                0.5f + 0.5f * glm::cos(6.2831853f * (tone + glm::vec3(0, 0.33f, 0.67f)));
+            glm::vec3 goods =
+                glm::mix(glm::vec3(0.30f + 0.3f * tone), hue * hue, loud * loud * 0.8f);
             if (std::abs(fy / tall - 0.55f) < 0.16f)
                 goods = glm::mix(goods, glm::vec3(0.8f), 0.5f);
             c = light * goods * (0.35f + 0.5f * p.y);
@@ -108,17 +112,26 @@ TexRect shop_rect(uint32_t cell) {
 }
 
 glm::vec3 window_light(uint32_t cell) {
-    constexpr std::array<glm::vec3, 6> lights{{{0.85f, 0.50f, 0.20f}, {0.90f, 0.62f, 0.32f},
-        {0.80f, 0.40f, 0.12f}, {0.62f, 0.66f, 0.62f}, {0.88f, 0.56f, 0.26f}, {0.25f, 0.40f, 0.75f}}};
+    constexpr std::array<glm::vec3, 6> lights{{{0.85f, 0.50f, 0.20f},
+                                               {0.90f, 0.62f, 0.32f},
+                                               {0.80f, 0.40f, 0.12f},
+                                               {0.62f, 0.66f, 0.62f},
+                                               {0.88f, 0.56f, 0.26f},
+                                               {0.25f, 0.40f, 0.75f}}};
     if (cell >= lit_windows)
         return glm::vec3(0.006f, 0.008f, 0.014f);
     return lights[cell % lights.size()] * (0.5f + 0.5f * hash_unit(cell, 7, 220));
 }
 
 glm::vec3 shop_light(uint32_t cell) {
-    constexpr std::array<glm::vec3, 8> lights{{{0.95f, 0.72f, 0.42f}, {0.85f, 0.40f, 0.14f},
-        {0.45f, 0.75f, 0.95f}, {0.95f, 0.62f, 0.34f}, {0.95f, 0.80f, 0.55f}, {0.75f, 0.20f, 0.34f},
-        {0.50f, 0.82f, 0.70f}, {0.95f, 0.78f, 0.50f}}};
+    constexpr std::array<glm::vec3, 8> lights{{{0.95f, 0.72f, 0.42f},
+                                               {0.85f, 0.40f, 0.14f},
+                                               {0.45f, 0.75f, 0.95f},
+                                               {0.95f, 0.62f, 0.34f},
+                                               {0.95f, 0.80f, 0.55f},
+                                               {0.75f, 0.20f, 0.34f},
+                                               {0.50f, 0.82f, 0.70f},
+                                               {0.95f, 0.78f, 0.50f}}};
     return lights[cell % lights.size()];
 }
 
@@ -126,17 +139,19 @@ void add_window_pictures(std::vector<TextureImage>& images) {
     const auto atlas = [](glm::vec2 uv, glm::uvec2 cells, auto&& inside) {
         const glm::vec2 at = uv * glm::vec2(cells), cell = glm::floor(at);
         const glm::vec2 p(at.x - cell.x, 1 - (at.y - cell.y));
-        return glm::vec4(inside(static_cast<uint32_t>(cell.y) * cells.x +
-                                    static_cast<uint32_t>(cell.x), p), 1);
+        return glm::vec4(
+            inside(static_cast<uint32_t>(cell.y) * cells.x + static_cast<uint32_t>(cell.x), p), 1);
     };
     const TileNoise foliage(17, 204);
-    images.push_back(paint("windows", 1024, 1024, [&](glm::vec2 uv) {
-        return atlas(uv, glm::uvec2(window_cells),
-                     [&](uint32_t cell, glm::vec2 p) { return room(cell, p, foliage); });
-    }, true));
-    images.push_back(paint("shops", 1024, 512, [&](glm::vec2 uv) {
-        return atlas(uv, shop_cells, shop);
-    }, true));
+    images.push_back(paint(
+        "windows", 1024, 1024,
+        [&](glm::vec2 uv) {
+            return atlas(uv, glm::uvec2(window_cells),
+                         [&](uint32_t cell, glm::vec2 p) { return room(cell, p, foliage); });
+        },
+        true));
+    images.push_back(paint(
+        "shops", 1024, 512, [&](glm::vec2 uv) { return atlas(uv, shop_cells, shop); }, true));
 }
 
 } // namespace prelight::city

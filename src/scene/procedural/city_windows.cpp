@@ -17,7 +17,8 @@ void bars(MeshBuilder& b, glm::vec2 low, glm::vec2 high, Style style) {
     b.box({low.x, y0, back_d}, {low.x + w, y1, front_d}, along);
     b.box({high.x - w, y0, back_d}, {high.x, y1, front_d}, along);
     const float middle = (low.x + high.x) / 2;
-    const float rail = style == Style::brick ? (low.y + high.y) / 2 : low.y + (high.y - low.y) * 0.7f;
+    const float rail =
+        style == Style::brick ? (low.y + high.y) / 2 : low.y + (high.y - low.y) * 0.7f;
     if (style != Style::modern)
         b.box({low.x + w, rail - thin / 2, back_d}, {high.x - w, rail + thin / 2, bar_d}, across);
     if (style == Style::brick) { // sash: the bar only in the upper half
@@ -81,9 +82,9 @@ void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, gl
     b.use(f.wall, f.wall_tint);
     reveal(b, low, high, depth);
     const bool lit = plan.chance(0.42);
-    const uint32_t cell = lit ? plan.random.below(lit_windows)
-                              : lit_windows +
-                                    plan.random.below(window_cells * window_cells - lit_windows);
+    const uint32_t cell =
+        lit ? plan.random.below(lit_windows)
+            : lit_windows + plan.random.below(window_cells * window_cells - lit_windows);
     b.use(Surface::window);
     TexRect rect = window_rect(cell);
     if (plan.chance(0.5)) // mirrored rooms look like other ones
@@ -98,7 +99,7 @@ void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, gl
         return;
     const glm::vec3 colour = window_light(cell);
     plan.add_point(Rank::window, b.frame.point({(low.x + high.x) / 2, low.y + 0.5f, 0.30f}), colour,
-                   1.1f, 2.6f);
+                   1.1f, 2.4f);
 }
 
 } // namespace prelight::city
