@@ -43,8 +43,8 @@ void roads(Plan& plan) {
     strip(house_line, cross_end, z0, z1);
 }
 
-/// Pavement between the kerb and the houses: top, kerb stone's top and face. `inner` … `outer` are
-/// distances from the street's axis, in a frame whose s runs along the street and d to the axis.
+/// Pavement of `width` metres from the houses at d = 0 to the kerb's face, in a frame whose s runs
+/// along the street and d to its axis: slabs, then the kerb stone's top, broken edge and face.
 void pavement(MeshBuilder& b, float length, float width) {
     b.use(Surface::paving);
     b.quad({0, kerb_height, width - stone}, {length, 0, 0}, {0, 0, -(width - stone)});
