@@ -208,6 +208,36 @@ TEST(GltfLimits, AChainOfNodesAsDeepAsTheFileIsLong) {
     EXPECT_EQ(error_of_text(text), "test.glb: scene 0: no triangles");
 }
 
+TEST(GltfLimits, ManyScenesOfManyNodesAreReadInLinearTime) {
+    std::string text = R"({"asset":{"version":"2.0"},"scenes":[{})";
+    for (int i = 1; i < 300'000; ++i)
+        text += ",{}";
+    text += "],\"nodes\":[{}";
+    for (int i = 1; i < 300'000; ++i)
+        text += ",{}";
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(error_of_text(text + "]}"), "test.glb: scene 0: no triangles");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+TEST(GltfLimits, ManyImagesOfTheSameBytesMeetTheBudget) {
+    Bytes picture = jpeg(1, 1, solid(1, 1, {9, 9, 9, 255}));
+    const Bytes comment = {0xff, 0xfe, 0xff, 0xff};
+    for (int i = 0; i < 160; ++i) { // 10 MB that decoding has to walk over
+        picture.insert(picture.begin() + 2, 0xfffd, 0);
+        picture.insert(picture.begin() + 2, comment.begin(), comment.end());
+    }
+    GltfBuilder b = GltfBuilder::textured_triangle();
+    b.add_image(picture);
+    const Json image = b.json["images"][0];
+    for (int i = 0; i < 1'000; ++i) {
+        b.json["images"].push_back(image);
+        b.json["textures"].push_back({{"source", i}});
+        b.json["materials"].push_back({{"emissiveTexture", {{"index", i}}}});
+    }
+    EXPECT_THAT(error_of(b), HasSubstr("needs more memory"));
+}
+
 TEST(GltfBudget, CountsAndRefuses) {
     gltf::Budget budget;
     using Pool = gltf::Budget::Pool;

@@ -126,6 +126,8 @@ DracoMesh::DracoMesh(Document& document, Buffers& buffers, const Item& extension
     const uint32_t view =
         extension.required_index("bufferView", document.count(Table::buffer_views));
     const std::span<const uint8_t> bytes = buffers.view(view).bytes;
+    // For the time it takes: any number of primitives may name the same data.
+    document.charge(extension.label(), bytes.size(), 1);
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     draco::DracoHeader header;

@@ -176,16 +176,6 @@ std::vector<Item> Item::items(std::string_view key, std::string_view singular) c
     return out;
 }
 
-std::vector<std::string_view> Item::keys(std::string_view key) const {
-    std::vector<std::string_view> out;
-    const auto value = find(key);
-    dom::object object;
-    if (value && value->get(object) == simdjson::SUCCESS)
-        for (const auto field : object)
-            out.push_back(field.key);
-    return out;
-}
-
 std::vector<std::string> Item::texts(std::string_view key) const {
     const auto value = find(key);
     dom::array array;

@@ -51,7 +51,6 @@ public:
     std::optional<Item> extension(std::string_view name) const;
     /// The objects in the array under `key`, named "LABEL SINGULAR i".
     std::vector<Item> items(std::string_view key, std::string_view singular) const;
-    std::vector<std::string_view> keys(std::string_view key) const; ///< of the object under `key`
     std::vector<std::string> texts(std::string_view key) const;     ///< array of strings
 
     /// The value as it is, or nothing.

@@ -31,7 +31,8 @@ Scene read_scene(gltf::Document&& document) {
 }
 
 /// What the limits let through may still be more than the machine has.
-template <class Read> Scene guard_memory(const std::string& file, Read read) {
+template <class Read>
+Scene guard_memory(const std::string& file, Read read) {
     try {
         return read();
     } catch (const std::bad_alloc&) {

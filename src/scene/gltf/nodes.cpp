@@ -152,16 +152,16 @@ void read_scenes(Document& document, Scene& scene) {
             is_child[child] = true;
     const size_t count = document.count(Table::scenes);
     document.charge("scenes", count, sizeof(SceneRoot));
+    std::vector<size_t> last_scene(scene.nodes.size(), count); // that named the node
     for (size_t i = 0; i < count; ++i) {
         const Item item = document.item(Table::scenes, i);
         SceneRoot root{item.text("name"), item.indices("nodes", scene.nodes.size())};
-        std::vector<bool> seen(scene.nodes.size());
         for (const uint32_t node : root.nodes) {
             if (is_child[node])
                 item.fail(fmt::format("node {} is not a root: it is a child of another", node));
-            if (seen[node])
+            if (last_scene[node] == i)
                 item.fail(fmt::format("node {} stands twice in it", node));
-            seen[node] = true;
+            last_scene[node] = i;
         }
         scene.scenes.push_back(std::move(root));
     }

@@ -115,8 +115,10 @@ uint32_t Textures::load_image(uint32_t index) {
     const Item item = document_.item(Table::images, index);
     const std::span<const uint8_t> bytes = image_bytes(item);
     try {
-        const images::Cost cost = images::inspect(bytes);
         Budget& budget = document_.budget();
+        // The encoded bytes too: a million images may name the same ones, and each costs time.
+        budget.charge(Budget::Pool::images, bytes.size());
+        const images::Cost cost = images::inspect(bytes);
         budget.charge(Budget::Pool::images, uint64_t(cost.width) * cost.height, 4);
         const Loan working(budget, Budget::Pool::images, cost.working);
         scene_.images.push_back(images::decode(bytes));
