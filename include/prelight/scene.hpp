@@ -98,9 +98,10 @@ struct World {
 };
 
 /// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
-/// camera gets one named "framed" that shows its bounds from (1, 0.6, 1.4) with 0.87 rad; one without
-/// lights and without ambient gets the documented key light (directional, 3 lux, from the upper left
-/// behind the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25.
+/// camera gets one named "framed" that shows its bounds from (1, 0.6, 1.4) with 0.87 rad or, when the
+/// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One without lights
+/// and without ambient gets the documented key light (directional, 3 lux, from the upper left behind
+/// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25.
 /// Throws Error: no triangles, or a world transform that is not finite.
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {});
 

@@ -85,7 +85,8 @@ double redistributed(double distance) {
 Plane csf_filtered(const Plane& plane, const Csf& csf, int radius, double pixels_per_degree) {
     Plane sum(plane.width, plane.height);
     double total = 0;
-    for (const auto& [a, b] : {std::pair(csf.a1, csf.b1), {csf.a2, csf.b2}}) {
+    for (const auto& [a, width] : {std::pair(csf.a1, csf.b1), {csf.a2, csf.b2}}) {
+        const double b = width; // clang 14 captures no structured binding
         if (a == 0)
             continue;
         const Kernel kernel = make_kernel(radius, [&](int x) {

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 #include <prelight/error.hpp>
 #include <prelight/scene.hpp>
+#include <scene/enclosure.hpp>
 
 namespace prelight {
 namespace {
@@ -220,7 +221,8 @@ private:
 
     void add_defaults() {
         if (world_.cameras.empty())
-            world_.cameras.push_back(framed_camera(world_.bounds_min, world_.bounds_max));
+            world_.cameras.push_back(camera_inside(world_).value_or(
+                framed_camera(world_.bounds_min, world_.bounds_max)));
         if (world_.lights.empty() && world_.ambient == glm::vec3(0)) {
             PlacedLight key;
             key.light.name = "key";

@@ -1,0 +1,14 @@
+#pragma once
+#include <optional>
+#include <prelight/scene.hpp>
+
+namespace prelight {
+
+/// A camera named "inside" for a world that is a room, a courtyard or a street: one where nearly
+/// every level or downward ray from the middle of the bounds meets the front of a surface, and that
+/// is at least 3 m wide, deep and high. It stands at eye height at one end of the longest free line
+/// through the middle and looks along it. Nothing for a world that is seen from outside, or one of
+/// more triangles than a moment's search allows.
+std::optional<PlacedCamera> camera_inside(const World& world);
+
+} // namespace prelight
