@@ -186,6 +186,18 @@ std::string error_of_text(const std::string& json) {
     return error_of(Bytes(json.begin(), json.end()));
 }
 
+size_t peak_memory() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.rfind("VmHWM:", 0) == 0)
+            return std::stoull(line.substr(6)) * 1024;
+    return 0;
+}
+
+void reset_peak_memory() {
+    std::ofstream("/proc/self/clear_refs") << 5;
+}
+
 TemporaryFolder::TemporaryFolder() {
     std::random_device random;
     path = std::filesystem::temp_directory_path() /

@@ -89,4 +89,24 @@ public:
     std::filesystem::path path;
 };
 
+/// Most memory that the process has had so far, in bytes (VmHWM), and the call that starts it anew.
+size_t peak_memory();
+void reset_peak_memory();
+
+/// Bytes that `work` takes at most beyond what is there before it.
+template <class Work>
+size_t memory_growth(Work work) {
+    reset_peak_memory();
+    const size_t before = peak_memory();
+    work();
+    return peak_memory() - before;
+}
+
+/// The address sanitizer's own memory makes such figures useless.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
 } // namespace prelight::test

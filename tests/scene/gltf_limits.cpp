@@ -1,44 +1,15 @@
 #include "gltf_builder.hpp"
 #include <chrono>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <scene/gltf/budget.hpp>
 #include <string_view>
-#include <unistd.h>
 
 using namespace prelight;
 using namespace prelight::test;
 using testing::HasSubstr;
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-
-/// Most memory that the process has had so far, in bytes (VmHWM); `reset_peak` starts it anew.
-size_t peak() {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
-        if (line.rfind("VmHWM:", 0) == 0)
-            return std::stoull(line.substr(6)) * 1024;
-    return 0;
-}
-void reset_peak() {
-    std::ofstream("/proc/self/clear_refs") << 5;
-}
-
-/// Bytes that loading takes beyond what is there before it.
-template <class Load>
-size_t growth(Load load) {
-    reset_peak();
-    const size_t before = peak();
-    load();
-    return peak() - before;
-}
 
 const std::string head = R"({"asset":{"version":"2.0"},"extras":)";
 
@@ -64,8 +35,8 @@ TEST(GltfLimits, TwentyMegabytesOfExtrasTakeAFewTimesTheirSize) {
         text.back() = ']';
         text += '}';
         const auto start = std::chrono::steady_clock::now();
-        const size_t taken =
-            growth([&] { EXPECT_EQ(error_of_text(text), "test.glb: scene 0: no triangles"); });
+        const size_t taken = memory_growth(
+            [&] { EXPECT_EQ(error_of_text(text), "test.glb: scene 0: no triangles"); });
         if (!sanitized) {
             EXPECT_LT(taken, 20 * size) << unit;
         }
@@ -81,7 +52,7 @@ TEST(GltfLimits, MillionsOfEmptyObjectsStayBelowTheMultiple) {
             text += "{},";
         text.back() = ']';
         text += '}';
-        const size_t taken = growth([&] { EXPECT_NE(error_of_text(text), "") << table; });
+        const size_t taken = memory_growth([&] { EXPECT_NE(error_of_text(text), "") << table; });
         if (!sanitized) {
             EXPECT_LT(taken, gltf::Budget::geometry_constant + gltf::Budget::multiple * text.size())
                 << table;
@@ -95,7 +66,7 @@ TEST(GltfLimits, CountsThatLieAllocateNothing) {
         b.json["accessors"][0].erase("bufferView");
         b.json["accessors"][0][what] = value;
         std::string line;
-        const size_t taken = growth([&] { line = error_of(b); });
+        const size_t taken = memory_growth([&] { line = error_of(b); });
         EXPECT_THAT(line, HasSubstr("needs more memory"));
         return taken;
     };
@@ -137,7 +108,7 @@ TEST(GltfLimits, PngThatUnpacksToMoreThanItsPicture) {
     put(bytes, 16, 1);
     put(bytes, 20, 1);
     std::string line;
-    const size_t taken = growth([&] { line = picture_error(bytes); });
+    const size_t taken = memory_growth([&] { line = picture_error(bytes); });
     EXPECT_THAT(line, HasSubstr("image 0: does not decode"));
     if (!sanitized) {
         EXPECT_LT(taken, size_t(6) << 20);
@@ -184,7 +155,7 @@ TEST(GltfLimits, ManyPrimitivesOverOneLargeBufferStaySmallAndFast) {
         b.json["meshes"][0]["primitives"].push_back(primitive);
     const Bytes bytes = b.glb();
     const size_t taken =
-        growth([&] { EXPECT_EQ(load_bytes(bytes).meshes[0].primitives.size(), 2'000u); });
+        memory_growth([&] { EXPECT_EQ(load_bytes(bytes).meshes[0].primitives.size(), 2'000u); });
     if (!sanitized) {
         EXPECT_LT(taken, size_t(64) << 20);
     }
