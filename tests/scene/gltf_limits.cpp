@@ -101,6 +101,15 @@ TEST(GltfLimits, PicturesBeyondTheLimitOfPixels) {
     EXPECT_THAT(picture_error(bytes), HasSubstr("image 0: needs more memory"));
 }
 
+TEST(GltfLimits, PngChunkWithANewlineInItsName) {
+    // Found by fuzzing: stb_image's reason quotes the name.
+    Bytes bytes = png(1, 1, solid(1, 1, {1, 2, 3, 4}));
+    const Bytes name = {'A', '\n', 0xff, 'A'};
+    std::copy(name.begin(), name.end(), bytes.begin() + 37); // where IDAT stands
+    EXPECT_EQ(picture_error(bytes),
+              "test.glb: image 0: does not decode (A??A PNG chunk not known)");
+}
+
 TEST(GltfLimits, PngThatUnpacksToMoreThanItsPicture) {
     // 12 MB of zeros in 12 kB; the header then says that the picture is 1 × 1.
     Bytes bytes = png(1024, 3000, Bytes(size_t(1024) * 3000 * 4));

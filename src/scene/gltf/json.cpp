@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <scene/gltf/json.hpp>
@@ -7,7 +8,10 @@ namespace dom = simdjson::dom;
 
 std::string printable(std::string_view text) {
     constexpr size_t longest = 80;
-    std::string out(text.substr(0, longest));
+    size_t length = std::min(text.size(), longest);
+    while (length < text.size() && length > 0 && (text[length] & 0xc0) == 0x80)
+        --length; // not within a character
+    std::string out(text.substr(0, length));
     for (char& c : out)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
             c = '?';

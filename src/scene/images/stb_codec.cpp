@@ -69,15 +69,30 @@ void* bounded_realloc(void* pointer, size_t size) {
 
 #include <fmt/format.h>
 #include <scene/images/codecs.hpp>
+#include <string>
 
 namespace prelight::images {
+namespace {
+
+/// stb's reason in one printable line: it may quote the four bytes of an unknown PNG chunk's name.
+DecodeError stb_error() {
+    const char* reason = stbi_failure_reason();
+    std::string text = reason ? reason : "unknown reason";
+    for (char& c : text)
+        if (c < 0x20 || c > 0x7e)
+            c = '?';
+    return DecodeError(fmt::format("does not decode ({})", text));
+}
+
+} // namespace
+
 Cost inspect_stb(std::span<const uint8_t> bytes, Format format) {
     if (format == Format::jpeg)
         check_jpeg(bytes);
     allowance = size_t(1) << 20;
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), int(bytes.size()), &width, &height, &channels))
-        throw DecodeError(fmt::format("does not decode ({})", stbi_failure_reason()));
+        throw stb_error();
     // 8-bit PNG: unpacked lines, picture, de-interlaced picture, at most 4 bytes a pixel each;
     // JPEG: coefficients, planes, picture, 13 in all. 16-bit PNG: the same twice as wide, and
     // converted.
@@ -94,7 +109,7 @@ TextureImage decode_stb(std::span<const uint8_t> bytes, const Cost& cost) {
         stbi_load_from_memory(bytes.data(), int(bytes.size()), &width, &height, &channels, 4),
         stbi_image_free);
     if (!pixels)
-        throw DecodeError(fmt::format("does not decode ({})", stbi_failure_reason()));
+        throw stb_error();
     if (uint32_t(width) != cost.width || uint32_t(height) != cost.height)
         throw DecodeError("has two sizes");
     TextureImage image;
