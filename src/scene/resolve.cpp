@@ -12,7 +12,7 @@ namespace {
 
 /// Vertex transforms that bounds may cost; beyond it a mesh's box stands for its vertices, so that
 /// a file with a million instances of a million vertices cannot stall the program.
-constexpr uint64_t max_exact_vertices = uint64_t(1) << 27;
+constexpr uint64_t max_exact_vertices = uint64_t(1) << 25;
 
 struct Bounds {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -64,6 +65,23 @@ TEST(Resolve, BoundsAreOfTheTrianglesVerticesOnly) {
     const World world = resolve(scene); // a box about the turned box would reach √2 too far
     expect_near(world.bounds_min, {-c, 0, 0});
     expect_near(world.bounds_max, {c, 2 * c, 1});
+}
+
+TEST(Resolve, VeryManyInstancesOfVeryManyVerticesFallBackToBoxes) {
+    // Found by fuzzing: 50,000 instances of 50,000 vertices.
+    Scene scene = box();
+    Primitive& p = scene.meshes[0].primitives[0];
+    p.positions.resize(50'000, glm::vec3(0.5f));
+    p.indices.resize(150'000);
+    for (uint32_t i = 0; i < 150'000; ++i)
+        p.indices[i] = i % 50'000;
+    scene.nodes[0].instances.assign(50'000, glm::dmat4(1));
+    scene.nodes[0].instances.back()[3].x = 10;
+    const auto start = std::chrono::steady_clock::now();
+    const World world = resolve(scene);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    expect_near(world.bounds_min, {0, 0, 0});
+    expect_near(world.bounds_max, {11, 1, 1});
 }
 
 TEST(Resolve, NegativeScaleMirrorsAndZeroScaleIsDropped) {
