@@ -106,8 +106,7 @@ std::vector<Candidate> candidates(const Instance& instance) {
     return all;
 }
 
-std::vector<Candidate> select_device(const Instance& instance, const std::string& select) {
-    std::vector<Candidate> all = candidates(instance);
+std::vector<Candidate> choose(std::vector<Candidate> all, const std::string& select) {
     auto chosen = all.end();
     if (select == "auto") {
         chosen = std::min_element(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
@@ -130,6 +129,10 @@ std::vector<Candidate> select_device(const Instance& instance, const std::string
     }
     chosen->info.chosen = true;
     return all;
+}
+
+std::vector<Candidate> select_device(const Instance& instance, const std::string& select) {
+    return choose(candidates(instance), select);
 }
 
 } // namespace prelight::gpu

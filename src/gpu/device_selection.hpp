@@ -23,11 +23,12 @@ struct Candidate {
     DeviceInfo info;
 };
 
-/// Every device of the instance, with what it has and why it cannot be used, in the loader's order;
-/// the one that `select` takes is marked. `select`: auto, cpu, an index, or a part of a name.
-/// Throws UsageError when it names none, Error when none is usable.
-std::vector<Candidate> select_device(const Instance& instance, const std::string& select);
-/// The same without choosing.
+/// Every device of the instance, with what it has and why it cannot be used, in the loader's order.
 std::vector<Candidate> candidates(const Instance& instance);
+/// Marks the one that `select` takes: auto, cpu, an index, or a part of a name.
+/// Throws UsageError when it names none, Error when none is usable.
+std::vector<Candidate> choose(std::vector<Candidate> all, const std::string& select);
+/// `choose` among the devices of the instance.
+std::vector<Candidate> select_device(const Instance& instance, const std::string& select);
 
 } // namespace prelight::gpu
