@@ -1,11 +1,19 @@
 # prelight_shaders(TARGET): compiles every shader below shaders/ with glslc, and the variants that
 # shaders/variants.cmake lists, and embeds the SPIR-V in TARGET for gpu::find_shader(name).
+# prelight_shaders(TARGET FOLDER FUNCTION): the shaders of another folder (a test's), for
+# gpu::FUNCTION(name). They may include what lies in shaders/.
 include(${CMAKE_SOURCE_DIR}/shaders/variants.cmake)
 
 function(prelight_shaders TARGET)
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.vert
-         ${CMAKE_SOURCE_DIR}/shaders/*.frag ${CMAKE_SOURCE_DIR}/shaders/*.comp)
+    set(folder ${CMAKE_SOURCE_DIR}/shaders)
+    set(function find_shader)
     set(jobs ${PRELIGHT_SHADER_VARIANTS})
+    if(ARGC GREATER 1)
+        set(folder ${ARGV1})
+        set(function ${ARGV2})
+        set(jobs)
+    endif()
+    file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.vert ${folder}/*.frag ${folder}/*.comp)
     foreach(source IN LISTS sources)
         cmake_path(GET source FILENAME name)
         list(APPEND jobs "${name}|${name}|")
@@ -24,8 +32,8 @@ function(prelight_shaders TARGET)
         add_custom_command(OUTPUT ${out}/${name}.inc
             COMMAND Vulkan::glslc --target-env=vulkan1.3 -O -Werror -mfmt=num ${defines}
                     -I ${CMAKE_SOURCE_DIR}/shaders -MD -MF ${out}/${name}.d -o ${out}/${name}.inc
-                    ${CMAKE_SOURCE_DIR}/shaders/${source}
-            DEPENDS ${CMAKE_SOURCE_DIR}/shaders/${source} DEPFILE ${out}/${name}.d
+                    ${folder}/${source}
+            DEPENDS ${folder}/${source} DEPFILE ${out}/${name}.d
             COMMENT "Shader ${name}" VERBATIM)
         list(APPEND outputs ${out}/${name}.inc)
         string(MAKE_C_IDENTIFIER ${name} id)
@@ -44,7 +52,7 @@ const std::pair<std::string_view, std::span<const uint32_t>> table[] = {
 @table@};
 } // namespace
 
-std::span<const uint32_t> find_shader(std::string_view name) {
+std::span<const uint32_t> @function@(std::string_view name) {
     for (const auto& [known, code] : table)
         if (known == name)
             return code;
