@@ -23,6 +23,9 @@ uint64_t fnv1a(std::span<const std::byte> bytes) {
 }
 
 std::vector<std::byte> read_file(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) // a folder opens, with a size of 2^63 − 1
+        return {};
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in)
         return {};
