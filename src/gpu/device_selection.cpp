@@ -93,7 +93,7 @@ std::vector<Candidate>::iterator find_named(std::vector<Candidate>& all, const s
         if (select == "cpu")
             return c.info.type == "software" && c.info.usable;
         return index ? std::to_string(c.info.index) == select
-                     : c.info.name.find(select) != std::string::npos;
+                     : !select.empty() && c.info.name.find(select) != std::string::npos;
     });
 }
 
