@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Makes every picture of docs/pictures/ anew with the program: scripts/pictures.sh [FOLDER]
+# Needs ImageMagick (`convert`) for making them smaller; everything else comes from the program.
+# Look at each picture afterwards. None may be larger than 400 KiB.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+prelight=${PRELIGHT:-build/release/prelight}
+out=${1:-docs/pictures}
+if ! command -v convert >/dev/null; then
+    echo "pictures: needs convert (Debian package imagemagick)" >&2
+    exit 1
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$out"
+
+shrink() { # NAME: half the size
+    convert "$work/$1.png" -filter box -resize 50% -strip -define png:compression-level=9 "$out/$1.png"
+}
+keep() { # NAME
+    convert "$work/$1.png" -strip -define png:compression-level=9 "$out/$1.png"
+}
+
+# The city and all its buffers.
+views=(depth normal roughness diffuse-light specular-light albedo light-count)
+arguments=()
+for view in "${views[@]}"; do
+    arguments+=(--view "$view=$work/city-$view.png")
+done
+"$prelight" render city --lights 1024 --size 1280x720 -o "$work/city.png" "${arguments[@]}"
+for view in "${views[@]}"; do
+    shrink "city-$view"
+done
+convert "$work/city.png" -filter box -resize 50% -strip -define png:compression-level=9 "$out/city-final.png"
+# At full size it fits 400 KiB with 256 colours and a little dithering.
+convert "$work/city.png" -strip -dither FloydSteinberg -define dither:diffusion-amount=40% -colors 256 \
+    -define png:compression-level=9 "PNG8:$out/city.png"
+
+# Few lights on a pixel: the circles in which volumes meet surfaces.
+"$prelight" render lights --lights 256 --size 640x360 -o "$work/lights.png" \
+    --view light-count="$work/lights-light-count.png"
+keep lights
+keep lights-light-count
+
+# Roughness from left to right, metalness from bottom to top; the light buffer has no materials.
+"$prelight" render spheres --size 640x360 --exposure 0.5 -o "$work/spheres.png" \
+    --view diffuse-light="$work/spheres-diffuse-light.png" \
+    --view specular-light="$work/spheres-specular-light.png"
+keep spheres
+keep spheres-diffuse-light
+keep spheres-specular-light
+"$prelight" render spheres --size 640x360 --shading phong --exposure -1 -o "$work/spheres-phong.png"
+keep spheres-phong
+
+too_large=$(find "$out" -name '*.png' -size +400k)
+if [ -n "$too_large" ]; then
+    printf 'pictures: larger than 400 KiB:\n%s\n' "$too_large" >&2
+    exit 1
+fi
