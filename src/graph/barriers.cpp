@@ -85,26 +85,30 @@ void FrameGraph::derive_buffer_barriers(uint32_t index) {
         for (const Pass::BufferUse& use : passes_[p]->buffers_)
             if (use.buffer.index == index)
                 uses.push_back({p, use.access});
-    const std::vector<Group> groups = group_uses(uses);
-    bool written = false;
-    for (size_t g = 0; g < groups.size(); ++g) {
-        written |= groups[g].access.writes;
-        VkBufferMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
-        barrier.srcStageMask = groups[g].access.stages;
-        barrier.srcAccessMask = groups[g].access.access & write_bits;
-        barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-        barrier.buffer = buffers_[index].handle;
-        barrier.size = VK_WHOLE_SIZE;
-        if (g + 1 < groups.size()) {
-            barrier.dstStageMask = groups[g + 1].access.stages;
-            barrier.dstAccessMask = groups[g + 1].access.access;
-            passes_[groups[g + 1].pass]->buffer_barriers_.push_back(barrier);
-        } else if (written) {
-            barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-            barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-            host_barriers_.push_back(barrier);
-        }
+    Access everything;
+    for (const Group& use : uses)
+        everything |= use.access;
+    if (!everything.writes)
+        return; // reads need no order, and a submission makes the host's writes visible
+    const auto barrier = [&](const Access& before, VkPipelineStageFlags2 stages, VkAccessFlags2 access) {
+        VkBufferMemoryBarrier2 b{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
+        b.srcStageMask = before.stages;
+        b.srcAccessMask = before.access & write_bits;
+        b.dstStageMask = stages;
+        b.dstAccessMask = access;
+        b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+        b.buffer = buffers_[index].handle;
+        b.size = VK_WHOLE_SIZE;
+        return b;
+    };
+    // The first use waits for the frame before, the host for all of this one.
+    Access before = everything;
+    for (const Group& group : group_uses(uses)) {
+        passes_[group.pass]->buffer_barriers_.push_back(
+            barrier(before, group.access.stages, group.access.access));
+        before = group.access;
     }
+    host_barriers_.push_back(barrier(everything, VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT));
 }
 
 } // namespace prelight::graph
