@@ -71,6 +71,8 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
 }
 
 void FrameGraph::record(VkCommandBuffer commands) {
+    if (passes_.empty())
+        return;
     vkCmdResetQueryPool(commands, queries_, 0, static_cast<uint32_t>(2 * passes_.size()));
     for (uint32_t p = 0; p < passes_.size(); ++p) {
         const Pass& pass = *passes_[p];
@@ -94,6 +96,8 @@ void FrameGraph::record(VkCommandBuffer commands) {
 }
 
 std::vector<std::pair<std::string, double>> FrameGraph::pass_times() const {
+    if (passes_.empty())
+        return {};
     std::vector<uint64_t> ticks(2 * passes_.size());
     gpu::check(vkGetQueryPoolResults(context_.device(), queries_, 0, static_cast<uint32_t>(ticks.size()),
                                      ticks.size() * 8, ticks.data(), 8,

@@ -83,6 +83,8 @@ void FrameGraph::compile() {
     create_views();
     derive_barriers();
     prepare_passes();
+    if (passes_.empty())
+        return;
 
     VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;

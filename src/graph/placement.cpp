@@ -56,6 +56,8 @@ void FrameGraph::place_images() {
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
         return images_[a].requirements.size > images_[b].requirements.size;
     });
+    if (order.empty())
+        return; // only buffers, or nothing at all
     uint64_t total = 0;
     uint32_t types = 0xffffffffu;
     std::vector<uint32_t> placed;
