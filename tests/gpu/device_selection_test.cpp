@@ -2,7 +2,6 @@
 #include "devices.hpp"
 #include <algorithm>
 #include <gmock/gmock.h>
-#include <prelight/error.hpp>
 
 namespace prelight {
 namespace {

@@ -2,6 +2,7 @@
 #include <gpu/context.hpp>
 #include <gtest/gtest.h>
 #include <memory>
+#include <prelight/error.hpp>
 #include <string>
 
 namespace prelight {

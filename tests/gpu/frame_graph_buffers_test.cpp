@@ -1,0 +1,112 @@
+// Storage buffers in the frame graph: a write is seen by the next pass and by the host.
+#include "devices.hpp"
+#include "programs.hpp"
+
+namespace prelight {
+namespace {
+
+constexpr uint32_t count = 1 << 16;
+
+class FrameGraphBuffers : public OnEachDevice {
+protected:
+    gpu::Buffer make(const char* name) {
+        gpu::Buffer buffer(context(), name, count * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                           gpu::BufferPlace::readback);
+        std::fill_n(buffer.mapped<uint32_t>(), count, 0xdeadbeef);
+        return buffer;
+    }
+    graph::Pass& counts(graph::FrameGraph& graph, graph::BufferId target, float first) {
+        graph::Pass& pass = graph.pass("count");
+        pass.storage(0, target, true);
+        run_program(pass, context(), "count.comp", {first}, count / 64);
+        return pass;
+    }
+    graph::Pass& mirrors(graph::FrameGraph& graph, graph::BufferId source, graph::BufferId target) {
+        graph::Pass& pass = graph.pass("mirror");
+        pass.storage(0, source, false).storage(1, target, true);
+        run_program(pass, context(), "mirror.comp", {}, count / 64);
+        return pass;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Drivers, FrameGraphBuffers,
+                         testing::Values(Driver::lavapipe, Driver::swiftshader), driver_name);
+
+TEST_P(FrameGraphBuffers, AWriteIsSeenByTheNextPassAndByTheHost) {
+    const gpu::Buffer first = make("first"), second = make("second");
+    graph::FrameGraph graph(context());
+    const graph::BufferId a = graph.buffer("first", first), b = graph.buffer("second", second);
+    counts(graph, a, 5);
+    mirrors(graph, a, b);
+    graph.compile();
+    for (int frame = 0; frame < 2; ++frame) {
+        run_frame(context(), graph);
+        for (uint32_t i = 0; i < count; ++i) {
+            ASSERT_EQ(first.mapped<uint32_t>()[i], i + 5);
+            ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+        }
+        std::fill_n(second.mapped<uint32_t>(), count, 0u);
+    }
+}
+
+// Write, read, write again: the second write waits for the read, and the last value is the second's.
+TEST_P(FrameGraphBuffers, AWriteAfterAReadAndAWriteAfterAWriteWait) {
+    const gpu::Buffer first = make("first"), second = make("second");
+    graph::FrameGraph graph(context());
+    const graph::BufferId a = graph.buffer("first", first), b = graph.buffer("second", second);
+    counts(graph, a, 5);
+    mirrors(graph, a, b);
+    counts(graph, a, 1000);
+    counts(graph, a, 2000);
+    graph.compile();
+    run_frame(context(), graph);
+    for (uint32_t i = 0; i < count; ++i) {
+        ASSERT_EQ(first.mapped<uint32_t>()[i], i + 2000);
+        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+    }
+}
+
+TEST_P(FrameGraphBuffers, FramesFollowEachOtherWithoutAWait) {
+    const gpu::Buffer first = make("first"), second = make("second");
+    graph::FrameGraph graph(context());
+    const graph::BufferId a = graph.buffer("first", first), b = graph.buffer("second", second);
+    counts(graph, a, 5);
+    mirrors(graph, a, b);
+    graph.compile();
+    context().run("two frames", [&](VkCommandBuffer commands) {
+        graph.record(commands);
+        graph.record(commands);
+    });
+    for (uint32_t i = 0; i < count; ++i)
+        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+}
+
+TEST_P(FrameGraphBuffers, HostWritesBeforeAFrameAreSeen) {
+    const gpu::Buffer first = make("first"), second = make("second");
+    graph::FrameGraph graph(context());
+    mirrors(graph, graph.buffer("first", first), graph.buffer("second", second));
+    graph.compile();
+    for (uint32_t frame = 0; frame < 2; ++frame) {
+        for (uint32_t i = 0; i < count; ++i)
+            first.mapped<uint32_t>()[i] = i * 3 + frame;
+        run_frame(context(), graph);
+        for (uint32_t i = 0; i < count; ++i)
+            ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (3 * (count - 1 - i) + frame));
+    }
+}
+
+TEST_P(FrameGraphBuffers, ComputeReadsADrawnImage) {
+    const gpu::Buffer target = make("target");
+    graph::FrameGraph graph(context());
+    const graph::ImageId image = graph.image("image", {VK_FORMAT_R16G16B16A16_SFLOAT, {256, 256}});
+    graph.pass("clear").colour(image, graph::Load::clear, {1.25f}).record([](const auto&) {});
+    graph::Pass& pass = graph.pass("read");
+    pass.storage(0, graph.buffer("target", target), true).sample(1, image);
+    run_program(pass, context(), "read_image.comp", {}, count / 64);
+    graph.compile();
+    run_frame(context(), graph);
+    for (uint32_t i = 0; i < count; ++i)
+        ASSERT_EQ(target.mapped<uint32_t>()[i], 5);
+}
+
+} // namespace
+} // namespace prelight
