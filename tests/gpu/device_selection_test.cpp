@@ -83,30 +83,38 @@ TEST(DeviceRanking, ANamedDeviceThatCannotBeUsedIsAnErrorThatSaysWhy) {
         EXPECT_THAT([&] { gpu::choose(all, select); }, ThrowsMessage<Error>(HasSubstr("1.3 is needed")));
 }
 
-TEST(DeviceList, MarksExactlyOne) {
-    const std::vector<DeviceInfo> all = Device::list();
+void expect_list_and_selection_agree(const std::vector<DeviceInfo>& all) {
     ASSERT_FALSE(all.empty());
     EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const DeviceInfo& d) { return d.chosen; }), 1);
     for (size_t i = 0; i < all.size(); ++i) {
         EXPECT_EQ(all[i].index, i);
         EXPECT_FALSE(all[i].name.empty());
+        EXPECT_FALSE(all[i].driver.empty());
         EXPECT_EQ(all[i].usable, all[i].why_not.empty());
-    }
-}
-
-std::string chosen_name(const std::vector<DeviceInfo>& all) {
-    return std::find_if(all.begin(), all.end(), [](const DeviceInfo& d) { return d.chosen; })->name;
-}
-
-TEST(DeviceList, EachUsableOneIsTakenByIndexAndByName) {
-    for (const DeviceInfo& info : Device::list()) {
-        if (!info.usable)
+        if (all[i].chosen) {
+            EXPECT_EQ(Device::create({.select = "auto"})->name(), all[i].name);
+        }
+        if (!all[i].usable)
             continue;
-        EXPECT_EQ(Device::create({.select = std::to_string(info.index)})->name(), info.name);
-        EXPECT_EQ(Device::create({.select = info.name.substr(1, 6)})->name(), info.name);
+        EXPECT_EQ(Device::create({.select = std::to_string(i)})->name(), all[i].name);
+        EXPECT_EQ(Device::create({.select = all[i].name.substr(1, 6)})->name(), all[i].name);
     }
-    EXPECT_EQ(Device::create({.select = "auto"})->name(), chosen_name(Device::list()));
+}
+
+TEST(DeviceList, MarksWhatAutoTakesAndNamesWhatCanBeTaken) {
+    expect_list_and_selection_agree(Device::list());
     EXPECT_THROW(Device::create({.select = "no such device"}), UsageError);
+}
+
+TEST(DeviceList, WithASecondDriver) {
+    if (!swiftshader_installed())
+        GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium has it)";
+    const size_t before = Device::list().size();
+    const ScopedVariable more("VK_ADD_DRIVER_FILES", swiftshader_driver_file);
+    const std::vector<DeviceInfo> all = Device::list();
+    EXPECT_EQ(all.size(), before + 1);
+    expect_list_and_selection_agree(all);
+    EXPECT_THAT(Device::create({.select = "SwiftShader"})->name(), HasSubstr("SwiftShader"));
 }
 
 TEST(DeviceList, WithoutADriverThereIsOneClearError) {

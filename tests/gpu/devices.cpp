@@ -6,8 +6,6 @@
 namespace prelight {
 namespace {
 
-constexpr const char* swiftshader_icd = "/usr/lib/chromium/vk_swiftshader_icd.json";
-
 struct Holder : testing::Environment {
     std::array<std::unique_ptr<gpu::Context>, 2> devices;
     void TearDown() override { devices = {}; }
@@ -23,7 +21,7 @@ std::string driver_name(const testing::TestParamInfo<Driver>& info) {
     return testing::PrintToString(info.param);
 }
 
-bool swiftshader_installed() { return std::filesystem::exists(swiftshader_icd); }
+bool swiftshader_installed() { return std::filesystem::exists(swiftshader_driver_file); }
 
 bool newer_layer_installed() {
     return std::filesystem::exists(PRELIGHT_BUILD_DIR "/layers/VkLayer_khronos_validation.json") &&
@@ -33,7 +31,7 @@ bool newer_layer_installed() {
 std::unique_ptr<gpu::Context> make_device(Driver driver) {
     if (driver == Driver::lavapipe)
         return std::make_unique<gpu::Context>(DeviceOptions{.select = "cpu", .validate = true});
-    const ScopedVariable only("VK_DRIVER_FILES", swiftshader_icd);
+    const ScopedVariable only("VK_DRIVER_FILES", swiftshader_driver_file);
     return std::make_unique<gpu::Context>(DeviceOptions{.select = "auto", .validate = true});
 }
 

@@ -11,7 +11,8 @@ namespace prelight {
 enum class Driver { lavapipe, swiftshader };
 void PrintTo(Driver driver, std::ostream* out);
 
-/// SwiftShader's driver file, of Debian's chromium package, is there.
+/// SwiftShader's driver file comes with Debian's chromium package.
+inline constexpr const char* swiftshader_driver_file = "/usr/lib/chromium/vk_swiftshader_icd.json";
 bool swiftshader_installed();
 /// The newer validation layer (chromium-common), which sees hazards in dynamic rendering, is in use.
 bool newer_layer_installed();

@@ -1,6 +1,8 @@
 // Storage buffers in the frame graph: a write is seen by the next pass and by the host.
 #include "devices.hpp"
 #include "programs.hpp"
+#include "vulkan_spy.hpp"
+#include <algorithm>
 
 namespace prelight {
 namespace {
@@ -45,6 +47,27 @@ TEST_P(FrameGraphBuffers, AWriteIsSeenByTheNextPassAndByTheHost) {
             ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
         }
         std::fill_n(second.mapped<uint32_t>(), count, 0u);
+    }
+}
+
+// Neither validation nor a driver without caches of its own notices when this one is missing.
+TEST_P(FrameGraphBuffers, TheHostsReadWaitsForEveryWrite) {
+    const gpu::Buffer first = make("first"), second = make("second");
+    graph::FrameGraph graph(context());
+    const graph::BufferId a = graph.buffer("first", first), b = graph.buffer("second", second);
+    counts(graph, a, 5);
+    mirrors(graph, a, b);
+    graph.compile();
+    const VulkanSpy spy;
+    run_frame(context(), graph);
+    for (const gpu::Buffer* buffer : {&first, &second}) {
+        const auto last = std::find_if(spy.buffer_barriers.rbegin(), spy.buffer_barriers.rend(),
+                                       [&](const auto& barrier) { return barrier.buffer == buffer->handle(); });
+        ASSERT_NE(last, spy.buffer_barriers.rend());
+        EXPECT_EQ(last->dstStageMask, VK_PIPELINE_STAGE_2_HOST_BIT);
+        EXPECT_EQ(last->dstAccessMask, VK_ACCESS_2_HOST_READ_BIT);
+        EXPECT_TRUE(last->srcStageMask & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT);
+        EXPECT_TRUE(last->srcAccessMask & VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     }
 }
 
