@@ -77,6 +77,8 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     session.renderer->render(camera, command.frames);
     const std::vector<Picture> pictures = read_pictures(*session.renderer, command);
     const Stats stats = session.renderer->stats();
+    for (const std::string& note : stats.notes)
+        fmt::print(stderr, "note: {}\n", note);
     if (command.validate && !command.watch)
         session.renderer.reset(); // taking everything down is checked too
     if (session.device)

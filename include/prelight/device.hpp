@@ -21,6 +21,8 @@ struct DeviceInfo {
 struct DeviceOptions {
     std::string select = "auto"; ///< auto, cpu, an index, or a part of a name
     bool validate = false;       ///< core and synchronization validation; see validation_messages
+    /// VkFormat values to treat as missing: shows what a device without them gets.
+    std::vector<uint32_t> hidden_formats = {};
 };
 
 /// A Vulkan 1.3 device with its queue, allocator and caches. The Vulkan side is in src/gpu.

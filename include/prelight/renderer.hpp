@@ -60,6 +60,7 @@ struct PassStats {
 struct Stats {
     std::string device, driver;
     std::map<std::string, std::string> settings; ///< every setting with the value in force
+    std::vector<std::string> notes; ///< what the device could not give as asked for, one line each
     uint64_t lights = 0, triangles = 0, draws = 0;
     uint32_t frames = 0;
     Spread wall_ms, cpu_ms, gpu_ms;

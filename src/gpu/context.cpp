@@ -32,7 +32,8 @@ Candidate take_chosen(const std::vector<Candidate>& all) {
 } // namespace
 
 Context::Context(const DeviceOptions& options)
-    : instance_(options.validate), chosen_(take_chosen(select_device(instance_, options.select))) {
+    : instance_(options.validate), chosen_(take_chosen(select_device(instance_, options.select))),
+      hidden_formats_(options.hidden_formats) {
     vkGetPhysicalDeviceProperties(physical(), &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical(), &memory_);
     create_device();
@@ -120,6 +121,9 @@ uint32_t Context::memory_type(uint32_t type_bits, VkMemoryPropertyFlags flags) c
 }
 
 bool Context::supports(VkFormat format, VkFormatFeatureFlags wanted) const {
+    if (std::find(hidden_formats_.begin(), hidden_formats_.end(), static_cast<uint32_t>(format)) !=
+        hidden_formats_.end())
+        return false;
     VkFormatProperties properties{};
     vkGetPhysicalDeviceFormatProperties(physical(), format, &properties);
     return (properties.optimalTilingFeatures & wanted) == wanted;

@@ -53,6 +53,7 @@ private:
 
     Instance instance_;
     Candidate chosen_;
+    std::vector<uint32_t> hidden_formats_;
     VkPhysicalDeviceProperties properties_{};
     VkPhysicalDeviceMemoryProperties memory_{};
     VkDevice device_ = VK_NULL_HANDLE;

@@ -24,9 +24,9 @@ VkAttachmentLoadOp load_op(Load load) {
                                 : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
 }
 
-void cover(VkCommandBuffer commands, VkExtent2D extent) {
+void cover(VkCommandBuffer commands, VkExtent2D extent, VkExtent2D drawn) {
     const VkViewport viewport{0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
-    const VkRect2D scissor{{0, 0}, extent};
+    const VkRect2D scissor{{0, 0}, drawn};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
 }
@@ -67,10 +67,9 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
     info.pColorAttachments = colours.data();
     info.pDepthAttachment = pass.depth_ ? &depth : nullptr;
     vkCmdBeginRendering(commands, &info);
-    cover(commands, extent);
 }
 
-void FrameGraph::record(VkCommandBuffer commands) {
+void FrameGraph::record(VkCommandBuffer commands, bool one_pixel) {
     if (passes_.empty())
         return;
     vkCmdResetQueryPool(commands, queries_, 0, static_cast<uint32_t>(2 * passes_.size()));
@@ -85,6 +84,7 @@ void FrameGraph::record(VkCommandBuffer commands) {
             const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
             pass_context.extent = images_[target.index].desc.extent;
             begin_rendering(commands, p, pass_context.extent);
+            cover(commands, pass_context.extent, one_pixel ? VkExtent2D{1, 1} : pass_context.extent);
         }
         pass.record_(pass_context);
         if (renders)

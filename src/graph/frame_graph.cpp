@@ -1,6 +1,8 @@
 #include "frame_graph.hpp"
 #include <algorithm>
+#include <fmt/format.h>
 #include <gpu/check.hpp>
+#include <prelight/error.hpp>
 
 namespace prelight::graph {
 
@@ -59,6 +61,20 @@ ImageId FrameGraph::image(std::string name, const ImageDesc& desc) {
     image.desc = desc;
     images_.push_back(std::move(image));
     return {static_cast<uint32_t>(images_.size() - 1)};
+}
+
+ImageId FrameGraph::image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats) {
+    constexpr VkFormatFeatureFlags use =
+        VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+    for (const VkFormat format : formats) {
+        if (!context_.supports(format, use))
+            continue;
+        if (format != *formats.begin())
+            notes_.push_back(fmt::format("{}: {} is no target on {}, {} is taken", name,
+                                         format_name(*formats.begin()), context_.name(), format_name(format)));
+        return image(std::move(name), {format, extent});
+    }
+    throw Error(fmt::format("{}: {} has no format for it", context_.name(), name));
 }
 
 BufferId FrameGraph::buffer(std::string name, const gpu::Buffer& buffer) {

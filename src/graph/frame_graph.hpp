@@ -91,6 +91,11 @@ public:
     FrameGraph& operator=(const FrameGraph&) = delete;
 
     ImageId image(std::string name, const ImageDesc& desc);
+    /// An image in the first of `formats` that the device can draw into and sample; notes() names
+    /// what was missing. Throws Error when it has none of them.
+    ImageId image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats);
+    /// What is not as asked for, one line each.
+    const std::vector<std::string>& notes() const { return notes_; }
     /// A buffer of the caller's, alive as long as the graph; host writes before a frame are seen.
     BufferId buffer(std::string name, const gpu::Buffer& buffer);
     Pass& pass(std::string name);
@@ -103,7 +108,10 @@ public:
     /// sets and lets each pass make its pipelines. Throws Error.
     void compile();
     /// Records one frame, with a debug label and two timestamps for each pass.
-    void record(VkCommandBuffer commands);
+    void record(VkCommandBuffer commands) { record(commands, false); }
+    /// Records a frame whose draws touch one pixel: every pipeline is compiled after it, for software
+    /// devices compile at the first draw.
+    void record_warm_up(VkCommandBuffer commands) { record(commands, true); }
     /// Device time of each living pass in the last frame, milliseconds; the frame must be done.
     std::vector<std::pair<std::string, double>> pass_times() const;
     /// Texels of a kept image, row by row, tightly packed. Submits and waits.
@@ -138,10 +146,12 @@ private:
     void derive_buffer_barriers(uint32_t index);
     Access everything_that_shares_memory(const GraphImage& image) const;
     void prepare_passes();
+    void record(VkCommandBuffer commands, bool one_pixel);
     void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent) const;
     bool needed_after(ImageId image, uint32_t pass_index) const;
 
     const gpu::Context& context_;
+    std::vector<std::string> notes_;
     std::vector<GraphImage> images_;
     std::vector<GraphBuffer> buffers_;
     std::vector<std::unique_ptr<Pass>> passes_;

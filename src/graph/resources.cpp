@@ -27,6 +27,7 @@ constexpr FormatInfo formats[] = {
     {VK_FORMAT_R16G16_UNORM, 4, "RG16"},
     {VK_FORMAT_R16G16_SFLOAT, 4, "RG16F"},
     {VK_FORMAT_R16G16B16A16_SFLOAT, 8, "RGBA16F"},
+    {VK_FORMAT_R32G32_SFLOAT, 8, "RG32F"},
 };
 
 const FormatInfo& find(VkFormat format) {

@@ -5,13 +5,16 @@
 namespace prelight::passes {
 namespace {
 
-VkFormat target_format(NormalEncoding encoding) {
+/// The target of each encoding, and what takes its place on a device that cannot draw into it: the
+/// shaders write and read the same 0 … 1 values whatever the format.
+graph::ImageId normal_target(graph::FrameGraph& graph, VkExtent2D extent, NormalEncoding encoding) {
     switch (encoding) {
-    case NormalEncoding::oct24: return VK_FORMAT_R8G8B8A8_UNORM;
-    case NormalEncoding::oct32: return VK_FORMAT_R16G16_UNORM;
-    case NormalEncoding::rgb10a2: return VK_FORMAT_A2B10G10R10_UNORM_PACK32;
+    case NormalEncoding::oct24: return graph.image("normal", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    case NormalEncoding::oct32:
+        return graph.image("normal", extent, {VK_FORMAT_R16G16_UNORM, VK_FORMAT_R32G32_SFLOAT});
+    case NormalEncoding::rgb10a2: break;
     }
-    return VK_FORMAT_UNDEFINED;
+    return graph.image("normal", extent, {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM});
 }
 
 } // namespace
@@ -28,7 +31,7 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
     const VkExtent2D extent = frame.extent();
     SurfaceBuffers out{format};
     out.depth = out.depth_source = graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
-    out.normal = out.roughness = graph.image("normal", {target_format(format.normals), extent});
+    out.normal = out.roughness = normal_target(graph, extent, format.normals);
 
     std::string shader = "depth_normal";
     graph::Pass& pass = graph.pass("depth-normal");
@@ -39,7 +42,7 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
         shader += "+roughness";
     }
     if (format.linear_depth) {
-        out.depth_source = graph.image("linear depth", {VK_FORMAT_R32_SFLOAT, extent});
+        out.depth_source = graph.image("linear depth", extent, {VK_FORMAT_R32_SFLOAT, VK_FORMAT_R16_SFLOAT});
         pass.colour(out.depth_source, graph::Load::clear);
         shader += "+depth";
     }

@@ -32,7 +32,7 @@ protected:
     const gpu::Buffer& pair_counters() const { return pair_counters_; }
 
 private:
-    void render_frame(VkCommandBuffer commands);
+    void render_frame(VkCommandBuffer commands, bool warm_up);
     void count_pairs();
 
     const gpu::Context& context_;
