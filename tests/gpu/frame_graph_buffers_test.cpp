@@ -62,7 +62,7 @@ TEST_P(FrameGraphBuffers, TheHostsReadWaitsForEveryWrite) {
     run_frame(context(), graph);
     for (const gpu::Buffer* buffer : {&first, &second}) {
         const auto last = std::find_if(spy.buffer_barriers.rbegin(), spy.buffer_barriers.rend(),
-                                       [&](const auto& barrier) { return barrier.buffer == buffer->handle(); });
+                                       [&](const auto& seen) { return seen.buffer == buffer->handle(); });
         ASSERT_NE(last, spy.buffer_barriers.rend());
         EXPECT_EQ(last->dstStageMask, VK_PIPELINE_STAGE_2_HOST_BIT);
         EXPECT_EQ(last->dstAccessMask, VK_ACCESS_2_HOST_READ_BIT);

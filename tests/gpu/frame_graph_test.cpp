@@ -116,7 +116,8 @@ TEST_P(FrameGraphTest, ImagesThatAreAliveTogetherNeverOverlap) {
         std::vector<float> values;
         std::vector<size_t> kept;
         for (uint32_t i = 0; i < 16; ++i) {
-            const graph::ImageDesc desc{VK_FORMAT_R32_SFLOAT, {8 + uint32_t(random() % 90), 8 + uint32_t(random() % 90)}};
+            const uint32_t image_width = 8 + random() % 90, image_height = 8 + random() % 90;
+            const graph::ImageDesc desc{VK_FORMAT_R32_SFLOAT, {image_width, image_height}};
             const float constant = static_cast<float>(random() % 4096);
             if (i < 2) {
                 images.push_back(cleared(graph, std::to_string(i), constant, desc));
@@ -127,9 +128,9 @@ TEST_P(FrameGraphTest, ImagesThatAreAliveTogetherNeverOverlap) {
             std::array<size_t, 3> from{};
             for (size_t& f : from)
                 f = random() % 4 ? images.size() - 1 - random() % 2 : random() % images.size();
-            images.push_back(mixed(graph, std::to_string(i), {images[from[0]], images[from[1]], images[from[2]]},
-                                   constant, desc));
-            values.push_back(std::fmod(values[from[0]] + 3 * values[from[1]] + 5 * values[from[2]] + constant, 4096.0f));
+            const auto [a, b, c] = from;
+            images.push_back(mixed(graph, std::to_string(i), {images[a], images[b], images[c]}, constant, desc));
+            values.push_back(std::fmod(values[a] + 3 * values[b] + 5 * values[c] + constant, 4096.0f));
             if (random() % 5 == 0 || i == 15)
                 kept.push_back(i);
         }
@@ -162,7 +163,8 @@ TEST_P(FrameGraphTest, LoadKeepsOrClears) {
         auto program = std::make_shared<std::unique_ptr<Program>>();
         pass.prepare([=, this](const graph::PassInterface& interface) {
             EXPECT_THAT(interface.colour_formats, ElementsAre(colours.format));
-            *program = std::make_unique<Program>(context(), "constant.frag", interface.inputs, interface.colour_formats);
+            *program = std::make_unique<Program>(context(), "constant.frag", interface.inputs,
+                                                 interface.colour_formats);
         });
         pass.record([=](const graph::PassContext& c) {
             EXPECT_EQ(c.extent.width, 64);
@@ -190,7 +192,8 @@ TEST_P(FrameGraphTest, LoadKeepsOrClears) {
 
 TEST_P(FrameGraphTest, ReadingBackTwiceGivesTheSame) {
     FrameGraph graph(context());
-    const ImageId kept = cleared(graph, "kept", 3), depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, {16, 16}});
+    const ImageId kept = cleared(graph, "kept", 3);
+    const ImageId depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, {16, 16}});
     graph.pass("depth").depth_write(depth).record([](const auto&) {});
     graph.keep(kept);
     graph.keep(depth);

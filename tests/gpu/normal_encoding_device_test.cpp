@@ -130,9 +130,11 @@ TEST_P(NormalEncodingOnDevice, AgreesWithTheCpu) {
     }
     const std::vector<uint32_t> stored = texels<uint32_t>(graph, images[0]);
     double roughness = 0;
-    for (uint32_t i = 0; i < count; ++i)
-        roughness = std::max(roughness, std::abs(double(decoded.mapped<glm::vec4>()[3 * i].w) /
-                                                 shared::roughness_decode(float(stored[i] >> 24) / 255.0f) - 1));
+    for (uint32_t i = 0; i < count; ++i) {
+        const double device = decoded.mapped<glm::vec4>()[3 * i].w;
+        const float host = shared::roughness_decode(static_cast<float>(stored[i] >> 24) / 255.0f);
+        roughness = std::max(roughness, std::abs(device / host - 1));
+    }
     EXPECT_LE(roughness, 1e-5);
 }
 INSTANTIATE_TEST_SUITE_P(Drivers, NormalEncodingOnDevice,

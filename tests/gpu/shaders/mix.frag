@@ -10,7 +10,8 @@ layout(location = 0) out float result;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float sum = texelFetch(a, pixel % textureSize(a, 0), 0).r + 3.0 * texelFetch(b, pixel % textureSize(b, 0), 0).r +
+    float sum = texelFetch(a, pixel % textureSize(a, 0), 0).r +
+                3.0 * texelFetch(b, pixel % textureSize(b, 0), 0).r +
                 5.0 * texelFetch(c, pixel % textureSize(c, 0), 0).r + push.constant.x;
     result = sum - 4096.0 * floor(sum / 4096.0);
 }
