@@ -75,12 +75,11 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
         if (is_dark(light.light))
             continue;
         LightGroup group = LightGroup::fullscreen;
-        if (light.light.kind != LightKind::directional && !std::isinf(light.light.range)) {
+        if (!all_fullscreen && light.light.kind != LightKind::directional && !std::isinf(light.light.range)) {
             const glm::dvec3 centre = light.position - camera.position;
             if (outside_view(clip, centre, light.light.range))
                 continue;
-            if (!all_fullscreen)
-                group = group_of(light, camera, constants, centre, light.light.range * volume_slack);
+            group = group_of(light, camera, constants, centre, light.light.range * volume_slack);
         }
         members[static_cast<size_t>(group)].push_back(i);
     }

@@ -23,7 +23,7 @@ shared::LightData light_data(const PlacedLight& light, glm::dvec3 camera, double
 
 /// Leaves out what is dark or outside the view, and sorts the rest. A light is drawn "inside" (back
 /// faces, reversed depth test) as soon as its volume may touch the near plane. `all_fullscreen`:
-/// every light by a full-screen triangle.
+/// every light that is not dark by a full-screen triangle, wherever it is: the yardstick for the rest.
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
                          const shared::FrameConstants& constants, bool all_fullscreen);
 

@@ -36,6 +36,41 @@ INSTANTIATE_TEST_SUITE_P(
                     Form{"phong_ambient_light", Shading::phong, {{"ambient", "light"}}}),
     [](const auto& form) { return std::string(form.param.name); });
 
+/// Low lights behind the garden, seen from low in front: V·H is small, and the forms' Fresnel terms
+/// are far apart.
+struct BacklitGarden : Garden {
+    BacklitGarden() {
+        for (const double x : {-4.0, 0.0, 4.0})
+            add_light(point(20, 40), {x, 0.8, -7});
+        camera = look_at(camera.camera, {0.5, 0.9, 9}, {0, 0.5, 0});
+    }
+};
+
+class BacklitForms : public testing::TestWithParam<Form> {};
+
+TEST_P(BacklitForms, AgreeWithTheReference) {
+    BacklitGarden garden;
+    Shot shot = garden.shot();
+    shot.exposure = -1;
+    shot.settings = GetParam().settings;
+    expect_agrees(shot);
+}
+INSTANTIATE_TEST_SUITE_P(LightModel, BacklitForms,
+                         testing::Values(Form{"weighted", Shading::ggx, {}},
+                                         Form{"nv", Shading::ggx, {{"model", "nv"}}},
+                                         Form{"mono", Shading::ggx, {{"light-buffer", "packed-rgba16f"}}}),
+                         [](const auto& form) { return std::string(form.param.name); });
+
+TEST(BacklitForm, WeightedIsNotAnyOtherForm) {
+    BacklitGarden garden;
+    const auto picture = [&](ReferenceForm::Fresnel fresnel) {
+        return render_reference(garden.world, garden.camera, 160, 90, -1, {.fresnel = fresnel}).linear;
+    };
+    using Fresnel = ReferenceForm::Fresnel;
+    EXPECT_LT(compare(picture(Fresnel::nv), picture(Fresnel::weighted)).psnr, 45);
+    EXPECT_LT(compare(picture(Fresnel::mono), picture(Fresnel::weighted)).psnr, 45);
+}
+
 TEST(LightKinds, DirectionalAlone) {
     Garden garden;
     garden.add_light({.kind = LightKind::directional, .intensity = 2}, {0, 0, 0}, {0.4, -1, -0.6});

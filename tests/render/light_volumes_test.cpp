@@ -99,6 +99,20 @@ TEST(VolumeCulling, ManyLightsLightTheSamePixelsAsFullScreen) {
     expect_same_as_fullscreen(finite, finite.camera, "finite far plane");
 }
 
+TEST(VolumeCulling, LightsBesideThePictureReachIntoIt) {
+    Garden garden;
+    Camera tele;
+    tele.yfov = 0.25;
+    garden.camera = look_at(tele, garden.camera.position, garden.at(0, 0.6, 0));
+    for (int i = 0; i < 48; ++i) { // a ring around what is seen, near and far
+        const double angle = 0.7 * i, radius = 1.0 + 0.06 * i;
+        const glm::dvec3 across = garden.camera.axes[0] * std::cos(angle) * (1.6 * radius) +
+                                  garden.camera.axes[1] * std::sin(angle) * radius;
+        garden.add_light(garden.point(2.2f, 3), garden.at(0, 0.6, 0) + across);
+    }
+    expect_same_as_fullscreen(garden, garden.camera, "a ring of lights around the view");
+}
+
 TEST(VolumeCulling, LightsOffScreenOrDarkCostNothing) { // [L8]
     Garden garden;
     garden.add_light(garden.point(3, 10), {0, 2, 60});
