@@ -50,13 +50,14 @@ double to_half(double value, bool nearest) {
     return (nearest ? std::nearbyint(value / step) : std::floor(value / step)) * step;
 }
 
-/// Relative error of `count` adds of total/count into a half float and of writing the picture as half
-/// floats, averaged over totals of one octave.
+/// Relative error of `count` adds of total/count into a half float and of writing the picture as
+/// half floats, averaged over totals of one octave.
 double simulated(uint32_t count, bool nearest) {
     constexpr int samples = 64;
     double error = 0;
     for (int s = 0; s < samples; ++s) {
-        const double total = 1 + std::fmod(0.618034 * s, 1.0), albedo = 0.9 + 0.1 * std::fmod(0.754878 * s, 1.0);
+        const double total = 1 + std::fmod(0.618034 * s, 1.0),
+                     albedo = 0.9 + 0.1 * std::fmod(0.754878 * s, 1.0);
         double sum = 0;
         for (uint32_t i = 0; i < count; ++i)
             sum = to_half(sum + total / count, nearest);
@@ -70,7 +71,8 @@ struct Pair {
     ReferencePicture truth;
 };
 
-Pair render_both(Device& device, const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height) {
+Pair render_both(Device& device, const World& world, const PlacedCamera& camera, uint32_t width,
+                 uint32_t height) {
     RenderOptions options;
     options.width = width;
     options.height = height;

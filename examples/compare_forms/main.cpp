@@ -1,6 +1,6 @@
-// example_compare_forms [SCENE.glb …]: figures of docs/measuring.md for the built-in scenes and for the
-// files named, which get 1,024 lights: the light pre-pass against the reference of its own form, and
-// the forms of the lighting model against the full one, reference against reference.
+// example_compare_forms [SCENE.glb …]: figures of docs/measuring.md for the built-in scenes and for
+// the files named, which get 1,024 lights: the light pre-pass against the reference of its own
+// form, and the forms of the lighting model against the full one, reference against reference.
 #include <fmt/format.h>
 #include <prelight/device.hpp>
 #include <prelight/error.hpp>
@@ -16,8 +16,9 @@ namespace {
 constexpr uint32_t width = 1280, height = 720;
 
 void print(const std::string& name, const Comparison& c) {
-    fmt::print("{:<34} {:>6.1f} dB {:>8.3f} % off, block {:>5.2f}/255, FLIP {:.4f}, {:.1f} % left out\n", name,
-               c.psnr, c.off_share * 100, c.block, c.flip, c.left_out_share * 100);
+    fmt::print(
+        "{:<34} {:>6.1f} dB {:>8.3f} % off, block {:>5.2f}/255, FLIP {:.4f}, {:.1f} % left out\n",
+        name, c.psnr, c.off_share * 100, c.block, c.flip, c.left_out_share * 100);
 }
 
 void show(Device& device, const std::string& name, const World& world) {
@@ -35,7 +36,8 @@ void show(Device& device, const std::string& name, const World& world) {
     renderer->render(camera);
 
     const ReferencePicture full = reference(Fresnel::full), weighted = reference(Fresnel::weighted);
-    print(name + ": light-prepass", compare(renderer->read("linear"), weighted.linear, weighted.left_out()));
+    print(name + ": light-prepass",
+          compare(renderer->read("linear"), weighted.linear, weighted.left_out()));
     print("    weighted against full", compare(weighted.linear, full.linear));
     print("    nv against full", compare(reference(Fresnel::nv).linear, full.linear));
     print("    mono against full", compare(reference(Fresnel::mono).linear, full.linear));
@@ -43,7 +45,8 @@ void show(Device& device, const std::string& name, const World& world) {
 
 void run(int argc, char** argv) {
     const auto device = Device::create({});
-    const std::pair<const char*, uint32_t> builtins[] = {{"city", 256}, {"city", 1024}, {"lights", 1024}, {"spheres", 8}};
+    const std::pair<const char*, uint32_t> builtins[] = {
+        {"city", 256}, {"city", 1024}, {"lights", 1024}, {"spheres", 8}};
     for (const auto& [name, lights] : builtins) {
         const Scene scene = make_scene(name, lights, 1);
         show(*device, fmt::format("{}, {} lights", name, lights), resolve(scene));
