@@ -6,6 +6,7 @@
 #include <prelight/error.hpp>
 #include <prelight/scene.hpp>
 #include <scene/enclosure.hpp>
+#include <scene/finite.hpp>
 
 namespace prelight {
 namespace {
@@ -54,14 +55,6 @@ MeshFacts facts_of(const Mesh& mesh) {
         }
     }
     return facts;
-}
-
-bool is_finite(const glm::dmat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(m[column][row]))
-                return false;
-    return true;
 }
 
 /// Determinant of the linear part with each axis scaled to unit length: its sign tells a mirror,

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <scene/finite.hpp>
 #include <scene/gltf/nodes.hpp>
 
 namespace prelight::gltf {
@@ -19,14 +20,6 @@ glm::dmat4 compose(glm::dvec3 translation, glm::dvec4 rotation, glm::dvec3 scale
         m[axis] *= scale[axis];
     m[3] = glm::dvec4(translation, 1);
     return m;
-}
-
-bool is_finite(const glm::dmat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(m[column][row]))
-                return false;
-    return true;
 }
 
 glm::dmat4 read_local(const Item& item) {
