@@ -1,8 +1,11 @@
+#include "coplanar.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <gtest/gtest.h>
 #include <scene/procedural/city.hpp>
+#include <set>
 #include <string>
 
 namespace prelight {
@@ -309,6 +312,30 @@ TEST(City, PicturesThatRepeatAreContinuousOverTheirEdges) {
         }
     }
     EXPECT_EQ(checked, 11);
+}
+
+/// "house, stone trim" for one side of a pair.
+std::string name_of(const World& world, const CoplanarPair::Face& face) {
+    const Mesh& mesh = world.scene->meshes[world.instances[face.instance].mesh];
+    return mesh.name + ", " + world.scene->materials[mesh.primitives[face.primitive].material].name;
+}
+
+TEST(City, NoTwoFacesFightForOnePlane) {
+    for (const uint64_t seed : {1u, 2u}) {
+        const Scene scene = make_city(1, seed);
+        const World world = resolve(scene);
+        const std::vector<CoplanarPair> pairs = find_coplanar(world);
+        EXPECT_EQ(pairs.size(), 0u) << "seed " << seed;
+        std::set<std::string> told; // one of each kind
+        for (const CoplanarPair& pair : pairs) {
+            const std::string what = name_of(world, pair.a) + " | " + name_of(world, pair.b);
+            if (told.insert(what).second)
+                ADD_FAILURE() << what << ": " << 1e4 * pair.area << " cm² at (" << pair.point.x
+                              << ", " << pair.point.y << ", " << pair.point.z << ") facing ("
+                              << pair.normal.x << ", " << pair.normal.y << ", " << pair.normal.z
+                              << ')';
+        }
+    }
 }
 
 TEST(City, IsMadeInTime) {

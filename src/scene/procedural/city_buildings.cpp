@@ -11,11 +11,16 @@ struct House {
     glm::vec2 low, high; ///< x and z of the footprint
     unsigned fronts;     ///< sides with a façade; the others are plain walls
     uint32_t floors;
+    float base = kerb_height; ///< y of the ground floor
 };
+
+/// The base of the houses across a street's end: their cornices and sills meet those of the rows
+/// at right angles, and would lie in one plane with them.
+constexpr float end_base = kerb_height - 0.01f;
 
 /// Frame and width of one side, seen from outside.
 std::pair<Frame, float> side_frame(const House& h, Side side) {
-    const float w = h.high.x - h.low.x, l = h.high.y - h.low.y, y = kerb_height;
+    const float w = h.high.x - h.low.x, l = h.high.y - h.low.y, y = h.base;
     switch (side) {
     case east:
         return {{{h.high.x, y, h.high.y}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}}, l};
@@ -25,6 +30,20 @@ std::pair<Frame, float> side_frame(const House& h, Side side) {
         return {{{h.low.x, y, h.high.y}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, w};
     default:
         return {{{h.high.x, y, h.low.y}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, w};
+    }
+}
+
+/// The sides at the left and the right end of one, seen from outside.
+std::pair<Side, Side> neighbours(Side side) {
+    switch (side) {
+    case east:
+        return {south, north};
+    case west:
+        return {north, south};
+    case south:
+        return {west, east};
+    default:
+        return {east, west};
     }
 }
 
@@ -56,7 +75,7 @@ Facade choose_style(Plan& plan) {
 void roof(Plan& plan, MeshBuilder& b, const House& h, const Facade& f, float height) {
     const glm::vec2 size = h.high - h.low;
     constexpr float wall = 0.3f;
-    b.frame = {{h.low.x, kerb_height + height, h.high.y}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+    b.frame = {{h.low.x, h.base + height, h.high.y}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
     b.use(Surface::trim, f.trim_tint);
     wall_grid(b, {0, wall, size.x - wall, size.x}, {0, wall, size.y - wall, size.y},
               {false, false, false, false, true, false, false, false, false});
@@ -92,10 +111,11 @@ void build_house(Plan& plan, const House& h) {
         f.width = width;
         // At a corner of two façades the one towards ±x carries the cornices around.
         const bool around = side == east || side == west;
-        const unsigned left_neighbour = side == east ? south : north;
-        const unsigned right_neighbour = side == east ? north : south;
-        f.cap_left = around && (h.fronts & left_neighbour);
-        f.cap_right = around && (h.fronts & right_neighbour);
+        const auto [left_neighbour, right_neighbour] = neighbours(side);
+        f.corner_left = h.fronts & left_neighbour;
+        f.corner_right = h.fronts & right_neighbour;
+        f.cap_left = around && f.corner_left;
+        f.cap_right = around && f.corner_right;
         if (h.fronts & side) {
             build_facade(plan, b, f);
         } else {
@@ -104,7 +124,7 @@ void build_house(Plan& plan, const House& h) {
         }
     }
     roof(plan, b, h, f, facade_height(f));
-    plan.build(b, "house", {(h.low.x + h.high.x) / 2, kerb_height, (h.low.y + h.high.y) / 2});
+    plan.build(b, "house", {(h.low.x + h.high.x) / 2, h.base, (h.low.y + h.high.y) / 2});
 }
 
 /// Splits `from` … `to` into lots of 9 to 14 m.
@@ -163,14 +183,15 @@ void add_buildings(Plan& plan) {
         build_house(plan, {{std::min(x0, x1), cross_z - 12},
                            {std::max(x0, x1), cross_z + 12},
                            sign > 0 ? unsigned{west} : unsigned{east},
-                           4});
+                           4,
+                           end_base});
     }
     // What closes the view: a taller house in the street's axis, and one behind the camera.
-    build_house(plan, {{-inner, street_far - lot_depth}, {-6.5f, street_far}, south, 4});
-    build_house(plan, {{-6.5f, street_far - lot_depth}, {6.5f, street_far}, south, 8});
-    build_house(plan, {{6.5f, street_far - lot_depth}, {inner, street_far}, south, 5});
-    build_house(plan, {{-inner, street_near}, {0, street_near + lot_depth}, north, 4});
-    build_house(plan, {{0, street_near}, {inner, street_near + lot_depth}, north, 3});
+    build_house(plan, {{-inner, street_far - lot_depth}, {-6.5f, street_far}, south, 4, end_base});
+    build_house(plan, {{-6.5f, street_far - lot_depth}, {6.5f, street_far}, south, 8, end_base});
+    build_house(plan, {{6.5f, street_far - lot_depth}, {inner, street_far}, south, 5, end_base});
+    build_house(plan, {{-inner, street_near}, {0, street_near + lot_depth}, north, 4, end_base});
+    build_house(plan, {{0, street_near}, {inner, street_near + lot_depth}, north, 3, end_base});
 }
 
 } // namespace prelight::city

@@ -20,14 +20,16 @@ Openings openings(const Facade& f) {
     return {};
 }
 
-/// A band across the front: `steps` boxes, each reaching further out than the one below.
+/// A band across the front: `steps` boxes, each reaching further out than the one below. At ends
+/// without a cap it is moved by `lip` out of the side walls' planes, at both the same way, so that
+/// it still meets the next house's.
 void band(MeshBuilder& b, const Facade& f, float y, float height, float reach, uint32_t steps) {
     for (uint32_t i = 0; i < steps; ++i) {
         const float share = static_cast<float>(i + 1) / static_cast<float>(steps);
         const float out = reach * share;
         const float low = y + height * static_cast<float>(i) / static_cast<float>(steps);
-        b.box({f.cap_left ? -out : 0, low, -0.05f},
-              {f.width + (f.cap_right ? out : 0), low + height / static_cast<float>(steps), out},
+        b.box({f.cap_left ? -out : lip, low, -0.05f},
+              {f.width + (f.cap_right ? out : lip), low + height / static_cast<float>(steps), out},
               all_faces & ~unsigned{back});
     }
 }
@@ -44,10 +46,11 @@ void dentils(MeshBuilder& b, const Facade& f, float y) {
 }
 
 void pilaster(MeshBuilder& b, float s, float width, float low, float high) {
+    constexpr float reach = 0.155f; // of base and capital; no dentil of another front ends there
     b.box({s, low, -0.02f}, {s + width, high, 0.10f}, left | right | front);
-    b.box({s - 0.05f, low, -0.02f}, {s + width + 0.05f, low + 0.35f, 0.15f},
+    b.box({s - 0.05f, low, -0.02f}, {s + width + 0.05f, low + 0.35f, reach},
           all_faces & ~unsigned{back});
-    b.box({s - 0.05f, high - 0.3f, -0.02f}, {s + width + 0.05f, high, 0.15f},
+    b.box({s - 0.05f, high - 0.3f, -0.02f}, {s + width + 0.05f, high, reach},
           all_faces & ~unsigned{back});
 }
 

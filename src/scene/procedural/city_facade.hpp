@@ -14,10 +14,15 @@ struct Facade {
     glm::vec3 wall_tint{1}, trim_tint{1}, frame_tint{1};
     bool cap_left = true; ///< cornices run around the corner at this end
     bool cap_right = true;
+    bool corner_left = false; ///< another front begins at this end
+    bool corner_right = false;
     bool shops = true;
 };
 
 inline constexpr float ground_floor = 4.2f, upper_floor = 3.25f, parapet = 0.9f;
+/// Trims around openings and at the ends of a front stand this far out of the faces that they
+/// cover: two faces in one plane would fight for the same pixels.
+inline constexpr float lip = 0.005f;
 inline float facade_height(const Facade& f) {
     return ground_floor + upper_floor * static_cast<float>(f.floors) + parapet;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -194,37 +195,53 @@ Mesh bench() {
 
 Mesh manhole() {
     MeshBuilder b;
-    b.use(Surface::metal);
-    b.cone({0, -0.01f, 0}, {0, 0.007f, 0}, 0.34f, 0.34f, 28);
+    b.use(Surface::metal); // well above the road's markings
+    b.cone({0, -0.01f, 0}, {0, 0.012f, 0}, 0.34f, 0.34f, 28);
     for (int i = -2; i <= 2; ++i) {
         const float z = 0.1f * static_cast<float>(i), half = std::sqrt(0.30f * 0.30f - z * z);
-        b.box({-half, 0.006f, z - 0.022f}, {half, 0.013f, z + 0.022f},
+        b.box({-half, 0.010f, z - 0.022f}, {half, 0.018f, z + 0.022f},
               all_faces & ~unsigned{bottom});
     }
     return b.finish("manhole");
 }
 
+/// Along the kerb from z towards −z: the first place for a bin that is clear of the posts and trees
+/// among the nodes from `first` on.
+float bin_place(const Scene& scene, size_t first, float x, float z) {
+    constexpr double clear = 0.5; // metres between the middles
+    const auto taken = [&](const Node& node) {
+        return std::hypot(node.local[3].x - double(x), node.local[3].z - double(z)) < clear;
+    };
+    while (std::any_of(scene.nodes.begin() + static_cast<std::ptrdiff_t>(first), scene.nodes.end(),
+                       taken))
+        z -= 0.1f;
+    return z;
+}
+
 } // namespace
 
 void add_props(Plan& plan) {
+    const size_t first = plan.scene.nodes.size();
     add_lamps(plan);
     add_signals(plan);
     add_trees(plan);
     const uint32_t bin_mesh = plan.add_mesh(bin()), bollard_mesh = plan.add_mesh(bollard());
     const uint32_t bench_mesh = plan.add_mesh(bench()), manhole_mesh = plan.add_mesh(manhole());
-    for (const float side : {-1.0f, 1.0f}) {
-        for (float z = 3; z > street_far + 8; z -= plan.uniform(16, 24)) {
-            if (std::abs(z - cross_z) < cross_line + 1)
-                continue;
-            plan.place(bin_mesh, {side * (road_half + 0.75f), kerb_height, z});
-            plan.place(bench_mesh, {side * (house_line - 0.9f), kerb_height, z - 3},
-                       side < 0 ? pi / 2 : -pi / 2);
-        }
+    for (const float side : {-1.0f, 1.0f})
         for (uint32_t i = 0; i < 5; ++i)
             for (const float z : {cross_z + cross_line + 1.2f, cross_z - cross_line - 1.2f}) {
                 const float step = 1.3f * static_cast<float>(i) * (z > cross_z ? 1.0f : -1.0f);
                 plan.place(bollard_mesh, {side * (road_half + 0.5f), kerb_height, z + step});
             }
+    for (const float side : {-1.0f, 1.0f}) {
+        for (float z = 3; z > street_far + 8; z -= plan.uniform(16, 24)) {
+            if (std::abs(z - cross_z) < cross_line + 1)
+                continue;
+            const float x = side * (road_half + 0.75f);
+            plan.place(bin_mesh, {x, kerb_height, bin_place(plan.scene, first, x, z)});
+            plan.place(bench_mesh, {side * (house_line - 0.9f), kerb_height, z - 3},
+                       side < 0 ? pi / 2 : -pi / 2);
+        }
     }
     for (float z = 4; z > street_far; z -= 21)
         plan.place(manhole_mesh, {plan.uniform(-1.2f, 1.2f), 0, z});

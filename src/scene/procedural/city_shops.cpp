@@ -5,8 +5,10 @@
 namespace prelight::city {
 namespace {
 
-constexpr float head = 3.15f;  ///< top of the openings
-constexpr float depth = 0.42f; ///< of a shop front behind the wall
+constexpr float head = 3.15f;                ///< top of the openings
+constexpr float depth = 0.42f;               ///< of a shop front behind the wall
+constexpr float pier = 0.38f;                ///< from the end of a shop's unit to its opening
+constexpr float corner_pier = depth + 0.06f; ///< keeps the recesses of two fronts apart
 constexpr unsigned no_back = all_faces & ~unsigned{back};
 
 /// A door leaf with panels, in a recess; width about 1 m.
@@ -142,10 +144,13 @@ void build_ground_floor(Plan& plan, MeshBuilder& b, const Facade& f) {
     std::vector<float> s{0};
     std::vector<glm::vec2> openings;
     for (uint32_t i = 0; i < units; ++i) {
-        const float start = unit * static_cast<float>(i), pier = 0.38f;
+        const float start = unit * static_cast<float>(i);
         const bool narrow = i == house_door && units > 1;
-        const float inset = narrow ? unit / 2 - 1.0f : pier;
-        openings.emplace_back(start + inset, start + unit - inset);
+        const auto inset = [&](bool corner) {
+            return narrow ? unit / 2 - 1.0f : corner ? corner_pier : pier;
+        };
+        openings.emplace_back(start + inset(f.corner_left && i == 0),
+                              start + unit - inset(f.corner_right && i + 1 == units));
         s.insert(s.end(), {openings.back().x, openings.back().y});
     }
     s.push_back(f.width);
@@ -161,7 +166,8 @@ void build_ground_floor(Plan& plan, MeshBuilder& b, const Facade& f) {
     for (size_t i = 0; i < s.size(); i += 2) { // plinths of the piers
         const float low = s[i == 0 ? 0 : i], high = s[i + 1 < s.size() ? i + 1 : i];
         if (high - low > 0.05f && i + 1 < s.size())
-            b.box({low, 0, -0.05f}, {high, 0.45f, 0.06f}, left | right | top | front);
+            b.box({i == 0 ? lip : low - lip, 0, -0.05f}, {high + lip, 0.45f, 0.06f},
+                  left | right | top | front);
     }
     for (uint32_t i = 0; i < units; ++i) {
         const glm::vec2 o = openings[i];

@@ -31,20 +31,21 @@ void bars(MeshBuilder& b, glm::vec2 low, glm::vec2 high, Style style) {
     }
 }
 
-/// What stands out around the hole.
+/// What stands out around the hole. It covers the reveal's edges and reaches `lip` into the hole.
 void surround(MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high) {
     const unsigned faces = all_faces & ~unsigned{back};
     b.use(Surface::trim, f.trim_tint);
-    b.box({low.x - 0.12f, low.y - 0.12f, -0.03f}, {high.x + 0.12f, low.y, 0.14f}, faces);
+    b.box({low.x - 0.12f, low.y - 0.12f, -0.03f}, {high.x + 0.12f, low.y + lip, 0.14f}, faces);
+    const float under = high.y - lip;
     if (f.style == Style::brick) {
-        b.box({low.x - 0.14f, high.y, -0.03f}, {high.x + 0.14f, high.y + 0.24f, 0.035f}, faces);
+        b.box({low.x - 0.14f, under, -0.03f}, {high.x + 0.14f, high.y + 0.24f, 0.035f}, faces);
         const float middle = (low.x + high.x) / 2; // keystone
         b.box({middle - 0.11f, high.y - 0.02f, -0.03f}, {middle + 0.11f, high.y + 0.3f, 0.075f},
               faces);
     } else if (f.style == Style::stucco) {
-        for (const float s : {low.x - 0.14f, high.x})
-            b.box({s, low.y, -0.03f}, {s + 0.14f, high.y, 0.05f}, left | right | front);
-        b.box({low.x - 0.14f, high.y, -0.03f}, {high.x + 0.14f, high.y + 0.14f, 0.05f}, faces);
+        for (const float s : {low.x - 0.14f, high.x - lip})
+            b.box({s, low.y, -0.03f}, {s + 0.14f + lip, under, 0.05f}, left | right | front);
+        b.box({low.x - 0.14f, under, -0.03f}, {high.x + 0.14f, high.y + 0.14f, 0.05f}, faces);
         b.box({low.x - 0.22f, high.y + 0.2f, -0.03f}, {high.x + 0.22f, high.y + 0.3f, 0.2f}, faces);
     }
 }
