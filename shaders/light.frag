@@ -33,7 +33,7 @@ void main() {
     float att = attenuation(light, light.position.xyz - world * light.position.w, l);
     float nl = surface ? clamp(dot(n, l), 0.0, 1.0) : 0.0;
     vec3 v = to_viewer(world);
-    vec3 h = normalize(l + v);
+    vec3 h = half_vector(l, v);
 
     vec3 light_in = light.colour.rgb * att;
     vec3 diffuse = light_in * nl;

@@ -25,9 +25,9 @@ void main() {
     bool surface = read_position(pixel, world);
     vec3 colour;
     if (view == VIEW_DEPTH) {
-        // 1 at the near plane, falling by half at each doubling of 1 + distance/10 m.
+        // White at the camera, halved at each doubling of 1 + distance / 10 m.
         float z = dot(world, frame.forward.xyz);
-        colour = vec3(surface ? 1.0 / (1.0 + max(z - frame.depth.w, 0.0) / 10.0) : 0.0);
+        colour = vec3(surface ? 1.0 / (1.0 + z / 10.0) : 0.0);
     } else if (view == VIEW_NORMAL) {
         colour = surface ? read_normal(pixel) * 0.5 + 0.5 : vec3(0.0);
     } else if (view == VIEW_ROUGHNESS) {

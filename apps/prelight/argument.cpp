@@ -33,7 +33,7 @@ std::pair<uint32_t, uint32_t> parse_size(std::string_view option, const std::str
         !whole_number(std::string_view(text).substr(cross + 1), height))
         refuse(option, text, "not WIDTHxHEIGHT in pixels, as in 1280x720");
     if (width == 0 || height == 0)
-        refuse(option, text, "a picture without pixels");
+        throw Error(fmt::format("{} {}: a picture without pixels", option, text));
     return {width, height};
 }
 

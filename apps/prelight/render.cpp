@@ -100,18 +100,22 @@ void run(const RenderCommand& command) {
 
     // The renderer comes before the scene: wrong usage is told before a long load.
     Session session;
+    if (!info.needs_device && (command.validate || command.device != "auto"))
+        throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
+                                     command.validate ? "--validate" : "--device", info.name));
     if (info.needs_device)
         session.device = Device::create({.select = command.device, .validate = command.validate});
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
     FileWatch watch(command.scene);
-    std::unique_ptr<LoadedScene> loaded = load_scene(command.scene, command.lights, command.seed);
+    std::unique_ptr<LoadedScene> loaded = load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights());
     render_once(session, command, *loaded);
 
     while (command.watch) {
         watch.wait();
         std::unique_ptr<LoadedScene> changed;
         try {
-            changed = load_scene(command.scene, command.lights, command.seed);
+            changed = load_scene(command.scene, command.lights, command.seed,
+                                 session.renderer->max_lights());
             render_once(session, command, *changed);
         } catch (const Error& error) {
             // Mostly a file caught half written: the next change sets it right.

@@ -21,9 +21,10 @@ bool names_file(const std::string& name);
 /// Makes a built-in scene with `lights` or its own default count. Throws UsageError.
 Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed);
 
-/// Loads a file or makes a built-in scene, resolves it, and adds lights to it as `--lights` says.
+/// Loads a file or makes a built-in scene, resolves it, and adds lights to it as `--lights` says,
+/// `max_lights` at most.
 /// Warnings of the loader go to stderr. Throws Error.
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
-                                        uint64_t seed);
+                                        uint64_t seed, uint64_t max_lights);
 
 } // namespace prelight::app

@@ -83,6 +83,8 @@ public:
     /// Only names in RenderOptions::views, and "final" and "linear". Throws UsageError.
     virtual Image read(std::string_view view) = 0;
     virtual Stats stats() const = 0;
+    /// The most lights that a world may have here: what memory or the device's buffers hold.
+    virtual uint64_t max_lights() const = 0;
 };
 
 std::vector<RendererInfo> renderer_infos();

@@ -45,11 +45,11 @@ bool read_position(ivec2 pixel, out vec3 world) {
     bool surface = stored > 0.0;
     vec2 clip = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
     if (position_from_ray) {
-        float z = linear_depth ? stored : view_depth(max(stored, 1e-9));
+        float z = !surface ? 1.0 : linear_depth ? stored : view_depth(stored);
         vec3 across = clip.x * frame.ray_right.xyz + clip.y * frame.ray_up.xyz;
         world = across * mix(1.0, z, frame.forward.w) + frame.forward.xyz * z;
     } else {
-        float d = linear_depth ? device_depth(max(stored, 1e-6)) : max(stored, 1e-9);
+        float d = !surface ? 1.0 : linear_depth ? device_depth(stored) : stored;
         vec4 h = frame.world_from_clip * vec4(clip, d, 1.0);
         world = h.xyz / h.w;
     }

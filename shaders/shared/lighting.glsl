@@ -35,9 +35,15 @@ float specular_ggx(float alpha, float nh, float nl, float nv) {
     return d * v;
 }
 
+// Half vector; zero where light and viewer are exactly opposite.
+vec3 half_vector(vec3 l, vec3 v) {
+    vec3 sum = l + v;
+    return sum * inversesqrt(max(dot(sum, sum), 1e-20));
+}
+
 // [phong]: (N·H)^n or (R·V)^n without the gate.
 float specular_phong(float exponent, vec3 n, vec3 l, vec3 v) {
-    float base = reflection_vector ? dot(reflect(-l, n), v) : dot(n, normalize(l + v));
+    float base = reflection_vector ? dot(reflect(-l, n), v) : dot(n, half_vector(l, v));
     return pow(clamp(base, 1e-6, 1.0), exponent);
 }
 

@@ -83,7 +83,7 @@ void Context::create_device() {
     features.features.depthBounds = o.depth_bounds;
     features.features.multiDrawIndirect = o.multi_draw_indirect;
     features.features.drawIndirectFirstInstance = o.first_instance_indirect;
-    features.features.fragmentStoresAndAtomics = o.fragment_stores;
+    features.features.fragmentStoresAndAtomics = VK_TRUE;
     features.features.sampleRateShading = o.sample_rate_shading;
     features.features.occlusionQueryPrecise = o.precise_occlusion;
 

@@ -24,6 +24,8 @@ public:
     VkPhysicalDevice physical() const { return chosen_.physical; }
     VkQueue queue() const { return queue_; }
     uint32_t queue_family() const { return chosen_.queue_family; }
+    /// Timestamps wrap around within this mask; 0: the queue has none.
+    uint64_t timestamp_mask() const { return chosen_.timestamp_mask; }
     VkPipelineCache pipeline_cache() const { return cache_; }
     const OptionalFeatures& features() const { return chosen_.optional; }
     const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }

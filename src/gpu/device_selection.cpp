@@ -36,6 +36,15 @@ std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice physical) {
     return {};
 }
 
+uint64_t timestamp_mask(VkPhysicalDevice physical, uint32_t family) {
+    uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    const uint32_t bits = family < count ? families[family].timestampValidBits : 0;
+    return bits >= 64 ? ~uint64_t(0) : (uint64_t(1) << bits) - 1;
+}
+
 void read_features(Candidate& candidate, const VkPhysicalDeviceFeatures& core) {
     auto note = [&](bool has, const char* name) {
         (has ? candidate.info.features : candidate.info.missing).push_back(name);
@@ -47,7 +56,6 @@ void read_features(Candidate& candidate, const VkPhysicalDeviceFeatures& core) {
     o.depth_bounds = note(core.depthBounds, "depth bounds test");
     o.multi_draw_indirect = note(core.multiDrawIndirect, "multi-draw indirect");
     o.first_instance_indirect = note(core.drawIndirectFirstInstance, "first instance in indirect draws");
-    o.fragment_stores = note(core.fragmentStoresAndAtomics, "fragment atomics (--count-pairs)");
     o.sample_rate_shading = note(core.sampleRateShading, "sample shading");
     o.precise_occlusion = note(core.occlusionQueryPrecise, "precise occlusion queries");
 }
@@ -76,13 +84,17 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12, {}};
     vkGetPhysicalDeviceFeatures2(physical, &features);
     read_features(candidate, features.features);
+    const bool fragment_stores = features.features.fragmentStoresAndAtomics;
     const std::optional<uint32_t> family = graphics_queue_family(physical);
     if (!family)
         info.why_not = "no queue for graphics and compute";
     else if (!v13.dynamicRendering || !v13.synchronization2 || !v12.timelineSemaphore)
         info.why_not = "dynamic rendering, synchronization2 or timeline semaphores are missing";
+    else if (!fragment_stores)
+        info.why_not = "fragment shaders cannot write to buffers";
     info.usable = info.why_not.empty();
     candidate.queue_family = family.value_or(0);
+    candidate.timestamp_mask = timestamp_mask(physical, candidate.queue_family);
     return candidate;
 }
 

@@ -11,7 +11,6 @@ struct OptionalFeatures {
     bool depth_bounds = false;
     bool multi_draw_indirect = false;
     bool first_instance_indirect = false;
-    bool fragment_stores = false;
     bool sample_rate_shading = false;
     bool precise_occlusion = false;
 };
@@ -19,6 +18,7 @@ struct OptionalFeatures {
 struct Candidate {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     uint32_t queue_family = 0;
+    uint64_t timestamp_mask = 0; ///< bits of a timestamp that count
     OptionalFeatures optional;
     DeviceInfo info;
 };

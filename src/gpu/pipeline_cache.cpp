@@ -15,6 +15,9 @@ struct Frame {
     uint64_t checksum = 0;
 };
 
+/// More than any driver's cache of ours; a sparse file may claim anything.
+constexpr std::streamoff largest_file = std::streamoff(256) << 20;
+
 uint64_t fnv1a(std::span<const std::byte> bytes) {
     uint64_t hash = 0xcbf29ce484222325u;
     for (const std::byte b : bytes)
@@ -29,7 +32,10 @@ std::vector<std::byte> read_file(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in)
         return {};
-    std::vector<std::byte> bytes(static_cast<size_t>(in.tellg()));
+    const std::streamoff size = in.tellg();
+    if (size < 0 || size > largest_file)
+        return {};
+    std::vector<std::byte> bytes(static_cast<size_t>(size));
     in.seekg(0);
     in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return in ? bytes : std::vector<std::byte>{};
@@ -82,7 +88,10 @@ UniquePipelineCache load_pipeline_cache(VkDevice device, const std::filesystem::
     info.initialDataSize = payload.size();
     info.pInitialData = payload.data();
     VkPipelineCache cache = VK_NULL_HANDLE;
-    check(vkCreatePipelineCache(device, &info, nullptr, &cache), "pipeline cache");
+    if (vkCreatePipelineCache(device, &info, nullptr, &cache) != VK_SUCCESS) {
+        info.initialDataSize = 0; // the driver refuses its own old bytes
+        check(vkCreatePipelineCache(device, &info, nullptr, &cache), "pipeline cache");
+    }
     return {device, cache};
 }
 

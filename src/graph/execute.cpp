@@ -104,7 +104,7 @@ std::vector<std::pair<std::string, double>> FrameGraph::pass_times() const {
                                      VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT), "timestamps");
     std::vector<std::pair<std::string, double>> times;
     for (size_t p = 0; p < passes_.size(); ++p)
-        times.emplace_back(passes_[p]->name_, static_cast<double>(ticks[2 * p + 1] - ticks[2 * p]) *
+        times.emplace_back(passes_[p]->name_, static_cast<double>((ticks[2 * p + 1] - ticks[2 * p]) & context_.timestamp_mask()) *
                                                   static_cast<double>(context_.limits().timestampPeriod) * 1e-6);
     return times;
 }

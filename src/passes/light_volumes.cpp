@@ -44,7 +44,7 @@ public:
     VolumeDraws(const resident::Frame& frame, const graph::PassInterface& interface,
                 const LightVolumeInputs& inputs, uint32_t output)
         : frame_(frame), sphere_(frame.context(), "sphere volume", sphere_volume()),
-          cone_(frame.context(), "cone volume", cone_volume()) {
+          cone_(frame.context(), "cone volume", cone_volume(resident::cone_sides)) {
         gpu::GraphicsPipelineDesc desc;
         desc.constants = inputs.surface.format.constants();
         const gpu::Constants model = inputs.model.constants();

@@ -15,6 +15,6 @@ struct VolumeMesh {
 VolumeMesh sphere_volume();
 /// A cone with a capped end on `sides` sides: x, y on a polygon around the unit circle, z the ring:
 /// 0 apex, 1 rim, 2 cap, 3 the cap's centre.
-VolumeMesh cone_volume(uint32_t sides = 16);
+VolumeMesh cone_volume(uint32_t sides);
 
 } // namespace prelight::passes

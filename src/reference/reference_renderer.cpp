@@ -84,8 +84,10 @@ public:
             throw UsageError(fmt::format(
                 "reference: {} samples a pixel: it casts one ray through each pixel's centre",
                 options.msaa));
+        if (options.count_pairs)
+            throw UsageError("--count-pairs: the reference evaluates no light volumes to count");
         if (options.width == 0 || options.height == 0)
-            throw UsageError(
+            throw Error(
                 fmt::format("reference: a picture of {}x{} pixels", options.width, options.height));
         for (const std::string& view : options.views)
             if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
@@ -132,10 +134,10 @@ public:
             return tonemap(picture_.linear, options_.tonemap);
         if (std::find(options_.views.begin(), options_.views.end(), view) == options_.views.end())
             throw UsageError(fmt::format("reference: view {} was not asked for", view));
-        return reference::draw_view(view, picture_, buffers_, std::exp2(options_.exposure),
-                                    options_.tonemap);
+        return reference::draw_view(view, picture_, buffers_, std::exp2(options_.exposure));
     }
 
+    uint64_t max_lights() const override { return uint64_t(1) << 24; }
     Stats stats() const override { return stats_; }
 
 private:

@@ -10,17 +10,11 @@ namespace {
 
 Image draw_depth(const ReferencePicture& picture) {
     Image image(picture.linear.width, picture.linear.height);
-    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-    for (const double depth : picture.depth)
-        if (std::isfinite(depth)) {
-            nearest = std::min(nearest, depth);
-            farthest = std::max(farthest, depth);
-        }
-    const double range = std::max(farthest - nearest, 1e-9);
+    // White at the camera, halved at each doubling of 1 + distance / 10 m, as the other renderers.
     for (size_t i = 0; i < picture.depth.size(); ++i)
         if (std::isfinite(picture.depth[i]))
             image.pixels[i] =
-                glm::vec3(static_cast<float>(1 - 0.9 * (picture.depth[i] - nearest) / range));
+                glm::vec3(static_cast<float>(1 / (1 + picture.depth[i] / 10)));
     return image;
 }
 
@@ -32,21 +26,23 @@ Image draw_normals(const ReferencePicture& picture) {
     return image;
 }
 
-Image draw_light(Image light, double factor, Tonemap curve) {
+/// As a white diffuse surface would show it.
+Image draw_light(Image light, double factor) {
     for (glm::vec3& pixel : light.pixels)
-        pixel *= static_cast<float>(factor);
-    return tonemap(light, curve);
+        pixel *= static_cast<float>(factor / 3.14159265358979323846);
+    return tonemap(light, Tonemap::pbr_neutral);
 }
 
 Image draw_counts(const Image& size, const std::vector<uint32_t>& counts) {
-    static constexpr std::array<glm::vec3, 5> ramp{
-        {{0.1f, 0.2f, 0.9f}, {0, 0.6f, 0.7f}, {0.2f, 0.8f, 0.2f}, {1, 0.9f, 0.1f}, {0.9f, 0, 0}}};
+    // Black, blue, cyan, green, yellow, red, white at 0, 1, 4, 16, 64, 256, 1,024 lights.
+    static constexpr std::array<glm::vec3, 7> ramp{
+        {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {1, 1, 1}}};
     Image image(size.width, size.height);
     for (size_t i = 0; i < counts.size(); ++i) {
         if (counts[i] == 0)
             continue;
-        const float place = std::min(std::log2(static_cast<float>(counts[i])) / 6, 1.0f) * 4;
-        const size_t step = std::min<size_t>(static_cast<size_t>(place), 3);
+        const float place = std::min(1 + std::log2(static_cast<float>(counts[i])) / 2, 6.0f);
+        const size_t step = std::min<size_t>(static_cast<size_t>(place), 5);
         image.pixels[i] = glm::mix(ramp[step], ramp[step + 1], place - static_cast<float>(step));
     }
     return image;
@@ -55,7 +51,7 @@ Image draw_counts(const Image& size, const std::vector<uint32_t>& counts) {
 } // namespace
 
 Image draw_view(std::string_view view, const ReferencePicture& picture,
-                const ReferenceBuffers& buffers, double exposure_factor, Tonemap curve) {
+                const ReferenceBuffers& buffers, double exposure_factor) {
     if (view == "depth")
         return draw_depth(picture);
     if (view == "normal")
@@ -63,9 +59,9 @@ Image draw_view(std::string_view view, const ReferencePicture& picture,
     if (view == "albedo")
         return tonemap(buffers.albedo, Tonemap::none);
     if (view == "diffuse-light")
-        return draw_light(buffers.diffuse_light, exposure_factor, curve);
+        return draw_light(buffers.diffuse_light, exposure_factor);
     if (view == "specular-light")
-        return draw_light(buffers.specular_light, exposure_factor, curve);
+        return draw_light(buffers.specular_light, exposure_factor);
     if (view == "light-count")
         return draw_counts(picture.linear, buffers.light_count);
     throw UsageError("reference: no view is named " + std::string(view));

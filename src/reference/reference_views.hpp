@@ -5,12 +5,13 @@
 namespace prelight::reference {
 
 /// Draws a buffer so that a person can read it, display-encoded 0 … 1:
-/// `depth`: white at the nearest visible point, dark grey at the farthest, black background;
+/// as the views of the same names that renderers on a device give, so that they can be compared.
+/// `depth`: white at the camera, halved at each doubling of 1 + distance / 10 m, black background;
 /// `normal`: world-space shading normal, −1 … 1 → 0 … 1; `albedo`: base colour, sRGB;
-/// `diffuse-light`, `specular-light`: the light sums, times `exposure_factor`, through the tone
-/// curve; `light-count`: lights with attenuation and N·L above zero: black 0, then blue, green,
-/// yellow, red from 1 to 64 and more, by the logarithm.
+/// `diffuse-light`, `specular-light`: the light sums times `exposure_factor` / π, tone-mapped;
+/// `light-count`: lights with attenuation and N·L above zero, black, blue, cyan, green, yellow, red,
+/// white at 0, 1, 4, 16, 64, 256, 1,024.
 Image draw_view(std::string_view view, const ReferencePicture& picture,
-                const ReferenceBuffers& buffers, double exposure_factor, Tonemap curve);
+                const ReferenceBuffers& buffers, double exposure_factor);
 
 } // namespace prelight::reference

@@ -45,7 +45,7 @@ DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Set
                                     std::min(context_.limits().maxFramebufferWidth,
                                              context_.limits().maxFramebufferHeight));
     if (options.width == 0 || options.height == 0)
-        throw UsageError(fmt::format("--size {}x{}: a picture has at least one pixel", options.width, options.height));
+        throw Error(fmt::format("picture of {}x{}: has no pixels", options.width, options.height));
     if (options.width > limit || options.height > limit)
         throw Error(fmt::format("{}: picture of {}x{}: the device's limit is {}", context_.name(),
                                 options.width, options.height, limit));
@@ -70,14 +70,15 @@ resident::FrameSettings DeviceRenderer::frame_settings() const {
 }
 
 void DeviceRenderer::set_world(const World& world) {
-    graph_.reset(); // before what its passes refer to
+    world_ = nullptr; // until all of the new one is there
+    graph_.reset();   // before what its passes refer to
     frame_ = std::make_unique<resident::Frame>(context_, world, frame_settings());
     graph_ = std::make_unique<graph::FrameGraph>(context_);
-    world_ = &world;
     views_ = build(*graph_, *frame_);
     for (const auto& [name, image] : views_)
         graph_->keep(image);
     graph_->compile();
+    world_ = &world;
 }
 
 void DeviceRenderer::render_frame(VkCommandBuffer commands, bool warm_up) {

@@ -15,6 +15,9 @@ public:
     void render(const PlacedCamera& camera, uint32_t frames) final;
     Image read(std::string_view view) final;
     Stats stats() const final { return stats_; }
+    uint64_t max_lights() const final {
+        return context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
+    }
 
 protected:
     /// Throws UsageError and Error (a picture larger than the device can make).

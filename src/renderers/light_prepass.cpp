@@ -55,7 +55,8 @@ private:
     resident::FrameSettings frame_settings() const override {
         resident::FrameSettings frame = DeviceRenderer::frame_settings();
         const bool bytes = model_.buffer == passes::LightBufferFormat::packed_rgba8;
-        frame.light_scale = bytes ? settings().number("light-scale") : 1;
+        if (bytes)
+            frame.light_scale = settings().number("light-scale");
         frame.all_fullscreen = settings().is("light-culling", "fullscreen");
         frame.texture_filter = settings().is("texture-filter", "bilinear")
                                    ? gpu::TextureFilter::bilinear

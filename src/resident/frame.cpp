@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
-#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/geometric.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::resident {
@@ -24,7 +24,11 @@ gpu::Buffer make_upload(const gpu::Context& context, const char* name, uint64_t 
 shared::ObjectData object_data(const Instance& instance, glm::dvec3 camera) {
     glm::dmat4 m = instance.transform;
     m[3] -= glm::dvec4(camera, 0);
-    const glm::dmat3 normal = glm::inverseTranspose(glm::dmat3(m));
+    // The cofactors are the inverse transpose times the determinant: right for flattened objects too.
+    const glm::dmat3 normal = glm::dmat3(glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2])),
+                                         glm::cross(glm::dvec3(m[2]), glm::dvec3(m[0])),
+                                         glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1]))) *
+                              (instance.mirrored ? -1.0 : 1.0);
     // Only the direction counts: scaled so that float holds it.
     const double scale = 1 / std::max({glm::length(normal[0]), glm::length(normal[1]), glm::length(normal[2])});
     shared::ObjectData data{};
@@ -66,10 +70,10 @@ void Frame::update(const PlacedCamera& camera) {
     shared::FrameConstants& constants = *constants_.mapped<shared::FrameConstants>();
     shared::FrameConstants next{};
     fill_camera(next, camera, settings_.width, settings_.height);
-    // Blended sums must stay below the largest half float; 32 lights at the limit on one pixel reach it.
-    const size_t overlap = std::clamp<size_t>(world_.lights.size(), 1, 32);
+    // One light is clamped at the largest half float, and what is stored is divided by light_scale, so
+    // that blended sums of that many such lights stay finite.
     next.ambient = glm::vec4(world_.ambient * static_cast<float>(settings_.exposure),
-                             half_max / static_cast<float>(overlap));
+                             half_max / static_cast<float>(settings_.light_scale));
     next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, 0, 0);
     constants = next;
 
@@ -79,7 +83,8 @@ void Frame::update(const PlacedCamera& camera) {
     shared::ObjectData* objects = objects_.mapped<shared::ObjectData>();
     for (size_t i = 0; i < world_.instances.size(); ++i)
         objects[i] = object_data(world_.instances[i], camera.position);
-    groups_ = group_lights(world_.lights, camera, next, settings_.all_fullscreen);
+    groups_ = group_lights(world_.lights, camera, next, settings_.all_fullscreen,
+                           context_.features().depth_clamp);
     std::copy(groups_.order.begin(), groups_.order.end(), order_.mapped<uint32_t>());
 }
 

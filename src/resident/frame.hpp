@@ -8,7 +8,7 @@ namespace prelight::resident {
 struct FrameSettings {
     uint32_t width = 0, height = 0;
     double exposure = 1;             ///< factor
-    double light_scale = 1;          ///< what stored light is divided by
+    double light_scale = 32;         ///< what stored light is divided by
     bool all_fullscreen = false;     ///< light-culling=fullscreen
     gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
 };

@@ -1,10 +1,22 @@
 #include "lights.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace prelight::resident {
 namespace {
 
 constexpr double widest_cone = 80.0 / 180.0 * 3.14159265358979323846;
+
+/// A range so large that its inverse is no normal float is none.
+constexpr float longest_range = 1e18f;
+
+bool is_cone(const Light& light) {
+    return light.kind == LightKind::spot && light.outer_cone < widest_cone;
+}
+
+bool has_volume(const Light& light) {
+    return light.kind != LightKind::directional && light.range < longest_range;
+}
 
 bool is_dark(const Light& light) {
     return light.intensity <= 0 || (light.colour.x <= 0 && light.colour.y <= 0 && light.colour.z <= 0);
@@ -38,14 +50,24 @@ bool may_touch_near_plane(const PlacedCamera& placed, const shared::FrameConstan
 
 LightGroup group_of(const PlacedLight& light, const PlacedCamera& camera,
                     const shared::FrameConstants& constants, glm::dvec3 centre, double radius) {
-    const bool cone = light.light.kind == LightKind::spot && light.light.outer_cone < widest_cone;
     const bool inside = may_touch_near_plane(camera, constants, centre, radius);
-    if (cone)
+    if (is_cone(light.light))
         return inside ? LightGroup::cone_inside : LightGroup::cone_outside;
     return inside ? LightGroup::sphere_inside : LightGroup::sphere_outside;
 }
 
 } // namespace
+
+double volume_reach(const Light& light) {
+    if (!is_cone(light))
+        return 1.08; // sphere_volume()'s corners lie at 1.0716, times light_volume.vert's 1.001
+    // The rim of the cone and the rim of its cap, on polygons of `cone_sides` around their circles.
+    const double outward = 1 / std::cos(3.14159265358979323846 / cone_sides);
+    const double angle = light.outer_cone;
+    const double rim = std::hypot(std::cos(angle), std::sin(angle) * outward);
+    const double cap = std::hypot(1.0, std::tan(angle / 2) * outward);
+    return std::max(rim, cap) * 1.002;
+}
 
 shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, double exposure) {
     const Light& light = placed.light;
@@ -53,7 +75,7 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
     shared::LightData data{};
     data.position = directional ? glm::vec4(-placed.direction, 0) : glm::vec4(placed.position - camera, 1);
     const glm::dvec3 colour = glm::dvec3(light.colour) * (double(light.intensity) * exposure);
-    data.colour = glm::vec4(colour, directional || std::isinf(light.range) ? 0.0 : 1.0 / light.range);
+    data.colour = glm::vec4(colour, has_volume(light) ? 1.0 / light.range : 0.0);
     data.axis = glm::vec4(placed.direction, light.shininess);
     double scale = 0, offset = 1;
     if (light.kind == LightKind::spot) {
@@ -67,7 +89,8 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
 }
 
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, bool all_fullscreen) {
+                         const shared::FrameConstants& constants, bool all_fullscreen,
+                         bool depth_clamp) {
     std::array<std::vector<uint32_t>, light_group_count> members;
     const glm::dmat4 clip(constants.clip_from_world);
     for (uint32_t i = 0; i < lights.size(); ++i) {
@@ -75,11 +98,14 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
         if (is_dark(light.light))
             continue;
         LightGroup group = LightGroup::fullscreen;
-        if (!all_fullscreen && light.light.kind != LightKind::directional && !std::isinf(light.light.range)) {
+        if (!all_fullscreen && has_volume(light.light)) {
             const glm::dvec3 centre = light.position - camera.position;
             if (outside_view(clip, centre, light.light.range))
                 continue;
-            group = group_of(light, camera, constants, centre, light.light.range * volume_slack);
+            const double radius = light.light.range * volume_reach(light.light);
+            const double farthest = glm::dot(centre, glm::dvec3(constants.forward)) + radius;
+            if (depth_clamp || farthest < camera.camera.zfar)
+                group = group_of(light, camera, constants, centre, radius);
         }
         members[static_cast<size_t>(group)].push_back(i);
     }

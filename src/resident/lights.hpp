@@ -24,10 +24,13 @@ shared::LightData light_data(const PlacedLight& light, glm::dvec3 camera, double
 /// Leaves out what is dark or outside the view, and sorts the rest. A light is drawn "inside" (back
 /// faces, reversed depth test) as soon as its volume may touch the near plane. `all_fullscreen`:
 /// every light that is not dark by a full-screen triangle, wherever it is: the yardstick for the rest.
+/// Without `depth_clamp`, a volume that the far plane would cut is drawn full screen.
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, bool all_fullscreen);
+                         const shared::FrameConstants& constants, bool all_fullscreen, bool depth_clamp);
 
-/// Largest factor by which the volumes' meshes exceed a light's range.
-inline constexpr double volume_slack = 1.1;
+/// Sides of the cone's mesh, shared with passes::cone_volume.
+inline constexpr uint32_t cone_sides = 16;
+/// Largest distance of a point of the light's volume mesh from the light, in ranges.
+double volume_reach(const Light& light);
 
 } // namespace prelight::resident

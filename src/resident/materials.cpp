@@ -1,6 +1,8 @@
 #include "scene.hpp"
 #include <array>
+#include <fmt/format.h>
 #include <gpu/check.hpp>
+#include <prelight/error.hpp>
 #include <shared/bindings.h>
 #include <shared/frame.h>
 
@@ -88,6 +90,8 @@ uint32_t features_of(const Material& material) {
 
 Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter,
                            double exposure) {
+    if (scene.materials.empty())
+        throw Error(fmt::format("{}: a scene has at least one material", scene.name));
     Materials out(context);
     const uint64_t alignment = context.limits().minUniformBufferOffsetAlignment;
     const uint64_t stride = (sizeof(shared::MaterialConstants) + alignment - 1) / alignment * alignment;

@@ -1,6 +1,7 @@
 #include "enclosure.hpp"
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -50,15 +51,37 @@ void cast(const World& world, std::vector<Ray>& rays) {
         }
 }
 
-/// Level and downward directions: eight around, at four slopes.
+/// Directions up to 27° above the horizon and down: eight around, at five slopes.
 std::vector<Ray> probes(glm::dvec3 middle) {
     std::vector<Ray> rays;
-    for (const double slope : {0.15, -0.05, -0.3, -0.8})
+    for (const double slope : {0.5, 0.15, -0.05, -0.3, -0.8})
         for (int i = 0; i < 8; ++i) {
             const double angle = 0.785398163 * i + 0.1;
             rays.push_back({middle, glm::normalize(glm::dvec3(std::cos(angle), slope, std::sin(angle)))});
         }
     return rays;
+}
+
+/// Whether most of the world's primitives have their middle in a 16:9 picture of this camera.
+bool sees_most(const World& world, const PlacedCamera& placed) {
+    const double half = std::tan(placed.camera.yfov / 2);
+    size_t all = 0, seen = 0;
+    for (const Instance& instance : world.instances)
+        for (const Primitive& primitive : world.scene->meshes[instance.mesh].primitives) {
+            if (primitive.positions.empty())
+                continue;
+            glm::vec3 low = primitive.positions[0], high = low;
+            for (const glm::vec3& p : primitive.positions) {
+                low = glm::min(low, p);
+                high = glm::max(high, p);
+            }
+            const glm::dvec3 middle(instance.transform * glm::dvec4(0.5 * glm::dvec3(low) + 0.5 * glm::dvec3(high), 1));
+            const glm::dvec3 view = glm::transpose(placed.axes) * (middle - placed.position);
+            ++all;
+            if (view.z < 0 && std::abs(view.y) < -view.z * half && std::abs(view.x) < -view.z * half * 16 / 9)
+                ++seen;
+        }
+    return seen * 2 >= all;
 }
 
 } // namespace
@@ -94,7 +117,8 @@ std::optional<PlacedCamera> camera_inside(const World& world) {
     camera.znear = 0.05;
     const glm::dvec3 eye = eye_level + behind.direction * (0.85 * behind.distance);
     const glm::dvec3 target = eye_level + ahead.direction * ahead.distance + glm::dvec3(0, 0.5 * height, 0);
-    return look_at(camera, eye, target);
+    const PlacedCamera inside = look_at(camera, eye, target);
+    return sees_most(world, inside) ? std::optional(inside) : std::nullopt;
 }
 
 } // namespace prelight

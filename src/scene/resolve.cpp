@@ -74,6 +74,13 @@ double unit_determinant(const glm::dmat4& m) {
     return std::abs(determinant) < 1e-12 ? 0 : determinant;
 }
 
+/// At least two axes that are not along one line: a flattened mesh still has faces.
+bool spans_area(const glm::dmat4& m) {
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+    const glm::dvec3 zero(0);
+    return glm::cross(x, y) != zero || glm::cross(y, z) != zero || glm::cross(z, x) != zero;
+}
+
 glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 fallback) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0 ? glm::normalize(v / largest) : fallback;
@@ -182,9 +189,9 @@ private:
 
     void add_instance(uint32_t mesh, uint32_t node, const glm::dmat4& transform) {
         check_finite(transform, node);
-        const double determinant = unit_determinant(transform);
-        if (determinant == 0) // flat: no volume, no usable normals
+        if (!spans_area(transform)) // a line or a point: nothing to see
             return;
+        const double determinant = unit_determinant(transform);
         world_.instances.push_back({mesh, transform, determinant < 0, node});
         const MeshFacts& facts = facts_[mesh];
         world_.triangles += facts.triangles;

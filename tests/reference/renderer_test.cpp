@@ -93,7 +93,8 @@ TEST(ReferenceRenderer, RefusesWhatItDoesNotOffer) {
     EXPECT_THAT(usage_error({.views = {"stencil"}}), HasSubstr("unknown view stencil"));
     EXPECT_THAT(usage_error({.preset = "engel"}), HasSubstr("preset engel"));
     EXPECT_THAT(usage_error({.msaa = 4}), HasSubstr("4 samples"));
-    EXPECT_THAT(usage_error({.width = 0}), HasSubstr("0x720"));
+    EXPECT_THAT(usage_error({.count_pairs = true}), HasSubstr("--count-pairs"));
+    EXPECT_THROW(make_reference_renderer({.width = 0}), Error);
     EXPECT_EQ(usage_error({}), "nothing was thrown");
 }
 

@@ -48,6 +48,16 @@ TEST(LightBuffers, PackedRgba8ClipsWhatItsScaleDoesNotHold) {
     EXPECT_LT(against_reference(test_device(), shot).psnr, rgba8_bound.psnr);
 }
 
+TEST(LightBuffers, ABrightLightIsNotDimmedByTheNumberOfOthers) {
+    FewLights garden;
+    garden.add_light(garden.point(20, 2e5f), {0, 6, 4});
+    for (int i = 0; i < 40; ++i)
+        garden.add_light(garden.point(0.1f, 1), {100.0 + i, 0, 0});
+    Shot shot = garden.shot();
+    shot.exposure = 0; // sums of thousands, below the largest half float
+    expect_agrees(shot);
+}
+
 TEST(LightBuffers, NeverHoldInfinity) {
     Garden garden;
     garden.add_light(garden.point(50, 1e6f), {0, 2.05, 0.8});

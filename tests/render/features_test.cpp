@@ -118,6 +118,24 @@ TEST(Materials, AlphaMaskVertexColourDoubleSidedUnlit) {
     expect_agrees({.world = &world.world, .camera = front_camera(5)});
 }
 
+TEST(Nodes, FlattenedToAPlaneAreStillThere) {
+    Garden garden;
+    garden.add_lights(6, 5, 6);
+    const size_t sphere = garden.scene.meshes.size() - 1;
+    glm::dmat4 flat = glm::translate(glm::dmat4(1), glm::dvec3(0, 1.2, 3));
+    flat = glm::scale(flat, glm::dvec3(1, 1, 0));
+    garden.place(static_cast<uint32_t>(sphere), flat);
+    // Front and back lie in one plane: only the front half, which the z-test may pick, is compared.
+    Scene& scene = garden.scene;
+    std::vector<uint32_t>& indices = scene.meshes[sphere].primitives[0].indices;
+    std::vector<uint32_t> front;
+    for (size_t i = 0; i < indices.size(); i += 3)
+        if (scene.meshes[sphere].primitives[0].positions[indices[i]].z > 0.05f)
+            front.insert(front.end(), indices.begin() + static_cast<long>(i), indices.begin() + static_cast<long>(i) + 3);
+    indices = front;
+    expect_agrees(garden.shot());
+}
+
 TEST(Determinism, TwoRunsGiveTheSameBytes) {
     Garden garden;
     garden.add_lights(80, 4, 3);

@@ -28,7 +28,7 @@ TEST(BuiltinScenes, SpheresAgreeWithTheReference) {
     expect_agrees(shot);
 }
 
-TEST(LightCount, SixtyFiveThousandLightsAreAllDrawn) {
+TEST(LightCount, SixtyFiveThousandOfShorterRangeAreAllDrawn) {
     // As many lights as the built-in scenes go to, with the overlap of 1,024 of full range.
     const Scene scene = make_scene("lights", 65536, 1);
     World world = resolve(scene);

@@ -116,6 +116,18 @@ TEST(LightKinds, LightShininessMultipliesTheMaterials) {
     EXPECT_LT(compare(sharp, soft).psnr, 50);
 }
 
+TEST(Cameras, DepthsFarBelowTheNearPlanesScale) {
+    // Device depth of 1e-10 and less is still a surface.
+    Garden garden;
+    garden.add_lights(8, 4, 6);
+    garden.camera.camera.znear = 1e-10;
+    for (const char* position : {"ray", "matrix"}) {
+        Shot shot = garden.shot();
+        shot.settings = {{"position", position}};
+        expect_agrees(shot);
+    }
+}
+
 TEST(Cameras, FiniteFarPlane) {
     Garden garden;
     garden.add_lights(8, 4, 6);

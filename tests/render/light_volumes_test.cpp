@@ -1,6 +1,7 @@
 // [V1] [V3] [V5]: volumes find every pixel of their light once, wherever the camera is.
 #include "garden.hpp"
 #include <passes/volume_meshes.hpp>
+#include <resident/lights.hpp>
 
 namespace prelight {
 namespace {
@@ -113,6 +114,26 @@ TEST(VolumeCulling, LightsBesideThePictureReachIntoIt) {
     expect_same_as_fullscreen(garden, garden.camera, "a ring of lights around the view");
 }
 
+TEST(VolumeCulling, CameraBetweenARangeAndACapsCorner) {
+    // The corners of a wide cone's cap lie beyond the range: a camera there is inside the mesh.
+    for (const float outer : {55 * degrees, 60 * degrees, 70 * degrees, 79 * degrees}) {
+        Garden garden;
+        Light light = garden.spot(outer, 6, 40);
+        const double along = (1 + 1 / std::cos(outer / 2)) / 2 * light.range;
+        const glm::dvec3 back = garden.camera.axes[2], down = -garden.camera.axes[1];
+        const glm::dvec3 axis = back * std::cos(outer / 2.0) + down * std::sin(outer / 2.0);
+        garden.add_light(light, garden.camera.position - back * along, axis);
+        expect_same_as_fullscreen(garden, garden.camera, "outer cone " + std::to_string(outer));
+    }
+}
+
+TEST(VolumeCulling, ARangeNearTheLargestFloatIsNone) {
+    Garden garden;
+    garden.add_light(garden.point(3.4e38f, 20), {0, 4, 2});
+    garden.add_light(garden.spot(0.5f, 1e30f, 20), {2, 4, 2}, {-0.3, -1, -0.4});
+    expect_agrees(garden.shot());
+}
+
 TEST(VolumeCulling, LightsOffScreenOrDarkCostNothing) { // [L8]
     Garden garden;
     garden.add_light(garden.point(3, 10), {0, 2, 60});
@@ -147,7 +168,20 @@ TEST(VolumeMeshes, SphereCircumscribesTheUnitSphere) {
     EXPECT_EQ(mesh.indices.size(), 80u * 3);
     EXPECT_GE(nearest_plane(mesh.points, mesh.indices), 1 - 1e-6);
     for (const glm::vec3& p : mesh.points)
-        EXPECT_LT(glm::length(p), 1.1f); // resident::volume_slack
+        EXPECT_LT(glm::length(p) * 1.001f, resident::volume_reach({.kind = LightKind::point}));
+}
+
+TEST(VolumeMeshes, ConeStaysWithinItsReach) {
+    const passes::VolumeMesh mesh = passes::cone_volume(resident::cone_sides);
+    for (float outer = 0.05f; outer < 80 * degrees; outer += 0.05f) {
+        double farthest = 0;
+        for (const glm::vec3& p : mesh.points) { // as light_volume.vert places them
+            const double radius = p.z == 1 ? std::sin(outer) : p.z == 2 ? std::tan(outer / 2) : 0;
+            const double along = p.z == 0 ? 0 : p.z == 1 ? std::cos(outer) : 1;
+            farthest = std::max(farthest, std::hypot(radius * std::hypot(p.x, p.y), along) * 1.001 + 0.0005);
+        }
+        EXPECT_LE(farthest, resident::volume_reach({.kind = LightKind::spot, .outer_cone = outer})) << outer;
+    }
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST(Refusals, SettingsAndCombinations) {
 TEST(Refusals, PictureSizes) {
     RenderOptions options;
     options.width = 0;
-    EXPECT_THAT(refusal<UsageError>(options), testing::HasSubstr("0x720"));
+    EXPECT_THAT(refusal<Error>(options), testing::HasSubstr("0x720"));
     options.width = 1u << 20;
     EXPECT_THAT(refusal<Error>(options), testing::HasSubstr("limit"));
 }

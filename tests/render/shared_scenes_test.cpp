@@ -19,8 +19,9 @@ TEST(SharedScenes, AllRenderWithoutAValidationMessage) {
         SCOPED_TRACE(entry.path().filename());
         const Scene scene = load_gltf(entry.path());
         const World world = resolve(scene);
-        const auto renderer =
-            create_renderer("light-prepass", &test_device(), {.width = 160, .height = 90});
+        const auto renderer = create_renderer(
+            "light-prepass", &test_device(),
+            {.width = 160, .height = 90, .shading = rendered % 2 ? Shading::phong : Shading::ggx});
         renderer->set_world(world);
         for (const PlacedCamera& camera : world.cameras) {
             renderer->render(camera);
@@ -28,7 +29,6 @@ TEST(SharedScenes, AllRenderWithoutAValidationMessage) {
             EXPECT_TRUE(std::any_of(image.pixels.begin(), image.pixels.end(),
                                     [](const glm::vec3& p) { return p.x + p.y + p.z > 0.1f; }))
                 << "camera " << camera.camera.name << " sees black";
-            break; // the first camera; others of a file may look at nothing
         }
         expect_validation_clean(test_device());
         ++rendered;

@@ -84,22 +84,25 @@ TEST(Resolve, VeryManyInstancesOfVeryManyVerticesFallBackToBoxes) {
     expect_near(world.bounds_max, {11, 1, 1});
 }
 
-TEST(Resolve, NegativeScaleMirrorsAndZeroScaleIsDropped) {
+TEST(Resolve, NegativeScaleMirrorsAndWhatHasNoAreaIsDropped) {
     Scene scene = box();
-    scene.nodes.resize(5, scene.nodes[0]);
-    scene.scenes[0].nodes = {0, 1, 2, 3, 4};
+    scene.nodes.resize(6, scene.nodes[0]);
+    scene.scenes[0].nodes = {0, 1, 2, 3, 4, 5};
     scene.nodes[1].local = glm::scale(glm::dmat4(1), glm::dvec3(-1, 2, 3));
     scene.nodes[2].local = glm::scale(glm::dmat4(1), glm::dvec3(-1, -2, 3));
-    scene.nodes[3].local = glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1));
+    scene.nodes[3].local = glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 0)); // a line
     scene.nodes[4].local =
         glm::scale(glm::dmat4(1), glm::dvec3(-1e-150)); // its determinant underflows
+    scene.nodes[5].local = glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1)); // flat, but seen
     const World world = resolve(scene);
-    ASSERT_THAT(world.instances, SizeIs(4));
+    ASSERT_THAT(world.instances, SizeIs(5));
     EXPECT_FALSE(world.instances[0].mirrored);
     EXPECT_TRUE(world.instances[1].mirrored);
     EXPECT_FALSE(world.instances[2].mirrored);
     EXPECT_EQ(world.instances[3].node, 4u);
     EXPECT_TRUE(world.instances[3].mirrored);
+    EXPECT_EQ(world.instances[4].node, 5u);
+    EXPECT_FALSE(world.instances[4].mirrored);
 }
 
 TEST(Resolve, LightsShineAlongMinusZWithoutScale) {
