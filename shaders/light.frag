@@ -6,7 +6,6 @@
 #include "shared/gbuffer.glsl"
 #include "shared/lighting.glsl"
 
-layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
 layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
 layout(constant_id = CONSTANT_LIGHT_OUTPUT) const int light_output = LIGHT_OUTPUT_LIGHT;
@@ -29,48 +28,31 @@ void main() {
     vec3 n = read_normal(pixel);
     float roughness = max(read_roughness(pixel), 0.089);
 
-    vec3 l;
-    float att = attenuation(light, light.position.xyz - world * light.position.w, l);
-    float nl = surface ? clamp(dot(n, l), 0.0, 1.0) : 0.0;
     vec3 v = to_viewer(world);
-    vec3 h = half_vector(l, v);
-
-    vec3 light_in = light.colour.rgb * att;
-    vec3 diffuse = light_in * nl;
-    float lobe;
-    if (shading == SHADING_GGX) {
-        float alpha = roughness * roughness;
-        lobe = nl > 0.0 ? nl * specular_ggx(alpha, clamp(dot(n, h), 0.0, 1.0), nl, max(dot(n, v), 1e-4)) : 0.0;
-    } else {
-        float gate = specular_step_gate ? (nl > 0.0 ? 1.0 : 0.0) : nl;
-        lobe = gate > 0.0 ? gate * specular_phong(light.axis.w * shininess(roughness), n, l, v) : 0.0;
-    }
-    vec3 specular = light_in * lobe;
+    LightTerms terms = light_terms(light, surface, world, n, v, roughness);
 
     if (count_pairs) {
         int row = 2 * pixel.y;
         atomicAdd(pair_counters[row], 1u);
-        if (att > 0.0 && nl > 0.0)
+        if (terms.contributes)
             atomicAdd(pair_counters[row + 1], 1u);
     }
 #ifdef ONE_TARGET
     if (light_output == LIGHT_OUTPUT_COUNT) {
-        out_diffuse = vec4(1.0, att > 0.0 && nl > 0.0 ? 1.0 : 0.0, 0.0, 0.0);
+        out_diffuse = vec4(1.0, terms.contributes ? 1.0 : 0.0, 0.0, 0.0);
         return;
     }
 #endif
 
     float grazing = 0.0;
-    if (shading == SHADING_GGX && model == MODEL_WEIGHTED) {
-        float m = clamp(1.0 - dot(v, h), 0.0, 1.0);
-        grazing = m * m * m * m * m;
-    }
+    if (shading == SHADING_GGX && model == MODEL_WEIGHTED)
+        grazing = schlick_weight(dot(v, terms.h));
     vec4 limit = vec4(frame.ambient.w);
     float scale = 1.0 / frame.light_buffer.x;
 #ifdef ONE_TARGET
-    out_diffuse = min(vec4(diffuse, luminance(specular)) * scale, limit);
+    out_diffuse = min(vec4(terms.diffuse, luminance(terms.specular)) * scale, limit);
 #else
-    out_diffuse = min(vec4(diffuse, luminance(diffuse) * grazing) * scale, limit);
-    out_specular = min(vec4(specular, luminance(specular) * grazing) * scale, limit);
+    out_diffuse = min(vec4(terms.diffuse, luminance(terms.diffuse) * grazing) * scale, limit);
+    out_specular = min(vec4(terms.specular, luminance(terms.specular) * grazing) * scale, limit);
 #endif
 }

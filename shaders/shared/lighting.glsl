@@ -3,6 +3,7 @@
 #define PRELIGHT_LIGHTING_GLSL
 #include "shared/frame.glsl"
 
+layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
 layout(constant_id = CONSTANT_SEED_FALLOFF) const bool seed_falloff = false;
 layout(constant_id = CONSTANT_SPECULAR_STEP_GATE) const bool specular_step_gate = false;
 layout(constant_id = CONSTANT_REFLECTION_VECTOR) const bool reflection_vector = false;
@@ -50,5 +51,37 @@ float specular_phong(float exponent, vec3 n, vec3 l, vec3 v) {
 float shininess(float roughness) {
     float alpha = max(roughness, 0.089) * max(roughness, 0.089);
     return max(2.0 / (alpha * alpha) - 2.0, 0.0);
+}
+
+// The weight of 1 − F0 in Schlick's reflectance.
+float schlick_weight(float cosine) {
+    float m = clamp(1.0 - cosine, 0.0, 1.0);
+    return m * m * m * m * m;
+}
+
+// What one light sends to a surface point, before the material's colours come in.
+struct LightTerms {
+    vec3 diffuse;       // N·L att colour
+    vec3 specular;      // [ggx] N·L att colour D V; [phong] gate att colour (N·H)^n
+    vec3 h;             // unit half vector
+    bool contributes;   // attenuation and N·L are above zero
+};
+
+// `surface` false: nothing is there to be lit, all terms are 0. `roughness` is at least 0.089.
+LightTerms light_terms(LightData light, bool surface, vec3 world, vec3 n, vec3 v, float roughness) {
+    vec3 l;
+    float att = attenuation(light, light.position.xyz - world * light.position.w, l);
+    float nl = surface ? clamp(dot(n, l), 0.0, 1.0) : 0.0;
+    vec3 h = half_vector(l, v);
+    float lobe;
+    if (shading == SHADING_GGX) {
+        float alpha = roughness * roughness;
+        lobe = nl > 0.0 ? nl * specular_ggx(alpha, clamp(dot(n, h), 0.0, 1.0), nl, max(dot(n, v), 1e-4)) : 0.0;
+    } else {
+        float gate = specular_step_gate ? (nl > 0.0 ? 1.0 : 0.0) : nl;
+        lobe = gate > 0.0 ? gate * specular_phong(light.axis.w * shininess(roughness), n, l, v) : 0.0;
+    }
+    vec3 light_in = light.colour.rgb * att;
+    return LightTerms(light_in * nl, light_in * lobe, h, att > 0.0 && nl > 0.0);
 }
 #endif

@@ -69,4 +69,22 @@ vec3 emissive() {
         colour *= texture(emissive_map, coordinates(MATERIAL_EMISSIVE)).rgb;
     return colour;
 }
+
+// What a material reflects: diffuse colour and reflectance at normal incidence.
+struct Reflectance {
+    vec3 diffuse;
+    vec3 f0;
+};
+
+Reflectance reflectance(vec3 base, float metallic) {
+    return Reflectance(base * (1.0 - metallic), mix(vec3(0.04), base, metallic));
+}
+
+// Light that needs no lamp: ambient as a term of the material, and emissive; an unlit surface's colour.
+vec3 base_light(vec3 base) {
+    if (has(FEATURE_UNLIT))
+        return base * frame.light_buffer.y;
+    Reflectance r = reflectance(base, metallic_roughness().x);
+    return frame.ambient.rgb * occlusion() * (r.diffuse + r.f0) + emissive();
+}
 #endif

@@ -61,6 +61,9 @@ UniquePipelineLayout make_layout(const Context& context, const GraphicsPipelineD
     VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     info.setLayoutCount = static_cast<uint32_t>(desc.sets.size());
     info.pSetLayouts = desc.sets.data();
+    const VkPushConstantRange range{VK_SHADER_STAGE_FRAGMENT_BIT, 0, desc.push_bytes};
+    info.pushConstantRangeCount = desc.push_bytes > 0 ? 1 : 0;
+    info.pPushConstantRanges = &range;
     VkPipelineLayout handle = VK_NULL_HANDLE;
     check(vkCreatePipelineLayout(context.device(), &info, nullptr, &handle), desc.name);
     context.set_name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<uint64_t>(handle), desc.name);
@@ -156,6 +159,11 @@ void GraphicsPipeline::bind(VkCommandBuffer commands) const {
 
 void GraphicsPipeline::bind_set(VkCommandBuffer commands, uint32_t index, VkDescriptorSet set) const {
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, index, 1, &set, 0, nullptr);
+}
+
+void GraphicsPipeline::push(VkCommandBuffer commands, std::span<const std::byte> bytes) const {
+    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                       static_cast<uint32_t>(bytes.size()), bytes.data());
 }
 
 } // namespace prelight::gpu

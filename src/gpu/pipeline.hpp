@@ -39,6 +39,7 @@ struct GraphicsPipelineDesc {
     DepthTest depth = DepthTest::none;
     bool depth_clamp = false;               ///< where the device has it
     std::vector<VkDescriptorSetLayout> sets;
+    uint32_t push_bytes = 0;                ///< push constants, read by the fragment shader; at most 128
 };
 
 class GraphicsPipeline {
@@ -49,6 +50,8 @@ public:
     void bind(VkCommandBuffer commands) const;
     VkPipelineLayout layout() const { return layout_; }
     void bind_set(VkCommandBuffer commands, uint32_t index, VkDescriptorSet set) const;
+    /// All `push_bytes` of the description at once.
+    void push(VkCommandBuffer commands, std::span<const std::byte> bytes) const;
 
 private:
     UniquePipelineLayout layout_;

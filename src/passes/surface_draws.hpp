@@ -6,24 +6,38 @@
 
 namespace prelight::passes {
 
-/// Draws every object of a frame with one fragment shader: one pipeline for each set of material
-/// features that the world uses. What the depth-normal pass and the material pass have in common.
+/// Draws objects of a frame with one fragment shader: one pipeline for each set of material features
+/// that the world uses. What all passes over the geometry have in common.
 class SurfaceDraws {
 public:
     struct Desc {
         std::string name;
-        std::string fragment;
+        std::string fragment;            ///< with `depth_only`: the shader of masked materials
         gpu::Constants constants;
         gpu::DepthTest depth = gpu::DepthTest::write_nearer;
-        bool keeps_alpha_mask = true; ///< false: the mask is not asked again, the depth test decides
+        bool keeps_alpha_mask = true;    ///< false: the mask is not asked again, the depth test decides
+        gpu::Blend blend = gpu::Blend::none;
+        uint32_t push_bytes = 0;         ///< push constants of every draw
+        bool depth_only = false;         ///< materials without mask get positions and no shader
+    };
+    /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
+    /// record into a pass in turn.
+    struct Bound {
+        const gpu::GraphicsPipeline* pipeline = nullptr;
+        uint32_t material = no_image;
     };
     SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface, const Desc& desc);
+    /// Every object once.
     void record(const graph::PassContext& pass) const;
+    /// Vertex and index buffers, before the first draw() of a pass.
+    void bind_geometry(const graph::PassContext& pass) const;
+    void draw(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw,
+              std::span<const std::byte> push = {}) const;
 
 private:
     uint32_t key(const resident::Draw& draw) const;
     const resident::Frame& frame_;
-    uint32_t ignored_features_ = 0;
+    uint32_t features_kept_;
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by FEATURE_… bits
 };
 
