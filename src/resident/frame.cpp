@@ -86,6 +86,7 @@ void Frame::update(const PlacedCamera& camera) {
     groups_ = group_lights(world_.lights, camera, next, settings_.all_fullscreen,
                            context_.features().depth_clamp);
     std::copy(groups_.order.begin(), groups_.order.end(), order_.mapped<uint32_t>());
+    reach_ = find_reach(geometry_.draws, world_.lights, groups_.order, settings_.object_lights);
 }
 
 bool Frame::seed_falloff() const {

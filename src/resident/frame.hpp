@@ -1,4 +1,5 @@
 #pragma once
+#include "light_reach.hpp"
 #include "lights.hpp"
 #include "scene.hpp"
 #include <prelight/renderer.hpp>
@@ -10,6 +11,7 @@ struct FrameSettings {
     double exposure = 1;             ///< factor
     double light_scale = 32;         ///< what stored light is divided by
     bool all_fullscreen = false;     ///< light-culling=fullscreen
+    ObjectLights object_lights = ObjectLights::none;
     gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
 };
 
@@ -27,6 +29,8 @@ public:
     const Geometry& geometry() const { return geometry_; }
     const Materials& materials() const { return materials_; }
     const LightGroups& lights() const { return groups_; }
+    /// Lights of each object; empty lists with ObjectLights::none.
+    const LightReach& reach() const { return reach_; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
     VkDescriptorSetLayout layout() const { return layout_; }
     VkDescriptorSet set() const { return sets_[0]; }
@@ -44,6 +48,7 @@ private:
     gpu::UniqueSetLayout layout_;
     gpu::DescriptorSets sets_;
     LightGroups groups_;
+    LightReach reach_;
 };
 
 } // namespace prelight::resident

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <limits>
 #include <prelight/error.hpp>
 #include <tuple>
 
@@ -11,7 +13,20 @@ namespace {
 struct Placement {
     uint32_t first_index = 0;
     int32_t vertex_offset = 0;
+    glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
 };
+
+/// The world's box around a box in object space.
+void bound(Draw& draw, const Placement& place, const glm::dmat4& transform) {
+    const glm::dvec3 middle = 0.5 * (glm::dvec3(place.low) + glm::dvec3(place.high));
+    const glm::dvec3 half = glm::dvec3(place.high) - middle;
+    const glm::dvec3 centre(transform * glm::dvec4(middle, 1));
+    glm::dvec3 reach(0);
+    for (int axis = 0; axis < 3; ++axis)
+        reach += glm::abs(glm::dvec3(transform[axis])) * half[axis];
+    draw.low = centre - reach;
+    draw.high = centre + reach;
+}
 
 uint16_t unorm16(float v) { return static_cast<uint16_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 65535)); }
 
@@ -44,7 +59,13 @@ Geometry upload_geometry(const gpu::Context& context, const World& world) {
     for (const Mesh& mesh : world.scene->meshes) {
         std::vector<Placement>& places = placements.emplace_back();
         for (const Primitive& primitive : mesh.primitives) {
-            places.push_back({static_cast<uint32_t>(indices.size()), static_cast<int32_t>(positions.size())});
+            Placement& place = places.emplace_back();
+            place.first_index = static_cast<uint32_t>(indices.size());
+            place.vertex_offset = static_cast<int32_t>(positions.size());
+            for (const glm::vec3& p : primitive.positions) {
+                place.low = glm::min(place.low, p);
+                place.high = glm::max(place.high, p);
+            }
             positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
             for (size_t v = 0; v < primitive.positions.size(); ++v)
                 attributes.push_back(attributes_of(primitive, v));
@@ -64,10 +85,12 @@ Geometry upload_geometry(const gpu::Context& context, const World& world) {
             const Material& material = world.scene->materials[primitive.material];
             if (primitive.indices.empty())
                 continue;
-            geometry.draws.push_back({placements[instance.mesh][p].first_index,
-                                      static_cast<uint32_t>(primitive.indices.size()),
-                                      placements[instance.mesh][p].vertex_offset, i, primitive.material,
-                                      features_of(material), instance.mirrored, material.double_sided});
+            const Placement& place = placements[instance.mesh][p];
+            Draw& draw = geometry.draws.emplace_back(
+                Draw{place.first_index, static_cast<uint32_t>(primitive.indices.size()),
+                     place.vertex_offset, i, primitive.material, features_of(material), instance.mirrored,
+                     material.double_sided});
+            bound(draw, place, instance.transform);
         }
     }
     std::stable_sort(geometry.draws.begin(), geometry.draws.end(), [](const Draw& a, const Draw& b) {

@@ -18,6 +18,7 @@ struct Draw {
     uint32_t features = 0;  ///< FEATURE_… bits of its material
     bool mirrored = false;
     bool double_sided = false;
+    glm::dvec3 low{0}, high{0}; ///< a box around it, world space
 };
 
 /// All vertices of a world in three device buffers, and the draws that show it, sorted so that
