@@ -55,6 +55,7 @@
 #define CONSTANT_TONEMAP 15
 #define CONSTANT_VIEW 16
 #define CONSTANT_VOLUME 17
+#define CONSTANT_FORWARD_BASE 18
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -75,6 +76,7 @@
 #define MODEL_WEIGHTED 0
 #define MODEL_NV 1
 #define MODEL_MONO 2
+#define MODEL_FULL 3
 
 #define LIGHT_OUTPUT_LIGHT 0
 #define LIGHT_OUTPUT_COUNT 1

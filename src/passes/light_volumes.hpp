@@ -3,7 +3,7 @@
 
 namespace prelight::passes {
 
-enum class FresnelModel { weighted, nv, mono };
+enum class FresnelModel { weighted, nv, mono, full };
 enum class LightBufferFormat { rgba16f, packed_rgba16f, packed_rgba8 };
 
 /// Which terms the light buffer sums, and where: [L4].

@@ -135,7 +135,7 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     stats_.notes = graph_->notes();
     stats_.lights = world_->lights.size();
     stats_.triangles = world_->triangles;
-    stats_.draws = frame_->geometry().draws.size();
+    stats_.draws = draws(*frame_);
     stats_.frames = frames;
     stats_.wall_ms = spread(wall);
     stats_.cpu_ms = spread(cpu);

@@ -27,6 +27,8 @@ protected:
     /// The architecture: its passes, in order.
     virtual Views build(graph::FrameGraph& graph, const resident::Frame& frame) = 0;
     virtual resident::FrameSettings frame_settings() const;
+    /// Stats::draws of the last frame.
+    virtual uint64_t draws(const resident::Frame& frame) const { return frame.geometry().draws.size(); }
 
     const gpu::Context& context() const { return context_; }
     const RenderOptions& options() const { return options_; }

@@ -1,21 +1,29 @@
 #include "light_prepass.hpp"
+#include "multipass.hpp"
+#include "z_prepass.hpp"
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <reference/reference_renderer.hpp>
 
 namespace prelight {
 
-std::vector<RendererInfo> renderer_infos() { return {light_prepass_info(), reference_info()}; }
+std::vector<RendererInfo> renderer_infos() {
+    return {light_prepass_info(), multipass_info(), z_prepass_info(), reference_info()};
+}
 
 std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
                                           const RenderOptions& options) {
     if (name == "reference")
         return make_reference_renderer(options);
-    if (name != "light-prepass")
+    const auto make = name == "light-prepass" ? make_light_prepass
+                      : name == "multipass"   ? make_multipass
+                      : name == "z-prepass"   ? make_z_prepass
+                                              : nullptr;
+    if (!make)
         throw UsageError(fmt::format("--renderer {}: no such renderer (prelight renderers lists them)", name));
     if (!device)
         throw Error(fmt::format("renderer {}: needs a Vulkan device", name));
-    return make_light_prepass(*device, options);
+    return make(*device, options);
 }
 
 } // namespace prelight

@@ -6,17 +6,6 @@
 namespace prelight {
 namespace {
 
-RenderOptions options_of(const Shot& shot) {
-    RenderOptions options;
-    options.width = shot.width;
-    options.height = shot.height;
-    options.exposure = shot.exposure;
-    options.shading = shot.shading;
-    options.settings = shot.settings;
-    options.settings["texture-filter"] = "bilinear";
-    return options;
-}
-
 bool is(const Shot& shot, const char* key, const char* value) {
     const auto found = shot.settings.find(key);
     return found != shot.settings.end() && found->second == value;
@@ -44,12 +33,26 @@ std::unique_ptr<Device> swiftshader_device() {
     return device;
 }
 
+RenderOptions options_of(const Shot& shot) {
+    RenderOptions options;
+    options.width = shot.width;
+    options.height = shot.height;
+    options.exposure = shot.exposure;
+    options.shading = shot.shading;
+    options.settings = shot.settings;
+    options.settings["texture-filter"] = "bilinear";
+    return options;
+}
+
 ReferenceForm form_of(const Shot& shot) {
     using Fresnel = ReferenceForm::Fresnel;
     const bool packed = is(shot, "light-buffer", "packed-rgba16f") || is(shot, "light-buffer", "packed-rgba8");
     ReferenceForm form;
     form.shading = shot.shading;
-    form.fresnel = packed ? Fresnel::mono : is(shot, "model", "nv") ? Fresnel::nv : Fresnel::weighted;
+    form.fresnel = packed                                ? Fresnel::mono
+                   : is(shot, "model", "nv")             ? Fresnel::nv
+                   : shot.renderer == "light-prepass" ? Fresnel::weighted
+                                                         : Fresnel::full;
     form.mono_specular = packed;
     form.gate_by_step = is(shot, "specular-gate", "step");
     form.reflection_vector = is(shot, "specular-vector", "reflection");
@@ -58,7 +61,7 @@ ReferenceForm form_of(const Shot& shot) {
 }
 
 Image render_linear(Device& device, const Shot& shot) {
-    const auto renderer = create_renderer("light-prepass", &device, options_of(shot));
+    const auto renderer = create_renderer(shot.renderer, &device, options_of(shot));
     renderer->set_world(*shot.world);
     renderer->render(shot.camera);
     return renderer->read("linear");

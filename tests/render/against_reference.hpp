@@ -10,7 +10,7 @@
 
 namespace prelight {
 
-/// One picture of the light pre-pass and the reference that it is judged against.
+/// One picture of a renderer and the reference that it is judged against.
 struct Shot {
     const World* world = nullptr;
     PlacedCamera camera;
@@ -18,6 +18,7 @@ struct Shot {
     double exposure = 0;
     Shading shading = Shading::ggx;
     std::map<std::string, std::string> settings;
+    std::string renderer = "light-prepass";
 };
 
 /// Bounds of docs/measuring.md for a picture against the reference of its own form of the model.
@@ -38,6 +39,8 @@ std::unique_ptr<Device> swiftshader_device();
 
 /// The reference's form that belongs to the settings of a shot.
 ReferenceForm form_of(const Shot& shot);
+/// What render_linear() asks of the shot's renderer.
+RenderOptions options_of(const Shot& shot);
 Image render_linear(Device& device, const Shot& shot);
 /// Renders both and compares; texture filtering is bilinear on level 0 in both.
 Comparison against_reference(Device& device, const Shot& shot);

@@ -50,4 +50,38 @@ void Garden::add_lights(uint32_t count, float range, float intensity) {
     }
 }
 
+BacklitGarden::BacklitGarden() {
+    for (const double x : {-4.0, 0.0, 4.0})
+        add_light(point(20, 40), {x, 0.8, -7});
+    camera = look_at(camera.camera, {0.5, 0.9, 9}, {0, 0.5, 0});
+}
+
+MixedMaterials::MixedMaterials() {
+    constexpr uint32_t size = 64;
+    std::vector<uint8_t> holes;
+    for (uint32_t i = 0; i < size * size; ++i) {
+        const double u = 12.5663706 * (i % size + 0.5) / size, v = 12.5663706 * (i / size + 0.5) / size;
+        const auto alpha = static_cast<uint8_t>(std::lround(127.5 + 127.5 * std::sin(u) * std::sin(v)));
+        holes.insert(holes.end(), {255, 255, 255, alpha});
+    }
+    Material masked{.name = "masked", .metallic = 0, .roughness = 0.7f, .alpha_mode = AlphaMode::mask, .alpha_cutoff = 0.4f, .double_sided = true};
+    masked.base_colour_texture = {.image = add_image(size, size, holes)};
+    add_material(masked);
+    Primitive front = square(1);
+    front.colours = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
+    const auto at = [](double x, double y, double z) { return glm::translate(glm::dmat4(1), {x, y, z}); };
+    add(front, at(-1.1, 0, 0));
+    add(front, glm::rotate(at(1.1, 0, 0), 2.7, {0, 1, 0}));
+    add_material({.name = "paint", .base_colour = {0.9f, 0.5f, 0.3f, 1}, .metallic = 0, .roughness = 0.5f, .emissive = {0.05f, 0, 0.1f}});
+    add(square(0.4f), glm::scale(at(0, 1.4, 0.3), {-1, 1, 1}));
+    add_material({.name = "unlit", .base_colour = {0.2f, 0.6f, 0.3f, 1}, .unlit = true});
+    add(square(4), at(0, 0, -2));
+    add_material({.name = "away", .base_colour = {1, 0, 1, 1}});
+    add(square(0.5f), glm::rotate(at(0, 0, 1), 3.0, {0, 1, 0}));
+    for (int i = 0; i < 11; ++i)
+        add_light({.kind = LightKind::point, .colour = {1, 0.1f * static_cast<float>(i), 0.6f}, .intensity = 1.5f, .range = 12},
+                  {0.4 * i - 2, 1.5 - 0.3 * (i % 4), 3});
+    world.ambient = {0.05f, 0.06f, 0.08f};
+}
+
 } // namespace prelight

@@ -22,4 +22,17 @@ private:
     glm::dvec3 origin_{0};
 };
 
+/// Low lights behind the garden, seen from low in front: V·H is small, and the forms' Fresnel terms
+/// are far apart.
+struct BacklitGarden : Garden {
+    BacklitGarden();
+};
+
+/// A masked double-sided square from the front, one from behind, a mirrored one, an unlit wall and a
+/// single-sided square that is turned away.
+struct MixedMaterials : TestWorld {
+    MixedMaterials();
+    Shot shot() const { return {.world = &world, .camera = front_camera(5)}; }
+};
+
 } // namespace prelight

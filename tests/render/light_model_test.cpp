@@ -36,16 +36,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Form{"phong_ambient_light", Shading::phong, {{"ambient", "light"}}}),
     [](const auto& form) { return std::string(form.param.name); });
 
-/// Low lights behind the garden, seen from low in front: V·H is small, and the forms' Fresnel terms
-/// are far apart.
-struct BacklitGarden : Garden {
-    BacklitGarden() {
-        for (const double x : {-4.0, 0.0, 4.0})
-            add_light(point(20, 40), {x, 0.8, -7});
-        camera = look_at(camera.camera, {0.5, 0.9, 9}, {0, 0.5, 0});
-    }
-};
-
 class BacklitForms : public testing::TestWithParam<Form> {};
 
 TEST_P(BacklitForms, AgreeWithTheReference) {

@@ -1,0 +1,96 @@
+#include "forward.hpp"
+#include "surface_draws.hpp"
+#include <algorithm>
+#include <array>
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+namespace {
+
+SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth) {
+    return {.name = "forward base",
+            .fragment = "forward_base.frag",
+            .constants = {{CONSTANT_MATERIAL_OUTPUT, output}},
+            .depth = depth,
+            .keeps_alpha_mask = depth == gpu::DepthTest::write_nearer};
+}
+
+SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs& inputs, StepKind kind) {
+    SurfaceDraws::Desc desc{.name = "forward " + inputs.name,
+                            .fragment = "forward.frag",
+                            .constants = inputs.model.constants(),
+                            .depth = gpu::DepthTest::equal, // exact: vertex_position() is invariant
+                            .keeps_alpha_mask = false};
+    desc.constants.insert(desc.constants.end(),
+                          {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
+                           {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
+                           {CONSTANT_SEED_FALLOFF, frame.seed_falloff()},
+                           {CONSTANT_FORWARD_BASE, kind == StepKind::base_and_lights}});
+    desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;
+    desc.push_bytes = sizeof(shared::ForwardBatch);
+    return desc;
+}
+
+/// The pipelines of each kind of step, and the draws of one frame.
+class ForwardDraws {
+public:
+    ForwardDraws(const resident::Frame& frame, const graph::PassInterface& interface, const ForwardInputs& inputs)
+        : frame_(frame), inputs_(inputs) {
+        for (const StepKind kind : inputs.kinds)
+            of(kind).emplace(frame, interface,
+                             kind == StepKind::base
+                                 ? base_desc(MATERIAL_OUTPUT_SHADED, gpu::DepthTest::write_nearer)
+                                 : lights_desc(frame, inputs, kind));
+    }
+
+    void record(const graph::PassContext& pass) {
+        const ForwardPlan plan = inputs_.plan(frame_.reach());
+        if (inputs_.draws)
+            *inputs_.draws = plan.size();
+        SurfaceDraws::Bound bound;
+        if (!plan.empty())
+            of(plan[0].kind)->bind_geometry(pass);
+        for (const ForwardStep& step : plan) {
+            const auto batch = std::as_bytes(std::span(&step.batch, 1));
+            of(step.kind)->draw(pass, bound, frame_.geometry().draws[step.draw],
+                                step.kind == StepKind::base ? std::span<const std::byte>() : batch);
+        }
+    }
+
+private:
+    std::optional<SurfaceDraws>& of(StepKind kind) { return draws_[static_cast<size_t>(kind)]; }
+    const resident::Frame& frame_;
+    ForwardInputs inputs_;
+    std::array<std::optional<SurfaceDraws>, 3> draws_;
+};
+
+} // namespace
+
+void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs) {
+    graph::Pass& pass = graph.pass(inputs.name);
+    pass.colour(inputs.colour, inputs.load);
+    const bool base = std::count(inputs.kinds.begin(), inputs.kinds.end(), StepKind::base) > 0;
+    if (base)
+        pass.depth_write(inputs.depth);
+    else
+        pass.depth_test(inputs.depth);
+    if (!base || inputs.kinds.size() > 1)
+        pass.storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    auto draws = std::make_shared<std::optional<ForwardDraws>>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
+    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+}
+
+graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
+    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+    graph::Pass& pass = graph.pass("albedo");
+    pass.colour(target, graph::Load::clear).depth_test(depth);
+    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) {
+        draws->emplace(frame, interface, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal));
+    });
+    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+    return target;
+}
+
+} // namespace prelight::passes

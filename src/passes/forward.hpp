@@ -1,0 +1,28 @@
+#pragma once
+#include "forward_plan.hpp"
+#include "light_volumes.hpp"
+#include <functional>
+
+namespace prelight::passes {
+
+/// A pass that shades objects where they are drawn, lights included.
+struct ForwardInputs {
+    std::string name;
+    graph::ImageId depth;
+    graph::ImageId colour;              ///< scene-linear, exposed, RGBA16F
+    graph::Load load = graph::Load::clear;
+    std::vector<StepKind> kinds;        ///< what the plan has; with base among them depth is written
+    /// The draws of a frame, made anew for each from the lights of its objects.
+    std::function<ForwardPlan(const resident::LightReach&)> plan;
+    LightModel model;
+    const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; bound with lights
+    bool count_pairs = false;
+    bool counts_lights = false; ///< instead of light: 1 for each in R, and in G where it contributes
+    uint64_t* draws = nullptr;  ///< gets the number of draws at each recording
+};
+void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);
+
+/// The base colour of what is seen, for --view albedo.
+graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth);
+
+} // namespace prelight::passes

@@ -1,0 +1,98 @@
+#include "forward_plan.hpp"
+#include <algorithm>
+
+namespace prelight::passes {
+namespace {
+
+ForwardStep base_of(size_t draw) { return {static_cast<uint32_t>(draw), StepKind::base, {}}; }
+
+ForwardStep step_of(size_t draw, StepKind kind, std::span<const uint32_t> lights) {
+    ForwardStep step{static_cast<uint32_t>(draw), kind, {}};
+    step.batch.count = static_cast<uint32_t>(lights.size());
+    std::copy(lights.begin(), lights.end(), step.batch.lights);
+    return step;
+}
+
+/// The first `per_pass` lights of `rest`, taken off it.
+std::span<const uint32_t> take(std::span<const uint32_t>& rest, uint32_t per_pass) {
+    const auto batch = rest.first(std::min<size_t>(rest.size(), per_pass));
+    rest = rest.subspan(batch.size());
+    return batch;
+}
+
+/// Half of the largest half float is for an object's base, half for its lights: the blended sum of
+/// its steps never reaches infinity.
+void set_limits(ForwardPlan& plan, size_t draws) {
+    std::vector<uint32_t> batches(draws, 0);
+    for (const ForwardStep& step : plan)
+        batches[step.draw] += step.kind != StepKind::base;
+    for (ForwardStep& step : plan)
+        step.batch.limit = 32752.0f / static_cast<float>(std::max(batches[step.draw], 1u));
+}
+
+} // namespace
+
+ForwardPlan plan_base(size_t draws) {
+    ForwardPlan plan;
+    for (size_t d = 0; d < draws; ++d)
+        plan.push_back(base_of(d));
+    return plan;
+}
+
+ForwardPlan plan_by_objects(const resident::LightReach& reach, uint32_t per_pass, bool with_base) {
+    ForwardPlan plan;
+    for (size_t d = 0; d < reach.draws(); ++d) {
+        if (with_base)
+            plan.push_back(base_of(d));
+        for (auto rest = reach.of(d); !rest.empty();)
+            plan.push_back(step_of(d, StepKind::lights, take(rest, per_pass)));
+    }
+    set_limits(plan, reach.draws());
+    return plan;
+}
+
+ForwardPlan plan_by_lights(const resident::LightReach& reach, uint32_t per_pass, bool with_base) {
+    std::vector<uint32_t> lights = reach.lights;
+    std::sort(lights.begin(), lights.end());
+    lights.erase(std::unique(lights.begin(), lights.end()), lights.end());
+    std::vector<std::span<const uint32_t>> rest;
+    for (size_t d = 0; d < reach.draws(); ++d)
+        rest.push_back(reach.of(d));
+    std::vector<bool> waits(reach.draws(), with_base);
+
+    ForwardPlan plan;
+    for (std::span<const uint32_t> left(lights); !left.empty();) {
+        const uint32_t last = take(left, per_pass).back();
+        for (size_t d = 0; d < reach.draws(); ++d) {
+            // Lists are in the world's order: those up to `last` are this round's.
+            const auto end = std::upper_bound(rest[d].begin(), rest[d].end(), last);
+            const auto batch = rest[d].first(static_cast<size_t>(end - rest[d].begin()));
+            if (batch.empty())
+                continue;
+            rest[d] = rest[d].subspan(batch.size());
+            if (waits[d])
+                plan.push_back(base_of(d));
+            waits[d] = false;
+            plan.push_back(step_of(d, StepKind::lights, batch));
+        }
+    }
+    for (size_t d = 0; d < reach.draws(); ++d)
+        if (waits[d])
+            plan.push_back(base_of(d));
+    set_limits(plan, reach.draws());
+    return plan;
+}
+
+ForwardPlan plan_shaded_once(const resident::LightReach& reach, uint32_t per_pass) {
+    ForwardPlan plan;
+    for (size_t d = 0; d < reach.draws(); ++d) {
+        auto rest = reach.of(d);
+        plan.push_back(step_of(d, StepKind::base_and_lights, take(rest, per_pass)));
+        while (!rest.empty())
+            plan.push_back(step_of(d, StepKind::lights, take(rest, per_pass)));
+    }
+    set_limits(plan, reach.draws());
+    return plan;
+}
+
+} // namespace prelight::passes

@@ -1,0 +1,35 @@
+#pragma once
+#include <resident/light_reach.hpp>
+#include <shared/forward.h>
+#include <vector>
+
+namespace prelight::passes {
+
+/// base: ambient and emissive, replacing what is there and writing depth; lights: a batch added;
+/// base_and_lights: both at once, replacing, depth test EQUAL.
+enum class StepKind { base, lights, base_and_lights };
+
+/// One draw call of a forward pass.
+struct ForwardStep {
+    uint32_t draw = 0; ///< index into Geometry::draws
+    StepKind kind = StepKind::base;
+    shared::ForwardBatch batch{};
+};
+using ForwardPlan = std::vector<ForwardStep>;
+
+// All plans: no light that reaches nothing costs a step, and none that reaches an object is left out.
+// `per_pass` is 1 … FORWARD_MOST_LIGHTS.
+
+/// The base of every object.
+ForwardPlan plan_base(size_t draws);
+/// [M1] Outer loop over objects (the XNA sample); each object's lights in batches. `with_base`: each
+/// object's base directly before its lights.
+ForwardPlan plan_by_objects(const resident::LightReach& reach, uint32_t per_pass, bool with_base);
+/// [M1] Outer loop over lights, `per_pass` neighbours at a time (Lee); inside, every object that one
+/// of them reaches, with those that reach it. `with_base`: an object's base directly before its first
+/// light; the bases of objects without light come last.
+ForwardPlan plan_by_lights(const resident::LightReach& reach, uint32_t per_pass, bool with_base);
+/// [Z2] Each object with the first batch of its list, and once more for each further one.
+ForwardPlan plan_shaded_once(const resident::LightReach& reach, uint32_t per_pass);
+
+} // namespace prelight::passes

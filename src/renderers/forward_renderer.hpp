@@ -1,0 +1,33 @@
+#pragma once
+#include "device_renderer.hpp"
+#include <passes/forward.hpp>
+
+namespace prelight {
+
+/// What the forward architectures have in common: the lighting model, lights found for each object,
+/// and the way from the linear picture to the views.
+class ForwardRenderer : public DeviceRenderer {
+protected:
+    ForwardRenderer(Device& device, const RenderOptions& options, Settings settings,
+                    resident::ObjectLights order);
+    resident::FrameSettings frame_settings() const final;
+    uint64_t draws(const resident::Frame&) const override { return draws_; }
+
+    /// A pass that draws into `colour`; the caller adds kinds and plan. Its draws are counted.
+    passes::ForwardInputs shading(const char* name, graph::ImageId depth, graph::ImageId colour);
+    static graph::ImageId linear_image(graph::FrameGraph& graph, const resident::Frame& frame);
+    /// Tone mapping, and the views that were asked for.
+    Views views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
+                graph::ImageId linear) const;
+
+private:
+    passes::LightModel model_;
+    resident::ObjectLights order_;
+    uint64_t draws_ = 0; ///< of the last recording of the pass with lights
+};
+
+/// The settings that both have, after `own`; and their views.
+std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own);
+std::vector<std::string> forward_views();
+
+} // namespace prelight

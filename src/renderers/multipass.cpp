@@ -1,0 +1,64 @@
+// Multi-pass forward (Lee's "what we did in the past"; the XNA multipass sample): ambient and emissive
+// light first, then every object again for the lights that reach it, added up.
+#include "multipass.hpp"
+#include "forward_renderer.hpp"
+
+namespace prelight {
+namespace {
+
+class Multipass final : public ForwardRenderer {
+public:
+    Multipass(Device& device, const RenderOptions& options, Settings settings)
+        : ForwardRenderer(device, options, std::move(settings), resident::ObjectLights::world_order) {}
+
+private:
+    uint64_t draws(const resident::Frame& frame) const override {
+        return ForwardRenderer::draws(frame) + ambient_draws_;
+    }
+
+    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
+        const bool per_object = settings().is("ambient", "per-object"); // [M1]
+        const auto per_pass = static_cast<uint32_t>(settings().number("lights-per-pass")); // [M2]
+        const auto plan = settings().is("order", "lights") ? passes::plan_by_lights : passes::plan_by_objects;
+        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
+        const auto linear = linear_image(graph, frame);
+
+        ambient_draws_ = 0;
+        passes::ForwardInputs lights = shading("lights", depth, linear);
+        lights.kinds = {passes::StepKind::lights};
+        if (per_object) {
+            lights.kinds.push_back(passes::StepKind::base);
+        } else {
+            passes::ForwardInputs ambient = shading("ambient", depth, linear);
+            ambient.kinds = {passes::StepKind::base};
+            ambient.plan = [](const resident::LightReach& reach) { return passes::plan_base(reach.draws()); };
+            ambient.draws = &ambient_draws_;
+            passes::forward_pass(graph, frame, ambient);
+            lights.load = graph::Load::keep;
+        }
+        lights.plan = [=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); };
+        passes::forward_pass(graph, frame, lights);
+        return views(graph, frame, depth, linear);
+    }
+
+    uint64_t ambient_draws_ = 0;
+};
+
+} // namespace
+
+RendererInfo multipass_info() {
+    return {.name = "multipass",
+            .description = "ambient light, then every object again for the lights that reach it",
+            .settings = forward_settings(
+                {{"order", {"lights", "objects"}, "lights", "the outer loop: over lights, or over objects"},
+                 {"ambient", {"first", "per-object"}, "first", "ambient of all objects first, or with each object"},
+                 {"lights-per-pass", {"1", "2", "3", "4", "5", "6", "7", "8"}, "1", "lights that one draw adds"}}),
+            .views = forward_views(),
+            .presets = {}};
+}
+
+std::unique_ptr<Renderer> make_multipass(Device& device, const RenderOptions& options) {
+    return std::make_unique<Multipass>(device, options, Settings(multipass_info(), options));
+}
+
+} // namespace prelight

@@ -1,0 +1,48 @@
+// Z pre-pass forward: depth alone, then every visible pixel is shaded once with up to eight lights; an
+// object that more lights reach is drawn again for the rest.
+#include "z_prepass.hpp"
+#include "forward_renderer.hpp"
+#include <passes/depth_only.hpp>
+
+namespace prelight {
+namespace {
+
+class ZPrepass final : public ForwardRenderer {
+public:
+    ZPrepass(Device& device, const RenderOptions& options, Settings settings)
+        : ForwardRenderer(device, options, std::move(settings), resident::ObjectLights::strongest_first) {}
+
+private:
+    uint64_t draws(const resident::Frame& frame) const override {
+        return ForwardRenderer::draws(frame) + frame.geometry().draws.size();
+    }
+
+    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
+        const auto depth = passes::depth_only_pass(graph, frame); // [Z1]
+        const auto linear = linear_image(graph, frame);
+        passes::ForwardInputs opaque = shading("opaque", depth, linear); // [Z2]
+        opaque.kinds = {passes::StepKind::base_and_lights, passes::StepKind::lights};
+        opaque.plan = [](const resident::LightReach& reach) {
+            return passes::plan_shaded_once(reach, FORWARD_MOST_LIGHTS);
+        };
+        passes::forward_pass(graph, frame, opaque);
+        return views(graph, frame, depth, linear);
+    }
+};
+
+} // namespace
+
+RendererInfo z_prepass_info() {
+    return {.name = "z-prepass",
+            .description = "depth alone, then every visible pixel shaded with the lights of its object",
+            .settings = forward_settings(
+                {{"lights", {"per-draw"}, "per-draw", "how a pixel finds its lights: eight a draw, strongest first"}}),
+            .views = forward_views(),
+            .presets = {}};
+}
+
+std::unique_ptr<Renderer> make_z_prepass(Device& device, const RenderOptions& options) {
+    return std::make_unique<ZPrepass>(device, options, Settings(z_prepass_info(), options));
+}
+
+} // namespace prelight
