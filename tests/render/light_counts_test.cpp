@@ -28,6 +28,19 @@ TEST(BuiltinScenes, SpheresAgreeWithTheReference) {
     expect_agrees(shot);
 }
 
+TEST(BuiltinScenes, CityAgreesOverItsWetStreet) {
+    // Straight ahead a third of the pixels lie beside leaves and railings; the street fills this view.
+    const Scene scene = make_scene("city", 1024, 1);
+    const World world = resolve(scene);
+    Shot shot = shot_of(world);
+    const glm::dvec3 eye = shot.camera.position, ahead = -shot.camera.axes[2];
+    shot.camera.camera.yfov = 0.5;
+    shot.camera = look_at(shot.camera.camera, eye, eye + glm::dvec3(ahead.x, -0.48, ahead.z));
+    shot.width = 640;
+    shot.height = 360;
+    expect_agrees(shot);
+}
+
 TEST(LightCount, SixtyFiveThousandOfShorterRangeAreAllDrawn) {
     // As many lights as the built-in scenes go to, with the overlap of 1,024 of full range.
     const Scene scene = make_scene("lights", 65536, 1);
