@@ -24,12 +24,17 @@ int rank(const std::string& type) {
     return static_cast<int>(std::find(std::begin(order), std::end(order), type) - order);
 }
 
-std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice physical) {
+std::vector<VkQueueFamilyProperties> queue_families(VkPhysicalDevice physical) {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-    for (uint32_t i = 0; i < count; ++i)
+    return families;
+}
+
+std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice physical) {
+    const std::vector<VkQueueFamilyProperties> families = queue_families(physical);
+    for (uint32_t i = 0; i < families.size(); ++i)
         if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) &&
             (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT))
             return i;
@@ -37,11 +42,8 @@ std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice physical) {
 }
 
 uint64_t timestamp_mask(VkPhysicalDevice physical, uint32_t family) {
-    uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
-    std::vector<VkQueueFamilyProperties> families(count);
-    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-    const uint32_t bits = family < count ? families[family].timestampValidBits : 0;
+    const std::vector<VkQueueFamilyProperties> families = queue_families(physical);
+    const uint32_t bits = family < families.size() ? families[family].timestampValidBits : 0;
     return bits >= 64 ? ~uint64_t(0) : (uint64_t(1) << bits) - 1;
 }
 
