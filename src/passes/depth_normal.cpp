@@ -46,13 +46,8 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
         pass.colour(out.depth_source, graph::Load::clear);
         shader += "+depth";
     }
-    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) {
-        draws->emplace(frame, interface,
-                       SurfaceDraws::Desc{"depth-normal", shader + ".frag", format.constants(),
-                                          gpu::DepthTest::write_nearer, true});
-    });
-    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+    draw_surfaces(pass, frame,
+                  {.name = "depth-normal", .fragment = shader + ".frag", .constants = format.constants()});
     return out;
 }
 

@@ -7,12 +7,7 @@ graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::Frame& 
     const graph::ImageId depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(depth);
-    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) {
-        draws->emplace(frame, interface,
-                       SurfaceDraws::Desc{.name = "depth", .fragment = "depth_mask.frag", .constants = {}, .depth_only = true});
-    });
-    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+    draw_surfaces(pass, frame, {.name = "depth", .fragment = "depth_mask.frag", .constants = {}, .depth_only = true});
     return depth;
 }
 

@@ -85,11 +85,7 @@ graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Fra
     const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
     graph::Pass& pass = graph.pass("albedo");
     pass.colour(target, graph::Load::clear).depth_test(depth);
-    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) {
-        draws->emplace(frame, interface, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal));
-    });
-    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+    draw_surfaces(pass, frame, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal));
     return target;
 }
 

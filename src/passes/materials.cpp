@@ -17,12 +17,12 @@ graph::ImageId draw(graph::FrameGraph& graph, const resident::Frame& frame, cons
     constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
     const std::string shader = inputs.model.shading == Shading::ggx ? "material_metallic_roughness.frag"
                                                                     : "material_blinn_phong.frag";
-    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) {
-        draws->emplace(frame, interface,
-                       SurfaceDraws::Desc{"material", shader, constants, gpu::DepthTest::equal, false});
-    });
-    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+    draw_surfaces(pass, frame,
+                  {.name = "material",
+                   .fragment = shader,
+                   .constants = constants,
+                   .depth = gpu::DepthTest::equal,
+                   .keeps_alpha_mask = false});
     return target;
 }
 

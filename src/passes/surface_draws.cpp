@@ -83,4 +83,10 @@ void SurfaceDraws::record(const graph::PassContext& pass) const {
         draw(pass, bound, one);
 }
 
+void draw_surfaces(graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc) {
+    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, desc); });
+    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+}
+
 } // namespace prelight::passes

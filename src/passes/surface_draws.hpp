@@ -41,4 +41,7 @@ private:
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by FEATURE_… bits
 };
 
+/// Makes `pass` draw every object of the frame once.
+void draw_surfaces(graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc);
+
 } // namespace prelight::passes

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,29 +6,12 @@
 #include <reference/reference_renderer.hpp>
 #include <reference/reference_views.hpp>
 #include <reference/trace.hpp>
-#include <sys/resource.h>
+#include <timing/clocks.hpp>
 
 namespace prelight {
 namespace {
 
 using Settings = std::map<std::string, std::string>;
-
-double process_cpu_ms() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto ms = [](const timeval& time) {
-        return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_usec) * 1e-3;
-    };
-    return ms(usage.ru_utime) + ms(usage.ru_stime);
-}
-
-Spread spread_of(std::vector<double> samples) {
-    std::sort(samples.begin(), samples.end());
-    const size_t half = samples.size() / 2;
-    return {samples.front(),
-            samples.size() % 2 ? samples[half] : (samples[half - 1] + samples[half]) / 2,
-            samples.back()};
-}
 
 /// Every setting with the value in force.
 Settings checked_settings(const RendererInfo& info, const RenderOptions& options) {
@@ -111,18 +93,15 @@ public:
             throw Error("reference: no world was given");
         std::vector<double> wall, cpu;
         for (uint32_t frame = 0; frame < std::max(frames, 1u); ++frame) {
-            const auto start = std::chrono::steady_clock::now();
-            const double cpu_start = process_cpu_ms();
+            const double wall_start = wall_ms(), cpu_start = process_ms();
             picture_ = reference::trace(*world_, camera, options_.width, options_.height,
                                         options_.exposure, form_, &buffers_);
-            const std::chrono::duration<double, std::milli> time =
-                std::chrono::steady_clock::now() - start;
-            wall.push_back(time.count());
-            cpu.push_back(process_cpu_ms() - cpu_start);
+            cpu.push_back(process_ms() - cpu_start);
+            wall.push_back(wall_ms() - wall_start);
         }
         stats_.frames = static_cast<uint32_t>(wall.size());
-        stats_.wall_ms = spread_of(wall);
-        stats_.cpu_ms = spread_of(cpu);
+        stats_.wall_ms = spread(wall);
+        stats_.cpu_ms = spread(cpu);
     }
 
     Image read(std::string_view view) override {

@@ -1,26 +1,14 @@
 #include "device_renderer.hpp"
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <glm/gtc/packing.hpp>
 #include <gpu/check.hpp>
-#include <sys/resource.h>
+#include <timing/clocks.hpp>
 
 namespace prelight {
 namespace {
-
-double process_ms() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto ms = [](const timeval& t) { return double(t.tv_sec) * 1e3 + double(t.tv_usec) * 1e-3; };
-    return ms(usage.ru_utime) + ms(usage.ru_stime);
-}
-
-double wall_ms() {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D extent) {
     Image image(extent.width, extent.height);
