@@ -1,7 +1,9 @@
 #pragma once
 #include "forward_plan.hpp"
-#include "light_volumes.hpp"
+#include "light_model.hpp"
+#include <graph/frame_graph.hpp>
 #include <functional>
+#include <resident/frame.hpp>
 
 namespace prelight::passes {
 

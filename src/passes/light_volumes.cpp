@@ -41,39 +41,26 @@ constexpr std::array<GroupState, resident::light_group_count> groups{{
 
 class VolumeDraws {
 public:
-    VolumeDraws(const resident::Frame& frame, const graph::PassInterface& interface,
-                const LightVolumeInputs& inputs, uint32_t output)
+    VolumeDraws(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs)
         : frame_(frame), sphere_(frame.context(), "sphere volume", sphere_volume()),
           cone_(frame.context(), "cone volume", cone_volume(resident::cone_sides)) {
-        gpu::GraphicsPipelineDesc desc;
-        desc.constants = inputs.surface.format.constants();
-        const gpu::Constants model = inputs.model.constants();
-        desc.constants.insert(desc.constants.end(), model.begin(), model.end());
-        desc.constants.insert(desc.constants.end(), {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
-                                                     {CONSTANT_LIGHT_OUTPUT, output},
-                                                     {CONSTANT_SEED_FALLOFF, frame.seed_falloff()}});
-        desc.colour_formats = interface.colour_formats;
-        desc.depth_format = interface.depth_format;
-        desc.blend = gpu::Blend::add;
-        desc.depth_clamp = true;
-        desc.sets = {frame.layout(), interface.inputs};
-        const std::string variant = interface.colour_formats.size() == 1 ? "+packed.frag" : ".frag";
-        if (inputs.model.ambient_as_light && output == LIGHT_OUTPUT_LIGHT) {
+        if (inputs.model.ambient_as_light && inputs.target.variant != "+count") {
+            gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light_ambient");
             desc.name = "ambient light";
             desc.vertex = "light_fullscreen.vert";
-            desc.fragment = "light_ambient" + variant;
             desc.depth = gpu::DepthTest::surface_only;
+            desc.blend = gpu::Blend::add;
             ambient_ = gpu::GraphicsPipeline(frame.context(), desc);
             has_ambient_ = true;
         }
-        desc.fragment = "light" + variant;
-        const gpu::Constants base = desc.constants;
         for (const GroupState& state : groups) {
             const bool volume = state.group != LightGroup::fullscreen;
+            gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light");
             desc.name = state.name;
             desc.vertex = volume ? "light_volume.vert" : "light_fullscreen.vert";
             desc.depth = state.depth;
-            desc.constants = base;
+            desc.depth_clamp = true;
+            desc.blend = gpu::Blend::add;
             if (volume) {
                 desc.constants.emplace_back(CONSTANT_VOLUME, state.volume);
                 desc.vertex_strides = {sizeof(glm::vec3)};
@@ -121,57 +108,16 @@ private:
     std::array<gpu::GraphicsPipeline, resident::light_group_count> pipelines_;
 };
 
-void declare(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame,
-             const LightVolumeInputs& inputs, uint32_t output) {
-    pass.depth_test(inputs.surface.depth)
-        .sample(INPUT_DEPTH, inputs.surface.depth_source)
-        .sample(INPUT_NORMAL, inputs.surface.normal)
-        .sample(INPUT_ROUGHNESS, inputs.surface.roughness)
-        .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters),
-                 inputs.count_pairs);
-    auto draws = std::make_shared<std::optional<VolumeDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) {
-        draws->emplace(frame, interface, inputs, output);
-    });
-    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
-}
-
 } // namespace
 
-gpu::Constants LightModel::constants() const {
-    return {{CONSTANT_SHADING, shading == Shading::ggx ? SHADING_GGX : SHADING_PHONG},
-            {CONSTANT_MODEL, static_cast<uint32_t>(fresnel)},
-            {CONSTANT_PACKED_LIGHT, packed()},
-            {CONSTANT_SPECULAR_STEP_GATE, step_gate},
-            {CONSTANT_REFLECTION_VECTOR, reflection_vector},
-            {CONSTANT_AMBIENT_AS_LIGHT, ambient_as_light}};
-}
-
-LightBuffer light_volume_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                              const LightVolumeInputs& inputs) {
-    const bool bytes = inputs.model.buffer == LightBufferFormat::packed_rgba8;
-    const VkFormat format = bytes ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
-    LightBuffer out;
-    out.diffuse = out.specular = graph.image("diffuse light", {format, frame.extent()});
-    graph::Pass& pass = graph.pass("light");
-    pass.colour(out.diffuse, graph::Load::clear);
-    if (!inputs.model.packed()) {
-        out.specular = graph.image("specular light", {format, frame.extent()});
-        pass.colour(out.specular, graph::Load::clear);
-    }
-    declare(graph, pass, frame, inputs, LIGHT_OUTPUT_LIGHT);
-    return out;
-}
-
-graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                                const LightVolumeInputs& inputs) {
-    const graph::ImageId counts = graph.image("light count", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
-    graph::Pass& pass = graph.pass("light-count");
-    pass.colour(counts, graph::Load::clear);
-    LightVolumeInputs uncounted = inputs;
-    uncounted.count_pairs = false;
-    declare(graph, pass, frame, uncounted, LIGHT_OUTPUT_COUNT);
-    return counts;
+void light_volume_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                       const LightingInputs& inputs) {
+    graph::Pass& pass = graph.pass(name);
+    declare_lighting(graph, pass, inputs);
+    pass.depth_test(inputs.surface.depth);
+    auto draws = std::make_shared<std::optional<VolumeDraws>>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
+    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
 }
 
 } // namespace prelight::passes

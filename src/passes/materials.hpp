@@ -1,5 +1,5 @@
 #pragma once
-#include "light_volumes.hpp"
+#include "lighting.hpp"
 
 namespace prelight::passes {
 

@@ -1,6 +1,7 @@
 // Light pre-pass (Engel, ShaderX7 8.5; Lee's prelighting; Quandt's Round 2): depth and normals, then
 // all lights into the light buffer, then every object once more with its own material.
 #include "light_prepass.hpp"
+#include <passes/light_pass.hpp>
 #include <passes/materials.hpp>
 #include <passes/tonemap.hpp>
 #include <passes/view.hpp>
@@ -57,7 +58,7 @@ private:
         const bool bytes = model_.buffer == passes::LightBufferFormat::packed_rgba8;
         if (bytes)
             frame.light_scale = settings().number("light-scale");
-        frame.all_fullscreen = settings().is("light-culling", "fullscreen");
+        frame.culling = passes::light_culling(settings().get("light-culling"));
         frame.texture_filter = settings().is("texture-filter", "bilinear")
                                    ? gpu::TextureFilter::bilinear
                                    : gpu::TextureFilter::anisotropic;
@@ -66,11 +67,13 @@ private:
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto surface = passes::depth_normal_pass(graph, frame, surface_format(settings()));
-        const passes::LightVolumeInputs lighting{.surface = surface,
-                                                 .model = model_,
-                                                 .pair_counters = &pair_counters(),
-                                                 .count_pairs = options().count_pairs};
-        const auto light = passes::light_volume_pass(graph, frame, lighting);
+        const auto light = passes::make_light_buffer(graph, frame, model_);
+        passes::LightingInputs lighting{.surface = surface,
+                                        .model = model_,
+                                        .target = light.target,
+                                        .pair_counters = &pair_counters(),
+                                        .count_pairs = options().count_pairs};
+        passes::light_pass(graph, frame, "light", lighting);
         const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_};
         const auto linear = passes::material_pass(graph, frame, materials);
         const auto final = passes::tonemap_pass(graph, frame, linear, options().tonemap);
@@ -88,8 +91,12 @@ private:
         show("specular-light", model_.packed() ? ViewKind::light_alpha : ViewKind::light, light.specular);
         if (wants("albedo"))
             show("albedo", ViewKind::colour, passes::albedo_pass(graph, frame, materials));
-        if (wants("light-count"))
-            show("light-count", ViewKind::count, passes::light_count_pass(graph, frame, lighting));
+        if (wants("light-count")) {
+            lighting.target = passes::make_light_counts(graph, frame);
+            lighting.count_pairs = false;
+            passes::light_pass(graph, frame, "light-count", lighting);
+            show("light-count", ViewKind::count, lighting.target.images[0]);
+        }
         return views;
     }
 
@@ -111,7 +118,7 @@ RendererInfo light_prepass_info() {
                  {"light-scale", {"0.01 … 1000"}, "2", "packed-rgba8: the largest light that it stores"},
                  {"model", {"auto", "weighted", "nv", "mono", "full"}, "auto",
                   "Fresnel: mean over the lights, at N·V, or with monochrome specular (packed)"},
-                 {"light-culling", {"volumes", "fullscreen"}, "volumes", "how a light finds its pixels"},
+                 passes::light_culling_setting(),
                  {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                  {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
                  {"ambient", {"material", "light"}, "material", "a material term, or a full-screen light"},

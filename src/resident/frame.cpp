@@ -83,7 +83,7 @@ void Frame::update(const PlacedCamera& camera) {
     shared::ObjectData* objects = objects_.mapped<shared::ObjectData>();
     for (size_t i = 0; i < world_.instances.size(); ++i)
         objects[i] = object_data(world_.instances[i], camera.position);
-    groups_ = group_lights(world_.lights, camera, next, settings_.all_fullscreen,
+    groups_ = group_lights(world_.lights, camera, next, settings_.culling,
                            context_.features().depth_clamp);
     std::copy(groups_.order.begin(), groups_.order.end(), order_.mapped<uint32_t>());
     reach_ = find_reach(geometry_.draws, world_.lights, groups_.order, settings_.object_lights);

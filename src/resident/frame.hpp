@@ -10,7 +10,7 @@ struct FrameSettings {
     uint32_t width = 0, height = 0;
     double exposure = 1;             ///< factor
     double light_scale = 32;         ///< what stored light is divided by
-    bool all_fullscreen = false;     ///< light-culling=fullscreen
+    LightCulling culling = LightCulling::volumes;
     ObjectLights object_lights = ObjectLights::none;
     gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
 };
@@ -31,6 +31,7 @@ public:
     const LightGroups& lights() const { return groups_; }
     /// Lights of each object; empty lists with ObjectLights::none.
     const LightReach& reach() const { return reach_; }
+    LightCulling culling() const { return settings_.culling; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
     VkDescriptorSetLayout layout() const { return layout_; }
     VkDescriptorSet set() const { return sets_[0]; }

@@ -89,7 +89,7 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
 }
 
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, bool all_fullscreen,
+                         const shared::FrameConstants& constants, LightCulling culling,
                          bool depth_clamp) {
     std::array<std::vector<uint32_t>, light_group_count> members;
     const glm::dmat4 clip(constants.clip_from_world);
@@ -98,7 +98,7 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
         if (is_dark(light.light))
             continue;
         LightGroup group = LightGroup::fullscreen;
-        if (!all_fullscreen && has_volume(light.light)) {
+        if (culling != LightCulling::fullscreen && has_volume(light.light)) {
             const glm::dvec3 centre = light.position - camera.position;
             if (outside_view(clip, centre, light.light.range))
                 continue;

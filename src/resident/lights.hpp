@@ -7,7 +7,13 @@
 
 namespace prelight::resident {
 
-/// How a light finds its pixels: full screen, or a volume seen from outside or inside [V1] [V3].
+/// How lights find their pixels: the setting `light-culling`.
+enum class LightCulling {
+    fullscreen, ///< every light by a full-screen triangle, wherever it is: the yardstick [V1]
+    volumes,    ///< spheres and cones [V3] [V5]
+};
+
+/// How one light is drawn: full screen, or a volume seen from outside or inside [V1] [V3].
 enum class LightGroup { fullscreen, sphere_outside, sphere_inside, cone_outside, cone_inside };
 inline constexpr size_t light_group_count = 5;
 
@@ -22,11 +28,10 @@ struct LightGroups {
 shared::LightData light_data(const PlacedLight& light, glm::dvec3 camera, double exposure);
 
 /// Leaves out what is dark or outside the view, and sorts the rest. A light is drawn "inside" (back
-/// faces, reversed depth test) as soon as its volume may touch the near plane. `all_fullscreen`:
-/// every light that is not dark by a full-screen triangle, wherever it is: the yardstick for the rest.
+/// faces, reversed depth test) as soon as its volume may touch the near plane.
 /// Without `depth_clamp`, a volume that the far plane would cut is drawn full screen.
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, bool all_fullscreen, bool depth_clamp);
+                         const shared::FrameConstants& constants, LightCulling culling, bool depth_clamp);
 
 /// Sides of the cone's mesh, shared with passes::cone_volume.
 inline constexpr uint32_t cone_sides = 16;

@@ -1,0 +1,7 @@
+// What a light pass sums and where it puts it: no_light(), add_light(), write_sums(). Each kind of
+// target has its own file with these three; variants.cmake says which variant takes which.
+#ifdef COUNT_TARGET
+#include "shared/light_count_sums.glsl"
+#else
+#include "shared/light_buffer_sums.glsl"
+#endif

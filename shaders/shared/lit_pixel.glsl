@@ -1,0 +1,39 @@
+// What a light pass knows of a pixel before its first light, and how it counts light × pixel pairs.
+#ifndef PRELIGHT_LIT_PIXEL_GLSL
+#define PRELIGHT_LIT_PIXEL_GLSL
+#include "shared/gbuffer.glsl"
+#include "shared/lighting.glsl"
+
+layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
+layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
+
+// Two counters a row of pixels, so that no sum overflows 32 bits: evaluated, contributing.
+layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCounters { uint pair_counters[]; };
+
+struct LitPixel {
+    bool surface;     // something is there to be lit
+    vec3 world, n, v; // camera-relative world space; n and v are unit vectors
+    float roughness;  // at least 0.089
+};
+
+LitPixel read_pixel(ivec2 pixel) {
+    LitPixel p;
+    p.surface = read_position(pixel, p.world);
+    p.n = read_normal(pixel);
+    p.v = to_viewer(p.world);
+    p.roughness = max(read_roughness(pixel), 0.089);
+    return p;
+}
+
+LightTerms terms_of(LitPixel p, LightData light) {
+    return light_terms(light, p.surface, p.world, p.n, p.v, p.roughness);
+}
+
+void count_lights(ivec2 pixel, uint evaluated, uint contributing) {
+    if (!count_pairs)
+        return;
+    atomicAdd(pair_counters[2 * pixel.y], evaluated);
+    if (contributing > 0u)
+        atomicAdd(pair_counters[2 * pixel.y + 1], contributing);
+}
+#endif

@@ -1,0 +1,42 @@
+#pragma once
+#include "depth_normal.hpp"
+#include "light_model.hpp"
+
+namespace prelight::passes {
+
+/// Where a light pass puts its sums. The shaders have one variant for each kind of target
+/// (shaders/shared/light_sums.glsl).
+struct LightTarget {
+    std::string variant;                ///< "" light buffer, "+packed", "+count"
+    std::vector<graph::ImageId> images; ///< colour attachments, in the order of the variant's outputs
+    graph::Load load = graph::Load::clear;
+};
+
+/// What every light pass gets, however it finds its pixels: [V1] … [V7].
+struct LightingInputs {
+    SurfaceBuffers surface;
+    LightModel model;
+    LightTarget target;
+    const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound
+    bool count_pairs = false;
+};
+
+/// The light buffer [L4]; `specular` is the diffuse image itself when packed.
+struct LightBuffer {
+    graph::ImageId diffuse;
+    graph::ImageId specular;
+    LightTarget target;
+};
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model);
+
+/// RGBA16F: lights evaluated in R, contributing in G, for --view light-count.
+LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& frame);
+
+/// The inputs as the pass's attachments and bindings.
+void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
+/// A pipeline with `shader`'s variant for the target, drawn over the pass's attachments; the caller
+/// adds vertex shader, depth test and blending.
+gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const graph::PassInterface& interface,
+                                            const LightingInputs& inputs, const std::string& shader);
+
+} // namespace prelight::passes
