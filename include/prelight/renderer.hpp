@@ -4,6 +4,7 @@
 #include <memory>
 #include <prelight/image.hpp>
 #include <prelight/scene.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,6 +77,11 @@ public:
     virtual ~Renderer() = default;
     /// Takes the world in (uploads it). `world` and its scene must stay alive and unchanged.
     virtual void set_world(const World& world) = 0;
+    /// Takes other lights in place of the world's, from the next render() on: to move them, add and
+    /// remove them. Cheaper than set_world(): geometry and materials stay, and pipelines too unless
+    /// there are more lights than ever before. Throws Error before set_world(), or when the device
+    /// cannot hold so many.
+    virtual void set_lights(std::span<const PlacedLight> lights) = 0;
     /// Renders `frames` ≥ 1 frames after warming every pipeline. Throws Error.
     virtual void render(const PlacedCamera& camera, uint32_t frames = 1) = 0;
     /// A buffer of the last frame: "final" is display-encoded 0 … 1, "linear" is the exposed

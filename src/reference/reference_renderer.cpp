@@ -88,6 +88,15 @@ public:
             stats_.draws += world.scene->meshes.at(instance.mesh).primitives.size();
     }
 
+    void set_lights(std::span<const PlacedLight> lights) override {
+        if (!world_)
+            throw Error("renderer: set_world() comes before set_lights()");
+        relit_ = *world_;
+        relit_.lights.assign(lights.begin(), lights.end());
+        world_ = &relit_;
+        stats_.lights = lights.size();
+    }
+
     void render(const PlacedCamera& camera, uint32_t frames) override {
         if (!world_)
             throw Error("reference: no world was given");
@@ -122,7 +131,8 @@ public:
 private:
     RenderOptions options_;
     ReferenceForm form_;
-    const World* world_ = nullptr;
+    const World* world_ = nullptr; ///< the caller's, or relit_
+    World relit_;                  ///< with the lights of set_lights()
     ReferencePicture picture_;
     reference::ReferenceBuffers buffers_;
     Stats stats_;

@@ -61,12 +61,25 @@ void DeviceRenderer::set_world(const World& world) {
     world_ = nullptr; // until all of the new one is there
     graph_.reset();   // before what its passes refer to
     frame_ = std::make_unique<resident::Frame>(context_, world, frame_settings());
+    build_graph();
+    world_ = &world;
+}
+
+void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
+    if (!world_)
+        throw Error("renderer: set_world() comes before set_lights()");
+    if (frame_->set_lights(lights))
+        return;
+    graph_.reset();
+    build_graph();
+}
+
+void DeviceRenderer::build_graph() {
     graph_ = std::make_unique<graph::FrameGraph>(context_);
     views_ = build(*graph_, *frame_);
     for (const auto& [name, image] : views_)
         graph_->keep(image);
     graph_->compile();
-    world_ = &world;
 }
 
 void DeviceRenderer::render_frame(VkCommandBuffer commands, bool warm_up) {
@@ -121,7 +134,7 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     stats_.driver = context_.driver();
     stats_.settings = settings_.all();
     stats_.notes = graph_->notes();
-    stats_.lights = world_->lights.size();
+    stats_.lights = frame_->placed_lights().size();
     stats_.triangles = world_->triangles;
     stats_.draws = draws(*frame_);
     stats_.frames = frames;

@@ -12,6 +12,7 @@ namespace prelight {
 class DeviceRenderer : public Renderer {
 public:
     void set_world(const World& world) final;
+    void set_lights(std::span<const PlacedLight> lights) final;
     void render(const PlacedCamera& camera, uint32_t frames) final;
     Image read(std::string_view view) final;
     Stats stats() const final { return stats_; }
@@ -37,6 +38,7 @@ protected:
     const gpu::Buffer& pair_counters() const { return pair_counters_; }
 
 private:
+    void build_graph();
     void render_frame(VkCommandBuffer commands, bool warm_up);
     void count_pairs();
 

@@ -43,27 +43,40 @@ shared::ObjectData object_data(const Instance& instance, glm::dvec3 camera) {
 } // namespace
 
 Frame::Frame(const gpu::Context& context, const World& world, const FrameSettings& settings)
-    : context_(context), world_(world), settings_(settings),
+    : context_(context), world_(world), settings_(settings), placed_(world.lights),
       geometry_(upload_geometry(context, world)),
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)) {
-    make_buffers();
-}
-
-void Frame::make_buffers() {
     constants_ = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
                              VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);
+    objects_ = make_upload(context_, "objects", world_.instances.size(), sizeof(shared::ObjectData),
+                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    make_light_buffers(placed_.size());
+}
+
+void Frame::make_light_buffers(size_t lights) {
     constexpr auto storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    const size_t lights = world_.lights.size();
-    lights_ = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
-    objects_ = make_upload(context_, "objects", world_.instances.size(), sizeof(shared::ObjectData), storage);
-    order_ = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
-    const std::vector<gpu::Binding> bindings{
-        gpu::Binding::uniform(FRAME_CONSTANTS, constants_.handle()),
-        gpu::Binding::storage(FRAME_LIGHTS, lights_.handle()),
-        gpu::Binding::storage(FRAME_OBJECTS, objects_.handle()),
-        gpu::Binding::storage(FRAME_LIGHT_ORDER, order_.handle())};
-    layout_ = gpu::make_set_layout(context_, "frame", bindings);
+    gpu::Buffer data = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
+    gpu::Buffer order = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
+    const std::vector<gpu::Binding> bindings{gpu::Binding::uniform(FRAME_CONSTANTS, constants_.handle()),
+                                             gpu::Binding::storage(FRAME_LIGHTS, data.handle()),
+                                             gpu::Binding::storage(FRAME_OBJECTS, objects_.handle()),
+                                             gpu::Binding::storage(FRAME_LIGHT_ORDER, order.handle())};
+    if (!layout_)
+        layout_ = gpu::make_set_layout(context_, "frame", bindings);
     sets_ = gpu::DescriptorSets(context_, "frame", layout_, {{bindings}});
+    lights_ = std::move(data);
+    order_ = std::move(order);
+    capacity_ = lights;
+}
+
+bool Frame::set_lights(std::span<const PlacedLight> lights) {
+    const bool falloff = seed_falloff(), fits = lights.size() <= capacity_;
+    if (!fits) { // with room for as many again, so that adding one at a time is cheap
+        const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
+        make_light_buffers(std::max(lights.size(), std::min(2 * capacity_, most)));
+    }
+    placed_.assign(lights.begin(), lights.end());
+    return fits && (falloff || !seed_falloff());
 }
 
 void Frame::update(const PlacedCamera& camera) {
@@ -78,19 +91,19 @@ void Frame::update(const PlacedCamera& camera) {
     constants = next;
 
     shared::LightData* lights = lights_.mapped<shared::LightData>();
-    for (size_t i = 0; i < world_.lights.size(); ++i)
-        lights[i] = light_data(world_.lights[i], camera.position, settings_.exposure);
+    for (size_t i = 0; i < placed_.size(); ++i)
+        lights[i] = light_data(placed_[i], camera.position, settings_.exposure);
     shared::ObjectData* objects = objects_.mapped<shared::ObjectData>();
     for (size_t i = 0; i < world_.instances.size(); ++i)
         objects[i] = object_data(world_.instances[i], camera.position);
-    groups_ = group_lights(world_.lights, camera, next, settings_.culling,
+    groups_ = group_lights(placed_, camera, next, settings_.culling,
                            context_.features().depth_clamp);
     std::copy(groups_.order.begin(), groups_.order.end(), order_.mapped<uint32_t>());
-    reach_ = find_reach(geometry_.draws, world_.lights, groups_.order, settings_.object_lights);
+    reach_ = find_reach(geometry_.draws, placed_, groups_.order, settings_.object_lights);
 }
 
 bool Frame::seed_falloff() const {
-    return std::any_of(world_.lights.begin(), world_.lights.end(),
+    return std::any_of(placed_.begin(), placed_.end(),
                        [](const PlacedLight& l) { return l.light.falloff != Falloff::gltf; });
 }
 

@@ -21,6 +21,9 @@ class Frame {
 public:
     /// Throws Error when the world does not fit the device; no light is ever dropped.
     Frame(const gpu::Context& context, const World& world, const FrameSettings& settings);
+    /// Takes other lights in place of the world's. False when what draws them must be built anew: their
+    /// buffers grew, or a falloff came in that shaders leave out. The device must be idle.
+    bool set_lights(std::span<const PlacedLight> lights);
     /// Writes constants, lights and objects for one picture; the device must be idle.
     void update(const PlacedCamera& camera);
 
@@ -28,6 +31,8 @@ public:
     const World& world() const { return world_; }
     const Geometry& geometry() const { return geometry_; }
     const Materials& materials() const { return materials_; }
+    /// All lights, by the index that shaders know them by.
+    std::span<const PlacedLight> placed_lights() const { return placed_; }
     const LightGroups& lights() const { return groups_; }
     /// Lights of each object; empty lists with ObjectLights::none.
     const LightReach& reach() const { return reach_; }
@@ -39,10 +44,13 @@ public:
     bool seed_falloff() const;
 
 private:
-    void make_buffers();
+    /// Buffers for `lights` lights, and set 0 over all buffers.
+    void make_light_buffers(size_t lights);
     const gpu::Context& context_;
     const World& world_;
     FrameSettings settings_;
+    std::vector<PlacedLight> placed_;
+    size_t capacity_ = 0; ///< lights that the buffers hold
     Geometry geometry_;
     Materials materials_;
     gpu::Buffer constants_, lights_, objects_, order_;
