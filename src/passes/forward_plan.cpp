@@ -61,9 +61,11 @@ ForwardPlan plan_by_lights(const resident::LightReach& reach, uint32_t per_pass,
     std::vector<bool> waits(reach.draws(), with_base);
 
     ForwardPlan plan;
-    for (std::span<const uint32_t> left(lights); !left.empty();) {
+    bool backwards = false;
+    for (std::span<const uint32_t> left(lights); !left.empty(); backwards = !backwards) {
         const uint32_t last = take(left, per_pass).back();
-        for (size_t d = 0; d < reach.draws(); ++d) {
+        for (size_t i = 0; i < reach.draws(); ++i) {
+            const size_t d = backwards ? reach.draws() - 1 - i : i;
             // Lists are in the world's order: those up to `last` are this round's.
             const auto end = std::upper_bound(rest[d].begin(), rest[d].end(), last);
             const auto batch = rest[d].first(static_cast<size_t>(end - rest[d].begin()));

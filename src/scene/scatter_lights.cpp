@@ -4,21 +4,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <prelight/scene.hpp>
+#include <scene/procedural/random.hpp>
 
 namespace prelight {
 namespace {
-
-/// splitmix64 (Steele, Lea, Flood 2014): the same sequence on every machine.
-struct Random {
-    uint64_t state;
-    uint64_t next() {
-        uint64_t z = (state += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    double unit() { return double(next() >> 11) * 0x1p-53; } ///< 0 … 1, 1 excluded
-};
 
 /// Area of a disc around the middle of a rectangle with half sides a, b that lies inside it.
 double disc_in_rectangle(double r, double a, double b) {
@@ -62,21 +51,12 @@ double range_for(uint32_t count, glm::dvec3 size) {
     return high;
 }
 
-/// Hue 0 … 1 at saturation 0.8 and value 1.
-glm::vec3 hue_colour(double hue) {
-    const auto channel = [hue](double offset) {
-        const double k = std::fmod(offset + hue * 6, 6);
-        return float(1 - 0.8 * std::clamp(std::min(k, 4 - k), 0.0, 1.0));
-    };
-    return {channel(5), channel(3), channel(1)};
-}
-
 } // namespace
 
 void scatter_lights(World& world, uint32_t count, uint64_t seed) {
     const glm::dvec3 size = world.bounds_max - world.bounds_min;
     const auto range = float(range_for(count, size));
-    Random random{seed};
+    Random random(seed);
     world.lights.reserve(world.lights.size() + count);
     for (uint32_t i = 0; i < count; ++i) {
         PlacedLight placed;
@@ -85,7 +65,7 @@ void scatter_lights(World& world, uint32_t count, uint64_t seed) {
         placed.light.intensity = range * range / 2;
         const double x = random.unit(), y = random.unit(), z = random.unit();
         placed.position = world.bounds_min + size * glm::dvec3(x, y, z);
-        placed.light.colour = hue_colour(random.unit());
+        placed.light.colour = hue_colour(random.unit(), 0.8);
         world.lights.push_back(std::move(placed));
     }
 }
