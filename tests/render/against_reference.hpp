@@ -44,6 +44,8 @@ RenderOptions options_of(const Shot& shot);
 Image render_linear(Device& device, const Shot& shot);
 /// Renders both and compares; texture filtering is bilinear on level 0 in both.
 Comparison against_reference(Device& device, const Shot& shot);
+/// EXPECTs the bound, printing the figures.
+void expect_within(const Comparison& comparison, const Bound& bound);
 /// EXPECTs the bound, printing the figures; no validation message may have come.
 void expect_agrees(const Shot& shot, const Bound& bound = half_float_bound);
 
