@@ -31,6 +31,32 @@ struct Specialisation {
     }
 };
 
+void set_stencil(VkPipelineDepthStencilStateCreateInfo& state, Stencil stencil) {
+    state.stencilTestEnable = stencil != Stencil::none;
+    for (VkStencilOpState* face : {&state.front, &state.back}) {
+        face->failOp = face->passOp = face->depthFailOp = VK_STENCIL_OP_KEEP;
+        face->compareOp = VK_COMPARE_OP_ALWAYS;
+        face->compareMask = face->writeMask = 0xff;
+    }
+    switch (stencil) {
+    case Stencil::none: break;
+    case Stencil::mark_passing:
+        state.front.passOp = VK_STENCIL_OP_INCREMENT_AND_WRAP;
+        state.back.passOp = VK_STENCIL_OP_DECREMENT_AND_WRAP;
+        break;
+    case Stencil::mark_failing:
+        state.back.depthFailOp = VK_STENCIL_OP_INCREMENT_AND_WRAP;
+        state.front.depthFailOp = VK_STENCIL_OP_DECREMENT_AND_WRAP;
+        break;
+    case Stencil::marked_to_zero:
+        for (VkStencilOpState* face : {&state.front, &state.back}) {
+            face->compareOp = VK_COMPARE_OP_NOT_EQUAL;
+            face->passOp = face->depthFailOp = VK_STENCIL_OP_ZERO;
+        }
+        break;
+    }
+}
+
 VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
     VkPipelineDepthStencilStateCreateInfo state{
         VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
@@ -53,7 +79,7 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
     state.srcColorBlendFactor = state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
     state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
-    state.colorWriteMask = 0xf;
+    state.colorWriteMask = desc.fragment.empty() ? 0 : 0xf;
     return std::vector<VkPipelineColorBlendAttachmentState>(desc.colour_formats.size(), state);
 }
 
@@ -116,13 +142,17 @@ GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelin
     VkPipelineMultisampleStateCreateInfo samples{
         VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
     samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
-    const VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc.depth);
+    VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc.depth);
+    depth.depthBoundsTestEnable = desc.depth_bounds;
+    set_stencil(depth, desc.stencil);
     const auto blends = blend_states(desc);
     VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blend.attachmentCount = static_cast<uint32_t>(blends.size());
     blend.pAttachments = blends.data();
-    const std::array dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                    VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+    std::vector<VkDynamicState> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                               VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+    if (desc.depth_bounds)
+        dynamic_states.push_back(VK_DYNAMIC_STATE_DEPTH_BOUNDS);
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
     dynamic.dynamicStateCount = static_cast<uint32_t>(dynamic_states.size());
     dynamic.pDynamicStates = dynamic_states.data();
@@ -131,6 +161,7 @@ GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelin
     rendering.colorAttachmentCount = static_cast<uint32_t>(desc.colour_formats.size());
     rendering.pColorAttachmentFormats = desc.colour_formats.data();
     rendering.depthAttachmentFormat = desc.depth_format;
+    rendering.stencilAttachmentFormat = desc.stencil_format;
 
     VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
     info.stageCount = static_cast<uint32_t>(stages.size());

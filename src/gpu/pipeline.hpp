@@ -21,6 +21,15 @@ struct VertexAttribute {
 enum class Blend { none, add };
 enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only };
 
+/// What a draw does to stencil: [V4]. Marks count the faces of a closed volume around a pixel's surface,
+/// wrapping; with `depth` as `behind_or_at`, a face "passes" where the surface lies behind it.
+enum class Stencil {
+    none,
+    mark_passing,  ///< camera outside: front faces that pass +1, back faces that pass −1
+    mark_failing,  ///< camera inside: back faces that fail +1, front faces that fail −1
+    marked_to_zero ///< draws where the stencil is not 0, and zeroes it
+};
+
 /// Everything of a graphics pipeline that Prelight varies. Depth is reversed: nearer is greater, so
 /// that `write_nearer` is GREATER_OR_EQUAL. `behind_or_at`: a fragment passes where the stored
 /// surface lies behind it (front faces of a light volume); `before_or_at` is the opposite;
@@ -29,14 +38,17 @@ enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, su
 struct GraphicsPipelineDesc {
     std::string name;
     std::string vertex;                     ///< shader names
-    std::string fragment;                   ///< may be empty: depth only
+    std::string fragment;                   ///< may be empty: depth and stencil only
     Constants constants;                    ///< for both stages
     std::vector<uint32_t> vertex_strides;   ///< one per vertex buffer binding
     std::vector<VertexAttribute> attributes;
     std::vector<VkFormat> colour_formats;
     VkFormat depth_format = VK_FORMAT_UNDEFINED;
+    VkFormat stencil_format = VK_FORMAT_UNDEFINED;
     Blend blend = Blend::none;
     DepthTest depth = DepthTest::none;
+    bool depth_bounds = false;              ///< vkCmdSetDepthBounds comes before each draw
+    Stencil stencil = Stencil::none;
     bool depth_clamp = false;               ///< where the device has it
     std::vector<VkDescriptorSetLayout> sets;
     uint32_t push_bytes = 0;                ///< push constants, read by the fragment shader; at most 128

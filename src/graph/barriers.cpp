@@ -71,8 +71,7 @@ void FrameGraph::derive_image_barriers(GraphImage& image, uint32_t index) {
         barrier.newLayout = group.access.layout;
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         barrier.image = image.image;
-        barrier.subresourceRange = {is_depth(image.desc.format) ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                                                : VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        barrier.subresourceRange = {aspects(image.desc.format), 0, 1, 0, 1};
         passes_[group.pass]->image_barriers_.push_back(barrier);
         before = group.access;
     }

@@ -53,19 +53,24 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
     VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     if (pass.depth_) {
         depth.imageView = images_[pass.depth_->image.index].view;
-        depth.imageLayout =
-            (pass.depth_writes_ ? Access::depth_write() : Access::depth_test()).layout;
+        depth.imageLayout = (pass.depth_writes_ ? Access::depth_write()
+                             : pass.stencil_    ? Access::stencil_write()
+                                                : Access::depth_test()).layout;
         depth.loadOp = load_op(pass.depth_->load);
         depth.storeOp = !pass.depth_writes_                         ? VK_ATTACHMENT_STORE_OP_NONE
                         : needed_after(pass.depth_->image, index) ? VK_ATTACHMENT_STORE_OP_STORE
                                                                   : VK_ATTACHMENT_STORE_OP_DONT_CARE;
     }
+    VkRenderingAttachmentInfo stencil = depth;
+    stencil.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    stencil.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea = {{0, 0}, extent};
     info.layerCount = 1;
     info.colorAttachmentCount = static_cast<uint32_t>(colours.size());
     info.pColorAttachments = colours.data();
     info.pDepthAttachment = pass.depth_ ? &depth : nullptr;
+    info.pStencilAttachment = pass.stencil_ ? &stencil : nullptr;
     vkCmdBeginRendering(commands, &info);
 }
 
@@ -114,11 +119,11 @@ std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
     if (!image.kept || !image.usage)
         throw Error("frame graph: image " + image.name + " was not kept");
     const VkExtent2D extent = image.desc.extent;
-    const uint64_t size = uint64_t(extent.width) * extent.height * texel_bytes(image.desc.format);
+    const bool depth = is_depth(image.desc.format); // copied alone, in 4 bytes
+    const uint64_t size = uint64_t(extent.width) * extent.height * (depth ? 4 : texel_bytes(image.desc.format));
     const gpu::Buffer target(context_, "readback", size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                              gpu::BufferPlace::readback);
-    const VkImageAspectFlags aspect =
-        is_depth(image.desc.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+    const VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     context_.run("read back " + image.name, [&](VkCommandBuffer commands) {
         VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
         barrier.srcStageMask = image.final_access.stages;
@@ -129,7 +134,7 @@ std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
         barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         barrier.image = image.image;
-        barrier.subresourceRange = {aspect, 0, 1, 0, 1};
+        barrier.subresourceRange = {aspects(image.desc.format), 0, 1, 0, 1};
         pipeline_barrier(commands, {barrier}, {});
         VkBufferImageCopy region{};
         region.imageSubresource = {aspect, 0, 0, 1};

@@ -34,6 +34,13 @@ Pass& Pass::depth_test(ImageId image) {
     return *this;
 }
 
+Pass& Pass::stencil(ImageId image) {
+    depth_ = Attachment{image, Load::keep, {}};
+    stencil_ = true;
+    use(image, Access::stencil_write());
+    return *this;
+}
+
 Pass& Pass::sample(uint32_t binding, ImageId image) {
     sampled_.emplace_back(binding, image);
     return *this; // the access depends on the format: added by FrameGraph::compile
@@ -64,17 +71,22 @@ ImageId FrameGraph::image(std::string name, const ImageDesc& desc) {
 }
 
 ImageId FrameGraph::image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats) {
-    constexpr VkFormatFeatureFlags use =
-        VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
     for (const VkFormat format : formats) {
-        if (!context_.supports(format, use))
+        const VkFormatFeatureFlags target = is_depth(format) ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                                             : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
+        if (!context_.supports(format, target | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT))
             continue;
         if (format != *formats.begin())
-            notes_.push_back(fmt::format("{}: {} is no target on {}, {} is taken", name,
-                                         format_name(*formats.begin()), context_.name(), format_name(format)));
+            note(fmt::format("{}: {} is no target on {}, {} is taken", name, format_name(*formats.begin()),
+                             context_.name(), format_name(format)));
         return image(std::move(name), {format, extent});
     }
     throw Error(fmt::format("{}: {} has no format for it", context_.name(), name));
+}
+
+void FrameGraph::note(const std::string& line) {
+    if (std::find(notes_.begin(), notes_.end(), line) == notes_.end())
+        notes_.push_back(line);
 }
 
 BufferId FrameGraph::buffer(std::string name, const gpu::Buffer& buffer) {
@@ -88,10 +100,17 @@ Pass& FrameGraph::pass(std::string name) {
 
 void FrameGraph::keep(ImageId image) { images_[image.index].kept = true; }
 
+Access FrameGraph::sampled_access(const Pass& pass, ImageId image) const {
+    Access access = Access::sampled(is_depth(images_[image.index].desc.format));
+    if (pass.stencil_ && pass.depth_->image == image)
+        access.layout = Access::stencil_write().layout; // the pass holds its stencil for writing
+    return access;
+}
+
 void FrameGraph::compile() {
     for (const auto& pass : passes_)
         for (const auto& [binding, image] : pass->sampled_)
-            pass->use(image, Access::sampled(is_depth(images_[image.index].desc.format)));
+            pass->use(image, sampled_access(*pass, image));
     cull_passes();
     find_lifetimes();
     create_images();
@@ -135,18 +154,21 @@ void FrameGraph::prepare_passes() {
         for (const auto& [binding, image] : pass->sampled_) {
             const GraphImage& source = images_[image.index];
             bindings.push_back(gpu::Binding::sampled(
-                binding, source.view, Access::sampled(is_depth(source.desc.format)).layout));
+                binding, has_stencil(source.desc.format) ? source.depth_only_view : source.view,
+                sampled_access(*pass, image).layout));
         }
         for (const auto& [binding, buffer] : pass->storages_)
             bindings.push_back(gpu::Binding::storage(binding, buffers_[buffer.index].handle));
         pass->layout_ = gpu::make_set_layout(context_, pass->name_, bindings);
         pass->sets_ = gpu::DescriptorSets(context_, pass->name_, pass->layout_, {{bindings}});
 
-        PassInterface interface{pass->layout_, {}, VK_FORMAT_UNDEFINED};
+        PassInterface interface{.inputs = pass->layout_, .colour_formats = {}};
         for (const Pass::Attachment& attachment : pass->colours_)
             interface.colour_formats.push_back(images_[attachment.image.index].desc.format);
         if (pass->depth_)
             interface.depth_format = images_[pass->depth_->image.index].desc.format;
+        if (pass->stencil_)
+            interface.stencil_format = interface.depth_format;
         if (pass->prepare_)
             pass->prepare_(interface);
     }

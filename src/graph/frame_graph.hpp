@@ -17,6 +17,7 @@ struct PassInterface {
     VkDescriptorSetLayout inputs = VK_NULL_HANDLE;
     std::vector<VkFormat> colour_formats;
     VkFormat depth_format = VK_FORMAT_UNDEFINED;
+    VkFormat stencil_format = VK_FORMAT_UNDEFINED; ///< only of passes with stencil()
 };
 
 /// What a pass gets when it records a frame. Inside, dynamic rendering has begun when the pass has
@@ -38,6 +39,8 @@ public:
     Pass& depth_write(ImageId image, Load load = Load::clear);
     /// Depth test without writing; the same image may be sampled too.
     Pass& depth_test(ImageId image);
+    /// Depth test as above with the image's stencil beside it, cleared to 0 and lost after the pass.
+    Pass& stencil(ImageId image);
     /// texelFetch of an image at `binding` of the inputs set.
     Pass& sample(uint32_t binding, ImageId image);
     /// Storage buffer at `binding` of the inputs set.
@@ -67,6 +70,7 @@ private:
     std::vector<Attachment> colours_;
     std::optional<Attachment> depth_;
     bool depth_writes_ = false;
+    bool stencil_ = false;
     std::vector<ImageUse> images_;
     std::vector<BufferUse> buffers_;
     std::vector<std::pair<uint32_t, ImageId>> sampled_;
@@ -91,11 +95,13 @@ public:
     FrameGraph& operator=(const FrameGraph&) = delete;
 
     ImageId image(std::string name, const ImageDesc& desc);
-    /// An image in the first of `formats` that the device can draw into and sample; notes() names
+    /// A colour or depth image in the first of `formats` that the device can draw into and sample; notes() names
     /// what was missing. Throws Error when it has none of them.
     ImageId image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats);
     /// What is not as asked for, one line each.
     const std::vector<std::string>& notes() const { return notes_; }
+    /// Adds a line to notes(), once.
+    void note(const std::string& line);
     /// A buffer of the caller's, alive as long as the graph; host writes before a frame are seen.
     BufferId buffer(std::string name, const gpu::Buffer& buffer);
     Pass& pass(std::string name);
@@ -129,7 +135,8 @@ private:
         VkMemoryRequirements requirements{};
         uint64_t offset = 0;
         gpu::UniqueImage image;
-        gpu::UniqueImageView view;
+        gpu::UniqueImageView view;            ///< as an attachment
+        gpu::UniqueImageView depth_only_view; ///< for shaders, where the format has stencil too
         Access final_access;
     };
     struct GraphBuffer {
@@ -141,6 +148,7 @@ private:
     void create_images();
     void place_images();
     void create_views();
+    gpu::UniqueImageView create_view(const GraphImage& image, VkImageAspectFlags aspects) const;
     void derive_barriers();
     void derive_image_barriers(GraphImage& image, uint32_t index);
     void derive_buffer_barriers(uint32_t index);
@@ -148,6 +156,7 @@ private:
     void prepare_passes();
     void record(VkCommandBuffer commands, bool one_pixel);
     void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent) const;
+    Access sampled_access(const Pass& pass, ImageId image) const;
     bool needed_after(ImageId image, uint32_t pass_index) const;
 
     const gpu::Context& context_;

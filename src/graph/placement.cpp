@@ -93,17 +93,22 @@ void FrameGraph::create_views() {
     for (GraphImage& image : images_) {
         if (!image.usage)
             continue;
-        VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-        info.image = image.image;
-        info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-        info.format = image.desc.format;
-        info.subresourceRange = {is_depth(image.desc.format) ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                                             : VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-        VkImageView handle = VK_NULL_HANDLE;
-        gpu::check(vkCreateImageView(context_.device(), &info, nullptr, &handle), image.name);
-        image.view = {context_.device(), handle};
-        context_.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(handle), image.name);
+        image.view = create_view(image, aspects(image.desc.format));
+        if (has_stencil(image.desc.format)) // a shader sees one aspect
+            image.depth_only_view = create_view(image, VK_IMAGE_ASPECT_DEPTH_BIT);
     }
+}
+
+gpu::UniqueImageView FrameGraph::create_view(const GraphImage& image, VkImageAspectFlags aspects) const {
+    VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    info.image = image.image;
+    info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    info.format = image.desc.format;
+    info.subresourceRange = {aspects, 0, 1, 0, 1};
+    VkImageView handle = VK_NULL_HANDLE;
+    gpu::check(vkCreateImageView(context_.device(), &info, nullptr, &handle), image.name);
+    context_.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(handle), image.name);
+    return {context_.device(), handle};
 }
 
 } // namespace prelight::graph

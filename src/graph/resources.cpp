@@ -18,6 +18,8 @@ struct FormatInfo {
 };
 constexpr FormatInfo formats[] = {
     {VK_FORMAT_D32_SFLOAT, 4, "D32F"},
+    {VK_FORMAT_D32_SFLOAT_S8_UINT, 5, "D32F_S8"},
+    {VK_FORMAT_D24_UNORM_S8_UINT, 4, "D24_S8"},
     {VK_FORMAT_R8_UNORM, 1, "R8"},
     {VK_FORMAT_R16_SFLOAT, 2, "R16F"},
     {VK_FORMAT_R32_SFLOAT, 4, "R32F"},
@@ -56,6 +58,12 @@ Access Access::depth_test() {
             VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL, false};
 }
 
+Access Access::stencil_write() {
+    return {depth_stages,
+            VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+            VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_STENCIL_ATTACHMENT_OPTIMAL, true};
+}
+
 Access Access::sampled(bool depth) {
     return {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
             VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
@@ -77,7 +85,15 @@ Access& Access::operator|=(const Access& other) {
     return *this;
 }
 
-bool is_depth(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT; }
+bool has_stencil(VkFormat format) {
+    return format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D24_UNORM_S8_UINT;
+}
+bool is_depth(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT || has_stencil(format); }
+VkImageAspectFlags aspects(VkFormat format) {
+    if (has_stencil(format))
+        return VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+    return is_depth(format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
 uint32_t texel_bytes(VkFormat format) { return find(format).bytes; }
 std::string format_name(VkFormat format) { return find(format).name; }
 

@@ -33,6 +33,8 @@ struct Access {
     static Access colour();
     static Access depth_write();
     static Access depth_test();
+    /// Depth tested and sampled, stencil written.
+    static Access stencil_write();
     static Access sampled(bool depth);
     static Access storage(bool writes);
     /// Reads of both in one pass, or in neighbouring passes (layouts must agree).
@@ -40,7 +42,10 @@ struct Access {
 };
 
 bool is_depth(VkFormat format);
-/// Bytes of one texel; only the formats that passes use. Throws Error for another.
+bool has_stencil(VkFormat format);
+/// Every aspect of the format.
+VkImageAspectFlags aspects(VkFormat format);
+/// Bytes of one texel, stencil included; only the formats that passes use. Throws Error for another.
 uint32_t texel_bytes(VkFormat format);
 /// "RGBA16F", "oct24 in RGBA8" is the pass's business.
 std::string format_name(VkFormat format);

@@ -26,11 +26,16 @@ gpu::Constants SurfaceFormat::constants() const {
             {CONSTANT_POSITION_FROM_RAY, position_from_ray}};
 }
 
+graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool stencil) {
+    return stencil ? graph.image("depth", extent, {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT})
+                   : graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
+}
+
 SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                                  const SurfaceFormat& format) {
     const VkExtent2D extent = frame.extent();
     SurfaceBuffers out{format};
-    out.depth = out.depth_source = graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
+    out.depth = out.depth_source = make_depth(graph, extent, format.stencil);
     out.normal = out.roughness = normal_target(graph, extent, format.normals);
 
     std::string shader = "depth_normal";

@@ -43,6 +43,7 @@ gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const 
                                                  {CONSTANT_SEED_FALLOFF, frame.seed_falloff()}});
     desc.colour_formats = interface.colour_formats;
     desc.depth_format = interface.depth_format;
+    desc.stencil_format = interface.stencil_format;
     desc.sets = {frame.layout(), interface.inputs};
     return desc;
 }
