@@ -2,6 +2,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace prelight {
@@ -19,11 +20,18 @@ struct Camera {
     double zfar = std::numeric_limits<double>::infinity(); ///< metres; infinite: perspective only
 };
 
+/// Where a camera stands and looks.
+struct CameraPose {
+    glm::dvec3 position{0}; ///< world, metres
+    glm::dmat3 axes{1};     ///< as PlacedCamera::axes
+};
+
 /// A camera placed in the world.
 struct PlacedCamera {
     Camera camera;
     glm::dvec3 position{0}; ///< world, metres
     glm::dmat3 axes{1};     ///< columns: right, up, backwards (+Z); orthonormal, world space
+    std::optional<CameraPose> previous{}; ///< at the moment's previous state; absent: did not move
 };
 
 /// Camera at `eye` looking at `target`; `up` need not be orthogonal.

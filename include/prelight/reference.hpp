@@ -26,6 +26,8 @@ struct ReferencePicture {
     std::vector<uint32_t> instance;      ///< index into World::instances; 0xffffffff: background
     std::vector<uint32_t> primitive;     ///< primitive within the mesh
     std::vector<glm::dvec3> position;    ///< world, of the hit
+    /// World: where the point of the surface that the ray hit was at the moment's previous state.
+    std::vector<glm::dvec3> previous_position;
     std::vector<glm::dvec3> normal;      ///< shading normal (after the normal map), world, unit
     std::vector<glm::dvec3> geometric_normal; ///< of the triangle, facing the camera
     std::vector<double> depth;           ///< along the camera's axis, metres; infinity: background

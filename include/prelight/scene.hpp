@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
+#include <prelight/animation.hpp>
 #include <prelight/camera.hpp>
 #include <prelight/light.hpp>
 #include <prelight/material.hpp>
@@ -22,6 +23,21 @@ struct TextureImage {
     std::vector<uint8_t> rgba; ///< width × height × 4
 };
 
+/// Four of the joints that move each vertex. A vertex's place is the sum over all sets of weight ×
+/// joint matrix × position; its weights sum up to 1.
+struct JointSet {
+    std::vector<glm::vec<4, uint16_t>> joints; ///< indices into Skin::joints
+    std::vector<glm::vec4> weights;   ///< ≥ 0
+};
+
+/// What a morph target adds to each vertex at weight 1. Each list is empty (nothing) or as long as
+/// the primitive's positions.
+struct MorphTarget {
+    std::vector<glm::vec3> positions{};
+    std::vector<glm::vec3> normals{};
+    std::vector<glm::vec3> tangents{};
+};
+
 /// One draw: triangles with one material. Attributes are either empty or as long as `positions`.
 /// After loading every primitive has normals and tangents (flat / MikkTSpace where the file had none;
 /// tangents stay empty when the material has no normal map).
@@ -33,11 +49,18 @@ struct Primitive {
     std::vector<glm::vec4> colours;                   ///< linear RGBA 0 … 1; empty: white
     std::vector<uint32_t> indices;                    ///< triangle list, counter-clockwise front
     uint32_t material = 0;                            ///< index into Scene::materials
+    std::vector<JointSet> joint_sets{};               ///< for nodes with a skin
+    std::vector<MorphTarget> morph_targets{};         ///< each primitive of a mesh has as many
+    bool flat_normals = false; ///< the triangles' own: made anew when the primitive is deformed
+    /// Only in World::deformed: where each vertex was at the moment's previous state, in the space of
+    /// `positions`. Empty: there too.
+    std::vector<glm::vec3> previous_positions{};
 };
 
 struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
+    std::vector<float> weights{}; ///< of the morph targets; empty: all zero
 };
 
 /// Double precision: a scene 10 km from the origin keeps its millimetres.
@@ -49,6 +72,10 @@ struct Node {
     std::optional<uint32_t> camera;
     std::optional<uint32_t> light;
     std::vector<glm::dmat4> instances;    ///< EXT_mesh_gpu_instancing; empty: one, identity
+    /// What `local` is made of; absent when the file gives a matrix. Animation needs it.
+    std::optional<Trs> trs{};
+    std::optional<uint32_t> skin{};       ///< the mesh follows these joints and not this node
+    std::vector<float> weights{};         ///< of the mesh's morph targets; empty: Mesh::weights
 };
 
 /// One of the file's scenes: a name and its root nodes.
@@ -67,6 +94,8 @@ struct Scene {
     std::vector<Node> nodes;
     std::vector<SceneRoot> scenes;        ///< at least one
     uint32_t default_scene = 0;
+    std::vector<Animation> animations{};
+    std::vector<Skin> skins{};
     glm::vec3 ambient{0};                 ///< uniform environment radiance, linear RGB
     std::vector<std::string> warnings;    ///< what the loader left out or changed, one line each
 };
@@ -77,6 +106,10 @@ struct Instance {
     glm::dmat4 transform{1};   ///< object → world
     bool mirrored = false;     ///< negative determinant: front faces are clockwise
     uint32_t node = 0;
+    /// Index into World::deformed: morph targets or a skin move its vertices. See World::mesh_of.
+    std::optional<uint32_t> deformed{};
+    /// `transform` at the moment's previous state; absent: the same.
+    std::optional<glm::dmat4> previous_transform{};
 };
 
 struct PlacedLight {
@@ -86,15 +119,22 @@ struct PlacedLight {
 };
 
 /// What one frame shows: the node tree resolved to world space, in the order of a depth-first walk.
+/// May be copied and moved.
 struct World {
     const Scene* scene = nullptr;   ///< meshes, materials, images; must outlive the World
     std::vector<Instance> instances;
+    std::vector<Mesh> deformed{};   ///< meshes as morph targets and skins shape them at the moment
     std::vector<PlacedLight> lights;
     std::vector<PlacedCamera> cameras;
     glm::vec3 ambient{0};           ///< uniform environment radiance
     glm::dvec3 bounds_min{0};       ///< of all triangles' vertices
     glm::dvec3 bounds_max{0};
     uint64_t triangles = 0;
+
+    /// What the instance shows: its deformed mesh, or else the scene's.
+    const Mesh& mesh_of(const Instance& instance) const {
+        return instance.deformed ? deformed.at(*instance.deformed) : scene->meshes.at(instance.mesh);
+    }
 };
 
 /// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
@@ -102,8 +142,19 @@ struct World {
 /// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One without lights
 /// and without ambient gets the documented key light (directional, 3 lux, from the upper left behind
 /// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25.
-/// Throws Error: no triangles, or a world transform that is not finite.
-World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {});
+/// Without a `moment` nodes and morph weights are as the file gives them (skins are in the pose of
+/// their joints) and nothing has moved. With one they are as the animations put them at its time, and
+/// the "previous" members of instances, vertices and cameras tell where things were one interval
+/// earlier. `animation`: only this one of Scene::animations; absent: all, and where several change
+/// the same property of a node, the first in the file's order.
+/// Throws Error: no triangles, a world transform that is not finite, an animation or skin that does
+/// not fit its node.
+World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {},
+              const std::optional<Moment>& moment = {}, std::optional<uint32_t> animation = {});
+
+/// Index into Scene::animations, by name or by index in decimal. Throws UsageError listing what there
+/// is.
+uint32_t find_animation(const Scene& scene, const std::string& name_or_index);
 
 /// Adds `count` point lights, uniform in the world's bounds, hues from `seed`, with the range that
 /// puts about 8 of them on a point and intensity range²/2 cd.

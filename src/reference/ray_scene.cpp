@@ -106,11 +106,13 @@ RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textur
         to_world[3] -= glm::dvec4(origin, 0);
         const glm::dmat3 linear(to_world);
         const bool mirrored = glm::determinant(linear) < 0;
-        const Mesh& mesh = scene.meshes.at(instance.mesh);
+        const Mesh& mesh = world.mesh_of(instance);
+        glm::dmat4 previous_to_world = instance.previous_transform.value_or(instance.transform);
+        previous_to_world[3] -= glm::dvec4(origin, 0);
         for (uint32_t p = 0; p < mesh.primitives.size(); ++p) {
             const Primitive& primitive = mesh.primitives[p];
             draws_.push_back({i, p, &primitive, &scene.materials.at(primitive.material), to_world,
-                              normal_matrix(linear, mirrored), mirrored});
+                              previous_to_world, normal_matrix(linear, mirrored), mirrored});
         }
     }
     for (const Draw& draw : draws_)

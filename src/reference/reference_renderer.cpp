@@ -85,7 +85,7 @@ public:
         stats_.triangles = world.triangles;
         stats_.draws = 0;
         for (const Instance& instance : world.instances)
-            stats_.draws += world.scene->meshes.at(instance.mesh).primitives.size();
+            stats_.draws += world.mesh_of(instance).primitives.size();
     }
 
     void set_lights(std::span<const PlacedLight> lights) override {

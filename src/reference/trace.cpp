@@ -44,6 +44,16 @@ private:
     double width_, height_, half_width_ = 1, half_height_ = 1;
 };
 
+/// Where the hit point of the triangle was at the moment's previous state, relative to the scene's
+/// origin.
+glm::dvec3 previous_position(const Draw& draw, const Hit& hit) {
+    const Primitive& primitive = *draw.primitive;
+    const auto& places = primitive.previous_positions.empty() ? primitive.positions
+                                                              : primitive.previous_positions;
+    const glm::dvec3 place = interpolate(places, draw, hit.triangle, hit.weights);
+    return glm::dvec3(draw.previous_to_world * glm::dvec4(place, 1));
+}
+
 class Tracer {
 public:
     Tracer(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
@@ -57,6 +67,7 @@ public:
         picture.instance.assign(pixels, no_instance);
         picture.primitive.assign(pixels, no_instance);
         picture.position.assign(pixels, glm::dvec3(0));
+        picture.previous_position.assign(pixels, glm::dvec3(0));
         picture.normal.assign(pixels, glm::dvec3(0));
         picture.geometric_normal.assign(pixels, glm::dvec3(0));
         picture.depth.assign(pixels, std::numeric_limits<double>::infinity());
@@ -90,6 +101,7 @@ private:
         picture.instance[pixel] = draw.instance;
         picture.primitive[pixel] = draw.primitive_index;
         picture.position[pixel] = origin_ + hit.position;
+        picture.previous_position[pixel] = origin_ + previous_position(draw, hit);
         picture.normal[pixel] = surface.normal;
         picture.geometric_normal[pixel] = hit.geometric_normal;
         picture.depth[pixel] = hit.distance;

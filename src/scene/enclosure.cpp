@@ -38,7 +38,7 @@ void intersect(Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, bool mirrored
 
 void cast(const World& world, std::vector<Ray>& rays) {
     for (const Instance& instance : world.instances)
-        for (const Primitive& primitive : world.scene->meshes[instance.mesh].primitives) {
+        for (const Primitive& primitive : world.mesh_of(instance).primitives) {
             const bool double_sided = world.scene->materials[primitive.material].double_sided;
             const auto corner = [&](size_t i) {
                 return glm::dvec3(instance.transform * glm::dvec4(primitive.positions[primitive.indices[i]], 1));
@@ -67,7 +67,7 @@ bool sees_most(const World& world, const PlacedCamera& placed) {
     const double half = std::tan(placed.camera.yfov / 2);
     size_t all = 0, seen = 0;
     for (const Instance& instance : world.instances)
-        for (const Primitive& primitive : world.scene->meshes[instance.mesh].primitives) {
+        for (const Primitive& primitive : world.mesh_of(instance).primitives) {
             if (primitive.positions.empty())
                 continue;
             glm::vec3 low = primitive.positions[0], high = low;

@@ -243,7 +243,8 @@ private:
 
 } // namespace
 
-World resolve(const Scene& scene, std::optional<uint32_t> scene_index) {
+World resolve(const Scene& scene, std::optional<uint32_t> scene_index,
+              const std::optional<Moment>& /*moment*/, std::optional<uint32_t> /*animation*/) {
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
         throw Error(

@@ -27,7 +27,7 @@ std::vector<Triangle> triangles(const World& world, double margin) {
     list.reserve(world.triangles);
     for (uint32_t i = 0; i < world.instances.size(); ++i) {
         const Instance& instance = world.instances[i];
-        const auto& primitives = world.scene->meshes[instance.mesh].primitives;
+        const auto& primitives = world.mesh_of(instance).primitives;
         for (uint32_t k = 0; k < primitives.size(); ++k) {
             const Primitive& p = primitives[k];
             for (uint32_t t = 0; 3 * t < p.indices.size(); ++t) {

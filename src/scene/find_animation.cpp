@@ -1,0 +1,16 @@
+#include <prelight/error.hpp>
+#include <prelight/scene.hpp>
+#include <scene/find_by_name.hpp>
+
+namespace prelight {
+
+uint32_t find_animation(const Scene& scene, const std::string& name_or_index) {
+    const auto name = [&](size_t i) -> const std::string& { return scene.animations[i].name; };
+    const size_t count = scene.animations.size();
+    if (const auto found = find_by_name(name_or_index, count, name))
+        return static_cast<uint32_t>(*found);
+    throw UsageError(fmt::format("--animation {}: no such animation; there is {}", name_or_index,
+                                 count ? list_names(count, name) : "none"));
+}
+
+} // namespace prelight
