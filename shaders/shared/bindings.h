@@ -34,6 +34,7 @@
 #define VERTEX_TEXCOORD_0 3
 #define VERTEX_TEXCOORD_1 4
 #define VERTEX_COLOUR 5
+#define VERTEX_PREVIOUS_POSITION 6
 
 // Specialisation constants: specialise rather than branch, for on a software device both sides of an
 // `if` run.

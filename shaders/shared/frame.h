@@ -19,6 +19,8 @@ struct FrameConstants {
     vec4 ambient;          // rgb: radiance × exposure; w: largest value that one light stores
     vec4 light_buffer;     // x: scale that stored light is divided by (32 for float formats);
                            // y: exposure factor
+    mat4 previous_clip_from_world;  // what clip_from_world was one interval earlier, for positions
+                                    // relative to this frame's camera; the same when it stood still
 };
 
 // One light; directional ones are point lights whose vector to the light is constant.
@@ -33,6 +35,7 @@ struct LightData {
 struct ObjectData {
     vec4 world_row[3];
     vec4 normal_row[3];  // w of the first: −1 when mirrored, else 1
+    vec4 previous_world_row[3];  // world_row one interval earlier, relative to this frame's camera
 };
 
 struct MaterialConstants {

@@ -1,9 +1,9 @@
 #include "frame.hpp"
+#include "objects.hpp"
 #include "projection.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
-#include <glm/geometric.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::resident {
@@ -21,30 +21,11 @@ gpu::Buffer make_upload(const gpu::Context& context, const char* name, uint64_t 
     return gpu::Buffer(context, name, size, usage, gpu::BufferPlace::upload);
 }
 
-shared::ObjectData object_data(const Instance& instance, glm::dvec3 camera) {
-    glm::dmat4 m = instance.transform;
-    m[3] -= glm::dvec4(camera, 0);
-    // The cofactors are the inverse transpose times the determinant: right for flattened objects too.
-    const glm::dmat3 normal = glm::dmat3(glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2])),
-                                         glm::cross(glm::dvec3(m[2]), glm::dvec3(m[0])),
-                                         glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1]))) *
-                              (instance.mirrored ? -1.0 : 1.0);
-    // Only the direction counts: scaled so that float holds it.
-    const double scale = 1 / std::max({glm::length(normal[0]), glm::length(normal[1]), glm::length(normal[2])});
-    shared::ObjectData data{};
-    for (int r = 0; r < 3; ++r) {
-        data.world_row[r] = glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]);
-        data.normal_row[r] = glm::vec4(glm::dvec3(normal[0][r], normal[1][r], normal[2][r]) * scale, 0);
-    }
-    data.normal_row[0].w = instance.mirrored ? -1 : 1;
-    return data;
-}
-
 } // namespace
 
 Frame::Frame(const gpu::Context& context, const World& world, const FrameSettings& settings)
     : context_(context), world_(world), settings_(settings), placed_(world.lights),
-      geometry_(upload_geometry(context, world)),
+      geometry_(upload_geometry(context, world, settings.motion)),
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)) {
     constants_ = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
                              VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);

@@ -13,6 +13,7 @@ struct FrameSettings {
     LightCulling culling = LightCulling::volumes;
     ObjectLights object_lights = ObjectLights::none;
     gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
+    bool motion = false;             ///< fill Geometry::previous_positions
 };
 
 /// A world on the device: what set 0 of every pass holds, geometry, materials, and this frame's

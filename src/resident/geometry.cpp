@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <limits>
+#include <map>
 #include <prelight/error.hpp>
 #include <tuple>
 
@@ -49,43 +50,67 @@ std::span<const std::byte> bytes(const std::vector<T>& values) {
     return std::as_bytes(std::span(values));
 }
 
-} // namespace
+/// The world's vertices on the host.
+class Vertices {
+public:
+    explicit Vertices(bool motion) : motion_(motion) {}
 
-Geometry upload_geometry(const gpu::Context& context, const World& world) {
+    std::vector<Placement> add(const Mesh& mesh) {
+        std::vector<Placement> places;
+        for (const Primitive& primitive : mesh.primitives)
+            places.push_back(add(primitive));
+        return places;
+    }
+
     std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> previous; ///< as long as positions, or empty: nothing has moved
     std::vector<VertexAttributes> attributes;
     std::vector<uint32_t> indices;
-    std::vector<std::vector<Placement>> placements;
-    for (const Mesh& mesh : world.scene->meshes) {
-        std::vector<Placement>& places = placements.emplace_back();
-        for (const Primitive& primitive : mesh.primitives) {
-            Placement& place = places.emplace_back();
-            place.first_index = static_cast<uint32_t>(indices.size());
-            place.vertex_offset = static_cast<int32_t>(positions.size());
-            for (const glm::vec3& p : primitive.positions) {
-                place.low = glm::min(place.low, p);
-                place.high = glm::max(place.high, p);
-            }
-            positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
-            for (size_t v = 0; v < primitive.positions.size(); ++v)
-                attributes.push_back(attributes_of(primitive, v));
-            indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
-        }
-    }
-    if (positions.size() > 0x7fffffffu || indices.size() > 0xffffffffu)
-        throw Error(fmt::format("{}: {} vertices and {} indices are more than one buffer addresses",
-                                world.scene->name, positions.size(), indices.size()));
 
+private:
+    Placement add(const Primitive& primitive) {
+        Placement place;
+        place.first_index = static_cast<uint32_t>(indices.size());
+        place.vertex_offset = static_cast<int32_t>(positions.size());
+        for (const glm::vec3& p : primitive.positions) {
+            place.low = glm::min(place.low, p);
+            place.high = glm::max(place.high, p);
+        }
+        if (motion_ && !primitive.previous_positions.empty() && previous.empty())
+            previous = positions;
+        if (!previous.empty()) {
+            const auto& source =
+                primitive.previous_positions.empty() ? primitive.positions : primitive.previous_positions;
+            previous.insert(previous.end(), source.begin(), source.end());
+        }
+        positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
+        for (size_t v = 0; v < primitive.positions.size(); ++v)
+            attributes.push_back(attributes_of(primitive, v));
+        indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
+        return place;
+    }
+
+    bool motion_;
+};
+
+} // namespace
+
+Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion) {
+    Vertices vertices(motion);
+    std::map<const Mesh*, std::vector<Placement>> placements; // of the meshes that are shown
     Geometry geometry;
     for (uint32_t i = 0; i < world.instances.size(); ++i) {
         const Instance& instance = world.instances[i];
-        const Mesh& mesh = world.scene->meshes[instance.mesh];
+        const Mesh& mesh = world.mesh_of(instance);
+        const auto [places, is_new] = placements.try_emplace(&mesh);
+        if (is_new)
+            places->second = vertices.add(mesh);
         for (size_t p = 0; p < mesh.primitives.size(); ++p) {
             const Primitive& primitive = mesh.primitives[p];
             const Material& material = world.scene->materials[primitive.material];
             if (primitive.indices.empty())
                 continue;
-            const Placement& place = placements[instance.mesh][p];
+            const Placement& place = places->second[p];
             Draw& draw = geometry.draws.emplace_back(
                 Draw{place.first_index, static_cast<uint32_t>(primitive.indices.size()),
                      place.vertex_offset, i, primitive.material, features_of(material), instance.mirrored,
@@ -93,15 +118,21 @@ Geometry upload_geometry(const gpu::Context& context, const World& world) {
             bound(draw, place, instance.transform);
         }
     }
+    if (vertices.positions.size() > 0x7fffffffu || vertices.indices.size() > 0xffffffffu)
+        throw Error(fmt::format("{}: {} vertices and {} indices are more than one buffer addresses",
+                                world.scene->name, vertices.positions.size(), vertices.indices.size()));
     std::stable_sort(geometry.draws.begin(), geometry.draws.end(), [](const Draw& a, const Draw& b) {
         return std::tie(a.features, a.material, a.first_index) < std::tie(b.features, b.material, b.first_index);
     });
-    geometry.positions =
-        gpu::make_device_buffer(context, "positions", bytes(positions), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    constexpr VkBufferUsageFlags vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
+    geometry.positions = gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex);
     geometry.attributes =
-        gpu::make_device_buffer(context, "vertex attributes", bytes(attributes), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    geometry.indices =
-        gpu::make_device_buffer(context, "indices", bytes(indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+        gpu::make_device_buffer(context, "vertex attributes", bytes(vertices.attributes), vertex);
+    if (!vertices.previous.empty())
+        geometry.previous_positions =
+            gpu::make_device_buffer(context, "previous positions", bytes(vertices.previous), vertex);
+    geometry.indices = gpu::make_device_buffer(context, "indices", bytes(vertices.indices),
+                                               VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     return geometry;
 }
 

@@ -1,5 +1,6 @@
 #include "projection.hpp"
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
 namespace prelight::resident {
@@ -17,6 +18,11 @@ DepthMap depth_map(const Camera& camera) {
     return std::isinf(f) ? DepthMap{0, n} : DepthMap{n / (f - n), n * f / (f - n)};
 }
 
+glm::dmat4 view_of(const glm::dmat3& axes) {
+    return glm::transpose(glm::dmat4(glm::dvec4(axes[0], 0), glm::dvec4(axes[1], 0), glm::dvec4(axes[2], 0),
+                                     glm::dvec4(0, 0, 0, 1)));
+}
+
 } // namespace
 
 void fill_camera(shared::FrameConstants& constants, const PlacedCamera& placed, uint32_t width,
@@ -28,8 +34,7 @@ void fill_camera(shared::FrameConstants& constants, const PlacedCamera& placed, 
     const glm::dvec3 right = placed.axes[0], up = placed.axes[1], forward = -placed.axes[2];
     const DepthMap map = depth_map(camera);
 
-    const glm::dmat4 view = glm::transpose(
-        glm::dmat4(glm::dvec4(right, 0), glm::dvec4(up, 0), glm::dvec4(-forward, 0), glm::dvec4(0, 0, 0, 1)));
+    const glm::dmat4 view = view_of(placed.axes);
     // View z is negative in front of the camera.
     glm::dmat4 clip(0);
     clip[0][0] = 1 / half_width;
@@ -40,6 +45,12 @@ void fill_camera(shared::FrameConstants& constants, const PlacedCamera& placed, 
     clip[3][3] = perspective ? 0 : 1;
 
     constants.clip_from_world = glm::mat4(clip * view);
+    constants.previous_clip_from_world = constants.clip_from_world;
+    if (placed.previous) {
+        const glm::dvec3 moved = placed.position - placed.previous->position;
+        const glm::dmat4 previous = view_of(placed.previous->axes) * glm::translate(glm::dmat4(1), moved);
+        constants.previous_clip_from_world = glm::mat4(clip * previous);
+    }
     constants.world_from_clip = glm::mat4(glm::inverse(clip * view));
     constants.view_from_world = glm::mat4(view);
     constants.ray_right = glm::vec4(right * half_width, 0);

@@ -21,13 +21,21 @@ struct Draw {
     glm::dvec3 low{0}, high{0}; ///< a box around it, world space
 };
 
-/// All vertices of a world in three device buffers, and the draws that show it, sorted so that
+/// All vertices of a world in device buffers, and the draws that show it, sorted so that
 /// pipeline and material change least.
 struct Geometry {
     gpu::Buffer positions;  ///< vec3, object space
     gpu::Buffer attributes; ///< VertexAttributes
     gpu::Buffer indices;    ///< uint32
+    /// vec3, object space one interval earlier, vertex for vertex as `positions`. Made only when asked
+    /// for and some vertex has moved within its object.
+    gpu::Buffer previous_positions;
     std::vector<Draw> draws;
+
+    /// The buffer for VERTEX_PREVIOUS_POSITION: `positions` where there is no other.
+    VkBuffer previous() const {
+        return previous_positions.handle() ? previous_positions.handle() : positions.handle();
+    }
 };
 
 /// The second vertex stream.
@@ -53,7 +61,8 @@ struct Materials {
 /// FEATURE_… bits of a material.
 uint32_t features_of(const Material& material);
 
-Geometry upload_geometry(const gpu::Context& context, const World& world);
+/// `motion`: with previous positions.
+Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion);
 /// `exposure`: factor on emissive light. Throws Error naming an image that the device cannot hold.
 Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter,
                            double exposure);
