@@ -56,6 +56,9 @@ Spread spread(std::vector<double> samples);
 struct PassStats {
     std::string name;
     Spread gpu_ms;
+    /// By the formats of the frame's images: each that the pass reads or writes counts once, whole.
+    /// An attachment that is cleared is written; one that is kept or blended is read and written.
+    uint64_t bytes_read = 0, bytes_written = 0;
 };
 
 struct Stats {
@@ -67,6 +70,7 @@ struct Stats {
     Spread wall_ms, cpu_ms, gpu_ms;
     std::vector<PassStats> passes;
     uint64_t attachment_bytes = 0, device_bytes = 0;
+    uint64_t attachment_bytes_unshared = 0; ///< the same images, if none shared memory with another
     uint64_t pairs_evaluated = 0, pairs_contributing = 0;
     bool pairs_counted = false;
 };

@@ -21,6 +21,11 @@ Pass& Pass::colour(ImageId image, Load load, std::array<float, 4> clear) {
     return *this;
 }
 
+Pass& Pass::blends() {
+    blends_ = true;
+    return *this;
+}
+
 Pass& Pass::depth_write(ImageId image, Load load) {
     depth_ = Attachment{image, load, {}};
     depth_writes_ = true;

@@ -35,6 +35,8 @@ public:
     explicit Pass(std::string name) : name_(std::move(name)) {}
     /// Colour attachments in the order of the shader's outputs.
     Pass& colour(ImageId image, Load load, std::array<float, 4> clear = {});
+    /// The draws blend: what the colour attachments held is read as well (for traffic()).
+    Pass& blends();
     /// Depth attachment, cleared to 0: reversed depth, the far end.
     Pass& depth_write(ImageId image, Load load = Load::clear);
     /// Depth test without writing; the same image may be sampled too.
@@ -71,6 +73,7 @@ private:
     std::optional<Attachment> depth_;
     bool depth_writes_ = false;
     bool stencil_ = false;
+    bool blends_ = false;
     std::vector<ImageUse> images_;
     std::vector<BufferUse> buffers_;
     std::vector<std::pair<uint32_t, ImageId>> sampled_;
@@ -84,6 +87,14 @@ private:
     std::vector<VkBufferMemoryBarrier2> buffer_barriers_;
     gpu::UniqueSetLayout layout_;
     gpu::DescriptorSets sets_;
+};
+
+/// What a pass moves by the formats of its images: each image it reads and each it writes counts
+/// once with all its texels, however often the pass touches them. Buffers and textures of materials
+/// are not in it.
+struct PassTraffic {
+    std::string name;
+    uint64_t bytes_read = 0, bytes_written = 0;
 };
 
 /// Passes in the order in which they were added, compiled once and recorded once a frame.
@@ -120,10 +131,14 @@ public:
     void record_warm_up(VkCommandBuffer commands) { record(commands, true); }
     /// Device time of each living pass in the last frame, milliseconds; the frame must be done.
     std::vector<std::pair<std::string, double>> pass_times() const;
+    /// Bytes each living pass reads and writes in a frame, in the passes' order.
+    std::vector<PassTraffic> traffic() const;
     /// Texels of a kept image, row by row, tightly packed. Submits and waits.
     std::vector<std::byte> read_back(ImageId image) const;
     /// Memory that all images share, after aliasing.
     uint64_t memory_bytes() const { return memory_.size(); }
+    /// What they would take if none shared memory with another: texels times bytes of a texel.
+    uint64_t unshared_bytes() const;
 
 private:
     struct GraphImage {
@@ -157,6 +172,7 @@ private:
     void record(VkCommandBuffer commands, bool one_pixel);
     void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent) const;
     Access sampled_access(const Pass& pass, ImageId image) const;
+    uint64_t texels_bytes(ImageId image) const;
     bool needed_after(ImageId image, uint32_t pass_index) const;
 
     const gpu::Context& context_;

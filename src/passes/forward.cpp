@@ -74,6 +74,8 @@ void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const 
         pass.depth_write(inputs.depth);
     else
         pass.depth_test(inputs.depth);
+    if (std::count(inputs.kinds.begin(), inputs.kinds.end(), StepKind::lights) > 0)
+        pass.blends();
     if (!base || inputs.kinds.size() > 1)
         pass.storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
     auto draws = std::make_shared<std::optional<ForwardDraws>>();

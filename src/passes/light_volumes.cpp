@@ -114,7 +114,7 @@ void light_volume_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
                        const LightingInputs& inputs) {
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
-    pass.depth_test(inputs.surface.depth);
+    pass.blends().depth_test(inputs.surface.depth);
     auto draws = std::make_shared<std::optional<VolumeDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });

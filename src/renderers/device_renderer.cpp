@@ -143,7 +143,13 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     stats_.gpu_ms = spread(gpu_total);
     for (auto& [name, times] : passes)
         stats_.passes.push_back({name, spread(times)});
+    const std::vector<graph::PassTraffic> traffic = graph_->traffic();
+    for (size_t p = 0; p < stats_.passes.size(); ++p) {
+        stats_.passes[p].bytes_read = traffic[p].bytes_read;
+        stats_.passes[p].bytes_written = traffic[p].bytes_written;
+    }
     stats_.attachment_bytes = graph_->memory_bytes();
+    stats_.attachment_bytes_unshared = graph_->unshared_bytes();
     stats_.device_bytes = context_.device_bytes();
     count_pairs();
 }
