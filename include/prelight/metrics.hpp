@@ -21,9 +21,10 @@ struct Comparison {
 /// `left_out`: empty, or one byte per pixel, nonzero where a pixel does not count (see
 /// `ReferencePicture::left_out`). FLIP is always taken over the whole picture; a block's mean is over
 /// the pixels that count, blocks with less than a quarter of them are skipped.
+/// Where `map` is given it receives the FLIP map whose mean `flip` is (see `flip_map`).
 /// Throws Error when the sizes differ or a picture holds NaN.
 Comparison compare(const Image& picture, const Image& reference,
-                   std::span<const uint8_t> left_out = {});
+                   std::span<const uint8_t> left_out = {}, Image* map = nullptr);
 
 /// FLIP error map, 0 … 1 per pixel (same value in the three channels), of two display-encoded
 /// pictures in 0 … 1.

@@ -90,7 +90,7 @@ double block_difference(const Image& picture, const Image& reference,
 } // namespace
 
 Comparison compare(const Image& picture, const Image& reference,
-                   std::span<const uint8_t> left_out) {
+                   std::span<const uint8_t> left_out, Image* map) {
     check(picture, reference, left_out);
     const double factor = exposure_factor(reference, left_out);
     Image shown = picture, wanted = reference;
@@ -134,10 +134,13 @@ Comparison compare(const Image& picture, const Image& reference,
             }
         }
 
+    Image errors = flip_map(shown_srgb, wanted_srgb);
     double flip = 0;
-    for (const glm::vec3& pixel : flip_map(shown_srgb, wanted_srgb).pixels)
+    for (const glm::vec3& pixel : errors.pixels)
         flip += static_cast<double>(pixel.r);
     result.flip = flip / pixels;
+    if (map)
+        *map = std::move(errors);
     return result;
 }
 

@@ -115,6 +115,15 @@ TEST(Compare, EqualPictures) {
     EXPECT_EQ(same.left_out_share, 0);
 }
 
+TEST(Compare, GivesTheMapWhoseMeanFlipIs) {
+    const Image picture = pattern(50, 40), reference = filled(50, 40, {0.3f, 0.5f, 0.4f});
+    Image map;
+    const Comparison result = compare(picture, reference, {}, &map);
+    ASSERT_EQ(map.pixels.size(), 50u * 40);
+    EXPECT_GT(result.flip, 0.1);
+    EXPECT_NEAR(mean(map), result.flip, 1e-9);
+}
+
 TEST(Compare, PsnrByHand) {
     // Reference 0.5 everywhere: exposed to 1. The picture is 0.45, exposed to 0.9: the error is 0.1
     // in every value, PSNR 20 dB. sRGB of 0.9 is 0.954687: off by 11.55 of 255 in every pixel.
