@@ -40,6 +40,11 @@ struct ReferencePicture {
     std::vector<uint8_t> left_out() const;
 };
 
+/// The form that pictures of a renderer with these settings in force (`Stats::settings`) are judged
+/// against: `model`, `specular-gate`, `specular-vector`, `ambient`. A key that a renderer lacks has
+/// its usual meaning (Fresnel of each light, N·L as a factor, half vector, ambient in the material).
+ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings);
+
 /// Ray-casts the world with Embree, shades in double precision, one ray through each pixel's centre.
 /// Deterministic. Throws Error.
 ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width,

@@ -1,0 +1,24 @@
+#include <prelight/reference.hpp>
+
+namespace prelight {
+
+ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings) {
+    const auto is = [&](const char* key, const char* value) {
+        const auto found = settings.find(key);
+        return found != settings.end() && found->second == value;
+    };
+    using Fresnel = ReferenceForm::Fresnel;
+    ReferenceForm form;
+    form.shading = shading;
+    form.fresnel = is("model", "weighted") ? Fresnel::weighted
+                   : is("model", "nv")     ? Fresnel::nv
+                   : is("model", "mono")   ? Fresnel::mono
+                                           : Fresnel::full;
+    form.mono_specular = is("model", "mono");
+    form.gate_by_step = is("specular-gate", "step");
+    form.reflection_vector = is("specular-vector", "reflection");
+    form.ambient_as_light = is("ambient", "light");
+    return form;
+}
+
+} // namespace prelight

@@ -1,0 +1,66 @@
+// The form that belongs to settings in force, held against the reference renderer's own reading of
+// the same words.
+#include "worlds.hpp"
+#include <gtest/gtest.h>
+#include <prelight/reference.hpp>
+#include <reference/reference_renderer.hpp>
+
+namespace prelight {
+namespace {
+
+struct Words {
+    const char* name;
+    std::map<std::string, std::string> settings;
+};
+
+void PrintTo(const Words& words, std::ostream* stream) { *stream << words.name; }
+
+/// Light of three lights, an ambient one among them, on two materials: every form differs.
+struct Lit : TestWorld {
+    PlacedCamera camera = look_at(Camera{}, {3, 0, 2}, {0, 0, 0}, {0, 0, 1});
+    Lit() {
+        add_material({.base_colour = {0.8f, 0.4f, 0.2f, 1}, .metallic = 0.3f, .roughness = 0.4f});
+        add(square(4));
+        add(sphere(16), glm::scale(glm::translate(glm::dmat4(1), {0, 0, 0.5}), glm::dvec3(0.3)));
+        add_light({.colour = {1, 0.8f, 0.6f}, .intensity = 10, .range = 5, .shininess = 0.02f}, {0.5, 1, 1.5});
+        add_light({.colour = {0.2f, 0.5f, 1}, .intensity = 6, .shininess = 0.01f}, {-1.2, -0.4, 0.8});
+        world.ambient = {0.02f, 0.03f, 0.04f};
+    }
+};
+
+class ReferenceFormOf : public testing::TestWithParam<Words> {};
+
+TEST_P(ReferenceFormOf, SettingsIsWhatTheReferenceTakesThemFor) {
+    const Lit test;
+    for (const Shading shading : {Shading::ggx, Shading::phong}) {
+        std::map<std::string, std::string> settings = GetParam().settings;
+        const Image ours =
+            render_reference(test.world, test.camera, 24, 16, 0, reference_form(shading, settings)).linear;
+        if (settings["model"] == "mono") // the reference has a word of its own for it in [phong]
+            settings["specular-light"] = "mono";
+        if (settings["model"].empty())
+            settings.erase("model");
+        const auto renderer =
+            make_reference_renderer({.width = 24, .height = 16, .shading = shading, .settings = settings});
+        renderer->set_world(test.world);
+        renderer->render(test.camera);
+        EXPECT_TRUE(renderer->read("linear").pixels == ours.pixels);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Each, ReferenceFormOf,
+                         testing::Values(Words{"none", {}}, Words{"weighted", {{"model", "weighted"}}},
+                                         Words{"nv", {{"model", "nv"}}}, Words{"mono", {{"model", "mono"}}},
+                                         Words{"full", {{"model", "full"}}},
+                                         Words{"step", {{"specular-gate", "step"}}},
+                                         Words{"reflection", {{"specular-vector", "reflection"}}},
+                                         Words{"ambient", {{"ambient", "light"}}}));
+
+TEST(ReferenceFormDefaults, UnknownKeysAndValuesMeanNothing) {
+    const ReferenceForm form = reference_form(
+        Shading::ggx, {{"light-culling", "tiles"}, {"ambient", "per-object"}, {"model", "auto"}});
+    EXPECT_EQ(form.fresnel, ReferenceForm::Fresnel::full);
+    EXPECT_FALSE(form.ambient_as_light);
+}
+
+} // namespace
+} // namespace prelight
