@@ -46,6 +46,26 @@ uint32_t parse_count(std::string_view option, const std::string& text, uint32_t 
     return value;
 }
 
+std::vector<uint32_t> parse_light_counts(std::string_view option, const std::string& text) {
+    std::vector<uint32_t> counts;
+    if (text == "none")
+        return counts;
+    constexpr uint32_t most = 65536; // what a built-in scene can have
+    for (size_t at = 0; at <= text.size();) {
+        const size_t end = std::min(text.find(',', at), text.size());
+        uint32_t count = 0;
+        if (end == at || !whole_number(std::string_view(text).substr(at, end - at), count) ||
+            count == 0 || count > most)
+            refuse(option, text, fmt::format("not numbers from 1 to {}, as in 1,16,64, or none", most));
+        counts.push_back(count);
+        at = end + 1;
+    }
+    std::ranges::sort(counts);
+    const auto repeated = std::ranges::unique(counts);
+    counts.erase(repeated.begin(), repeated.end());
+    return counts;
+}
+
 uint64_t parse_seed(std::string_view option, const std::string& text) {
     uint64_t value = 0;
     if (!whole_number(text, value))

@@ -14,6 +14,8 @@ namespace prelight::app {
 std::pair<uint32_t, uint32_t> parse_size(std::string_view option, const std::string& text);
 /// A whole decimal number, `least` … 2³² − 1.
 uint32_t parse_count(std::string_view option, const std::string& text, uint32_t least);
+/// "1,16,64": numbers of lights, 1 … 65,536, rising and each once; "none": no number.
+std::vector<uint32_t> parse_light_counts(std::string_view option, const std::string& text);
 /// A whole decimal number of 64 bits.
 uint64_t parse_seed(std::string_view option, const std::string& text);
 /// A finite decimal number, `least` … `most`.

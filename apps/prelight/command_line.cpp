@@ -12,6 +12,7 @@ namespace {
 constexpr const char* program_footer = R"(Examples:
   prelight render city --lights 1024 -o night.png
   prelight render helmet.glb --camera 1 --size 1920x1080 -o helmet.exr
+  prelight compare city -o report
   prelight make spheres -o spheres.glb
   prelight renderers light-prepass
 Exit status: 0 done, 1 the work failed, 2 wrong usage.)";
@@ -25,11 +26,24 @@ constexpr const char* render_footer = R"(Examples:
 A name ending in .exr receives exposed scene-linear values, without tone mapping.
 `prelight renderers NAME` lists what --set, --view and --preset accept.)";
 
+constexpr const char* compare_footer = R"(Examples:
+  prelight compare city -o report
+  prelight compare scene.glb --lights 500 --size 640x360 -o report
+  prelight compare city --renderers light-prepass,multipass@lights-per-pass=8 -o report
+  prelight compare city --light-counts 16,256 --frames 3 -o report
+Writes FOLDER/index.html, which opens from disk, FOLDER/report.json and FOLDER/pictures. An earlier
+report in FOLDER is replaced; a folder with other files is refused.)";
+
 /// Everything `render` is given as text, before it is checked.
 struct RenderText {
     std::string size = "1280x720", shading = "ggx", tonemap = "pbr-neutral", output, stats;
     std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0";
     std::vector<std::string> settings, views;
+};
+
+struct CompareText {
+    std::string size = "960x540", shading = "ggx", output, lights, seed = "1", frames = "5";
+    std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "2";
 };
 
 struct MakeText {
@@ -71,6 +85,35 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     sub.add_flag("--watch", command.watch, "Render again whenever the scene file changes");
 }
 
+void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
+    auto& sub = *app.add_subcommand("compare", "Show every architecture side by side as a web page");
+    const auto option = [&](const char* names, auto& target, const char* word, const char* help) {
+        return sub.add_option(names, target, help)->type_name(word)->allow_extra_args(false);
+    };
+    sub.footer(compare_footer);
+    sub.add_option("SCENE", command.scene, "A .gltf or .glb file, or a built-in scene: see `make`")
+        ->required()
+        ->type_name("");
+    option("-o,--output", text.output, "FOLDER", "Where the report goes")->required();
+    option("--renderers", text.renderers, "LIST",
+           "Architectures with settings, as in a,b@KEY=VALUE,c@preset=NAME (default all)");
+    option("--light-counts", text.light_counts, "LIST",
+           "Numbers of lights of the chart (default 1,4,16,64,256,1024,4096), or none");
+    option("--frame-limit", text.frame_limit, "SECONDS",
+           "A slower frame ends a variant's line in the chart (default 2)");
+    option("--frames", text.frames, "N", "Frames of each variant to time, interleaved (default 5)");
+    option("--size", text.size, "WxH", "Picture size in pixels (default 960x540)");
+    option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
+    option("--lights", text.lights, "N",
+           "Light count of a built-in scene; adds N random point lights to any other");
+    option("--seed", text.seed, "S", "Seed of what is random (default 1)");
+    option("--shading", text.shading, "MODEL", "ggx (default) or phong");
+    option("--exposure", text.exposure, "EV", "Multiplies light by 2^EV (default 0)");
+    option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
+    sub.add_flag("--validate", command.validate,
+                 "Run with Vulkan validation; any message is a failure");
+}
+
 void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
     auto& sub = *app.add_subcommand("make", "Write a built-in scene as glTF");
     sub.footer("Example:\n  prelight make city --lights 256 --seed 3 -o city.glb\n"
@@ -82,10 +125,14 @@ void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
     sub.add_option("--seed", text.seed, "Seed of what is random (default 1)")->type_name("S");
 }
 
+Shading parse_shading(const std::string& text) {
+    return parse_word<Shading>("--shading", text,
+                               {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
+}
+
 void finish(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
-    command.options.shading = parse_word<Shading>(
-        "--shading", text.shading, {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
+    command.options.shading = parse_shading(text.shading);
     command.options.tonemap = parse_word<Tonemap>(
         "--tonemap", text.tonemap,
         {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
@@ -103,6 +150,21 @@ void finish(RenderCommand& command, const RenderText& text) {
     command.stats = text.stats;
     take_views(command, text.views);
     check_outputs(command);
+}
+
+void finish(CompareCommand& command, const CompareText& text) {
+    command.folder = text.output;
+    std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
+    command.options.shading = parse_shading(text.shading);
+    command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
+    command.frames = parse_count("--frames", text.frames, 1);
+    command.seed = parse_seed("--seed", text.seed);
+    if (!text.lights.empty())
+        command.lights = parse_count("--lights", text.lights, 1);
+    if (!text.renderers.empty())
+        command.variants = parse_variants("--renderers", text.renderers);
+    command.light_counts = parse_light_counts("--light-counts", text.light_counts);
+    command.frame_limit = parse_number("--frame-limit", text.frame_limit, 0, 1e6);
 }
 
 void finish(MakeCommand& command, const MakeText& text) {
@@ -137,10 +199,13 @@ Command parse_command_line(int argc, const char* const* argv) {
 
     RenderCommand render;
     RenderText render_text;
+    CompareCommand compare;
+    CompareText compare_text;
     MakeCommand make;
     MakeText make_text;
     RenderersCommand renderers;
     add_render(app, render, render_text);
+    add_compare(app, compare, compare_text);
     add_make(app, make, make_text);
     app.add_subcommand("devices", "Show the Vulkan devices and which would be taken");
     auto& list = *app.add_subcommand("renderers", "List renderers, or what one of them can do");
@@ -161,6 +226,10 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (app.got_subcommand("render")) {
         finish(render, render_text);
         return render;
+    }
+    if (app.got_subcommand("compare")) {
+        finish(compare, compare_text);
+        return compare;
     }
     if (app.got_subcommand("make")) {
         finish(make, make_text);

@@ -1,4 +1,6 @@
 #pragma once
+#include "variant.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -34,6 +36,22 @@ struct RenderCommand {
     std::filesystem::path stats; ///< empty: none
 };
 
+/// `prelight compare`
+struct CompareCommand {
+    std::string scene; ///< a file, or the name of a built-in scene
+    std::filesystem::path folder;
+    RenderOptions options; ///< what all variants share
+    std::string camera;    ///< name or index; empty: the scene's first
+    uint32_t frames = 5;   ///< timed frames of each variant
+    std::optional<uint32_t> lights;
+    uint64_t seed = 1;
+    std::string device = "auto";
+    bool validate = false;
+    std::vector<Variant> variants;      ///< empty: the standard ones
+    std::vector<uint32_t> light_counts; ///< rising; may be empty
+    double frame_limit = 2; ///< seconds; a slower frame ends a variant's series of light counts
+};
+
 /// `prelight make`
 struct MakeCommand {
     std::string scene;
@@ -56,7 +74,7 @@ struct PrintCommand {
 };
 
 using Command =
-    std::variant<RenderCommand, MakeCommand, DevicesCommand, RenderersCommand, PrintCommand>;
+    std::variant<RenderCommand, CompareCommand, MakeCommand, DevicesCommand, RenderersCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);

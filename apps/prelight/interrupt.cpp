@@ -2,6 +2,10 @@
 
 #include <atomic>
 #include <csignal>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+#include <unistd.h>
 
 namespace prelight::app {
 namespace {
@@ -11,6 +15,8 @@ namespace {
 static_assert(std::atomic<int>::is_always_lock_free);
 std::atomic<int> writing = 0;
 std::atomic<int> waiting = 0;
+/// Where a RemovedOnInterrupt listens; −1: nobody does.
+std::atomic<int> listener = -1;
 
 /// Ends the process by the signal itself, so that a shell sees why.
 void die_by(int signal) {
@@ -18,7 +24,15 @@ void die_by(int signal) {
     std::raise(signal);
 }
 
+/// write() is one of the few calls that a signal handler may make.
+bool tell_listener(unsigned char byte) {
+    const int descriptor = listener;
+    return descriptor >= 0 && write(descriptor, &byte, 1) == 1;
+}
+
 extern "C" void on_interrupt(int signal) {
+    if (tell_listener(static_cast<unsigned char>(signal)))
+        return;
     waiting = signal;
     if (writing == 0)
         die_by(signal);
@@ -46,6 +60,32 @@ WriteGuard::WriteGuard() {
 WriteGuard::~WriteGuard() {
     if (--writing == 0 && waiting != 0)
         die_by(waiting);
+}
+
+RemovedOnInterrupt::RemovedOnInterrupt(std::filesystem::path folder) : folder_(std::move(folder)) {
+    int ends[2] = {-1, -1};
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        throw Error(fmt::format("{}: no pipe for signals", folder_.string()));
+    wakes_ = ends[0];
+    thread_ = std::thread([this] { wait_for_signal(); });
+    listener = ends[1];
+}
+
+RemovedOnInterrupt::~RemovedOnInterrupt() {
+    tell_listener(0); // no signal: the thread ends
+    thread_.join();
+    close(listener.exchange(-1));
+    close(wakes_);
+}
+
+void RemovedOnInterrupt::wait_for_signal() {
+    unsigned char signal = 0;
+    if (read(wakes_, &signal, 1) != 1 || signal == 0)
+        return;
+    const auto lock = hold();
+    std::error_code ignored; // nothing more can be done about what stays
+    std::filesystem::remove_all(folder_, ignored);
+    die_by(signal);
 }
 
 } // namespace prelight::app

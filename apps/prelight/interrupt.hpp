@@ -1,4 +1,7 @@
 #pragma once
+#include <filesystem>
+#include <mutex>
+#include <thread>
 
 namespace prelight::app {
 
@@ -14,6 +17,28 @@ public:
     ~WriteGuard();
     WriteGuard(const WriteGuard&) = delete;
     WriteGuard& operator=(const WriteGuard&) = delete;
+};
+
+/// While one lives, an interrupt removes a folder with all that is in it and then ends the program at
+/// once, whatever the program is doing. At most one at a time.
+class RemovedOnInterrupt {
+public:
+    /// Throws Error when it cannot be set up.
+    explicit RemovedOnInterrupt(std::filesystem::path folder);
+    ~RemovedOnInterrupt();
+    RemovedOnInterrupt(const RemovedOnInterrupt&) = delete;
+    RemovedOnInterrupt& operator=(const RemovedOnInterrupt&) = delete;
+
+    /// An interrupt waits while this is held: for every change in the folder, or of it.
+    [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(mutex_); }
+
+private:
+    void wait_for_signal();
+
+    std::filesystem::path folder_;
+    std::mutex mutex_;
+    int wakes_ = -1; ///< the end of a pipe that the signal handler's byte comes from
+    std::thread thread_;
 };
 
 } // namespace prelight::app

@@ -4,6 +4,7 @@
 #include "renderer_info.hpp"
 #include "scene_source.hpp"
 #include "stats_json.hpp"
+#include "validation.hpp"
 #include "watch.hpp"
 
 #include <algorithm>
@@ -48,16 +49,6 @@ std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& comm
     for (const ViewFile& more : command.more_views)
         pictures.push_back({renderer.read(more.view), more.file});
     return pictures;
-}
-
-/// Throws Error when validation had something to say; each message is a line of stderr.
-void check_validation(const Device& device) {
-    const std::vector<std::string> messages = device.validation_messages();
-    for (const std::string& message : messages)
-        fmt::print(stderr, "validation: {}\n", message);
-    if (!messages.empty())
-        throw Error(fmt::format("{}: {} validation message{}", device.name(), messages.size(),
-                                messages.size() == 1 ? "" : "s"));
 }
 
 void write(const std::vector<Picture>& pictures) {

@@ -13,18 +13,22 @@ Json spread_json(const Spread& spread) {
 
 } // namespace
 
-std::string stats_json(const RenderCommand& command, const Stats& stats) {
-    const RenderOptions& options = command.options;
+Json stats_entry(const std::string& scene, const std::string& renderer,
+                 const RenderOptions& options, const Stats& stats) {
     Json passes = Json::array();
     // A pass's own CPU time would need it submitted alone: no figure here, rather than a wrong one.
     for (const PassStats& pass : stats.passes)
         passes.push_back(
-            {{"name", pass.name}, {"gpu_ms", spread_json(pass.gpu_ms)}, {"cpu_ms", nullptr}});
-    const Json json = {
+            {{"name", pass.name},
+             {"gpu_ms", spread_json(pass.gpu_ms)},
+             {"cpu_ms", nullptr},
+             {"bytes_read", pass.bytes_read},
+             {"bytes_written", pass.bytes_written}});
+    return {
         {"device", stats.device},
         {"driver", stats.driver},
-        {"scene", command.scene},
-        {"renderer", command.renderer},
+        {"scene", scene},
+        {"renderer", renderer},
         {"preset", options.preset.empty() ? Json(nullptr) : Json(options.preset)},
         {"settings", Json(stats.settings)},
         {"size", {options.width, options.height}},
@@ -39,12 +43,19 @@ std::string stats_json(const RenderCommand& command, const Stats& stats) {
         {"gpu_ms", spread_json(stats.gpu_ms)},
         {"passes", passes},
         {"attachment_bytes", stats.attachment_bytes},
+        {"attachment_bytes_unshared", stats.attachment_bytes_unshared},
         {"device_bytes", stats.device_bytes},
         {"light_pixel_pairs",
          {{"evaluated", stats.pairs_evaluated}, {"contributing", stats.pairs_contributing}}},
     };
-    // A file name may hold any bytes; JSON holds UTF-8 only.
+}
+
+std::string json_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string stats_json(const RenderCommand& command, const Stats& stats) {
+    return json_text(stats_entry(command.scene, command.renderer, command.options, stats));
 }
 
 } // namespace prelight::app

@@ -44,7 +44,15 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"NoCommand", "", "--help"}, //
         Wrong{"UnknownCommand", "paint city -o a.png", "paint: not a command"},
         Wrong{"NotYetView", "view city", "view: not a command"},
-        Wrong{"NotYetCompare", "compare city -o out", "compare: not a command"},
+        Wrong{"CompareWithoutFolder", "compare city", "--output"},
+        Wrong{"CompareUnknownRenderer", "compare city -o out --renderers a", "a: not a renderer"},
+        Wrong{"CompareEmptyRenderer", "compare city -o out --renderers multipass,", "--renderers"},
+        Wrong{"CompareUnknownKey", "compare city -o out --renderers multipass@shape=round", "no setting shape"},
+        Wrong{"CompareUnknownValue", "compare city -o out --renderers multipass@order=random", "lights, objects"},
+        Wrong{"CompareUnknownPreset", "compare city -o out --renderers multipass@preset=x", "no preset x"},
+        Wrong{"CompareSameTwice", "compare city -o out --renderers multipass,multipass", "named twice"},
+        Wrong{"CompareNoCount", "compare city -o out --light-counts 1,,2", "--light-counts"},
+        Wrong{"CompareCountTooLarge", "compare city -o out --light-counts 70000", "65536"},
         Wrong{"NotYetBench", "bench city --json a.json", "bench: not a command"},
         Wrong{"NotYetMaterials", "materials", "materials: not a command"},
         Wrong{"NoScene", "render -o a.png", "SCENE"}, //

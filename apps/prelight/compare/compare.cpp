@@ -1,0 +1,109 @@
+// `prelight compare`: every architecture on one scene, as a page that needs no server.
+#include "commands.hpp"
+#include "output.hpp"
+#include "pictures.hpp"
+#include "renderer_info.hpp"
+#include "stats_json.hpp"
+#include "times.hpp"
+#include "validation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+namespace {
+
+constexpr double share_of_pictures = 0.4; ///< of the progress bar
+
+std::vector<RunReport> make_runs(const CompareCommand& command) {
+    const bool named = !command.variants.empty();
+    std::vector<RunReport> runs;
+    for (const Variant& variant : named ? command.variants : standard_variants(renderer_infos())) {
+        RunReport run{.variant = variant, .info = find_renderer(variant.renderer)};
+        run.options = command.options;
+        run.options.preset = variant.preset;
+        run.options.settings = variant.settings;
+        // Presets differ in what they store, not in how their time grows: they stay out of the chart
+        // unless somebody asks for them.
+        run.in_series = named || variant.preset.empty();
+        runs.push_back(std::move(run));
+    }
+    return runs;
+}
+
+void take_all_pictures(Report& report, Device& device, const World& world, ReportFolder& folder,
+                       Progress& progress) {
+    const PlacedCamera& camera = camera_of(world, report.command.camera);
+    report.camera = camera.camera.name;
+    PictureStore store(folder);
+    progress.show(0, "reference");
+    take_reference_pictures(report, world, camera, store);
+    References references(world, camera, report.command.options);
+    for (size_t i = 0; i < report.runs.size(); ++i) {
+        const double done = double(i + 1) / double(report.runs.size() + 1);
+        progress.show(share_of_pictures * done, "picture of " + report.runs[i].variant.name());
+        take_pictures(report.runs[i], device, world, camera, references, store);
+    }
+}
+
+/// A report without a single figure is no report.
+void check_any(const Report& report) {
+    for (const RunReport& run : report.runs)
+        if (run.error.empty())
+            return;
+    throw Error(fmt::format("{}: nothing could be rendered: {}: {}", report.scene,
+                            report.runs.at(0).variant.name(), report.runs.at(0).error));
+}
+
+void make_report(Report& report, ReportFolder& folder) {
+    const CompareCommand& command = report.command;
+    const auto device = Device::create({.select = command.device, .validate = command.validate});
+    report.device = device->name();
+    report.driver = device->driver();
+    const SceneSeries scenes(command.scene, command.lights, command.seed);
+    {
+        Progress progress;
+        const auto scene = scenes.make();
+        report.lights = scene->world.lights.size();
+        report.lights_added = scenes.added();
+        report.triangles = scene->world.triangles;
+        take_all_pictures(report, *device, scene->world, folder, progress);
+        check_any(report);
+        take_times(report, *device, scenes, progress, share_of_pictures);
+        check_any(report);
+    }
+    check_validation(*device);
+}
+
+} // namespace
+
+void run(const CompareCommand& command) {
+    const auto start = std::chrono::steady_clock::now();
+    Report report{.command = command};
+    report.scene = names_file(command.scene)
+                       ? std::filesystem::path(command.scene).filename().string()
+                       : command.scene;
+    report.runs = make_runs(command);
+    ReportFolder folder(command.folder);
+    make_report(report, folder);
+    report.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    const nlohmann::ordered_json json = report_json(report);
+    folder.write([&](const std::filesystem::path& path) {
+        save_text(json_text(json), path / "report.json");
+        save_text(report_page(json), path / "index.html");
+    });
+    folder.publish();
+    const auto failed = std::ranges::count_if(
+        report.runs, [](const RunReport& run) { return !run.error.empty(); });
+    fmt::print("{}: {} ways to render {} with {} lights{}, {:.0f} s on {}\n",
+               (command.folder / "index.html").string(), report.runs.size() - size_t(failed),
+               report.scene, report.lights, failed ? fmt::format(", {} failed", failed) : "",
+               report.seconds, report.device);
+}
+
+} // namespace prelight::app

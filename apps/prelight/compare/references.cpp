@@ -1,0 +1,35 @@
+#include "references.hpp"
+
+namespace prelight::app {
+
+std::string form_name(const ReferenceForm& form) {
+    using Fresnel = ReferenceForm::Fresnel;
+    std::string name;
+    if (form.shading == Shading::ggx)
+        name = form.fresnel == Fresnel::weighted ? "ggx, Fresnel weighted over the lights"
+               : form.fresnel == Fresnel::nv     ? "ggx, Fresnel at N·V"
+               : form.fresnel == Fresnel::mono   ? "ggx, Fresnel at N·V, monochrome specular light"
+                                                 : "ggx, Fresnel of each light";
+    else
+        name = form.mono_specular ? "phong, monochrome specular light" : "phong";
+    if (form.shading == Shading::phong && form.gate_by_step)
+        name += ", specular light gated by a step";
+    if (form.shading == Shading::phong && form.reflection_vector)
+        name += ", reflection vector";
+    if (form.ambient_as_light)
+        name += ", ambient as a light";
+    return name;
+}
+
+const References::Picture& References::of(const ReferenceForm& form) {
+    const auto [place, is_new] = made_.try_emplace(form_name(form));
+    if (is_new) {
+        ReferencePicture picture = render_reference(world_, camera_, options_.width, options_.height,
+                                                    options_.exposure, form);
+        place->second.left_out = picture.left_out();
+        place->second.linear = std::move(picture.linear);
+    }
+    return place->second;
+}
+
+} // namespace prelight::app

@@ -1,0 +1,40 @@
+#pragma once
+#include "command_line.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <prelight/metrics.hpp>
+
+namespace prelight::app {
+
+/// What `compare` finds out about one variant.
+struct RunReport {
+    Variant variant;
+    RendererInfo info;
+    RenderOptions options; ///< the shading model may differ from the command's: a preset's own
+    std::string error;     ///< why there are no figures; empty: there are
+    std::string form;      ///< of the reference that its picture is judged against
+    Comparison difference;
+    std::map<std::string, std::string> pictures; ///< view, or "difference" → file below the folder
+    Stats stats;                                 ///< with the scene's own lights
+    bool in_series = false;    ///< its time is measured against the number of lights too
+    std::vector<Stats> series; ///< rising numbers of lights
+    std::string stopped;       ///< why the series ends early; empty: it does not
+};
+
+struct Report {
+    CompareCommand command;
+    std::string scene, camera, device, driver;
+    uint64_t lights = 0, triangles = 0;
+    uint64_t lights_added = 0; ///< scattered in a file's scene, among `lights`
+    std::map<std::string, std::string> reference_pictures;
+    double reference_ms = 0; ///< one picture, with Fresnel of each light, wall time
+    std::vector<RunReport> runs;
+    double seconds = 0; ///< for everything
+};
+
+/// report.json: docs/compare.md describes it.
+nlohmann::ordered_json report_json(const Report& report);
+/// index.html: the page with its style, its program and `report` inside.
+std::string report_page(const nlohmann::ordered_json& report);
+
+} // namespace prelight::app

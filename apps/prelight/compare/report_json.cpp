@@ -1,0 +1,188 @@
+#include "report.hpp"
+#include "stats_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace prelight::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The buffers of the Round 2 sample have its keys, 1 to 4; the others follow.
+struct Key {
+    const char* view;
+    const char* key;
+    const char* label;
+};
+constexpr Key keys[] = {{"final", "0", "Picture"},          {"depth", "1", "Depth"},
+                        {"normal", "2", "Normals"},         {"diffuse-light", "3", "Lights"},
+                        {"albedo", "4", "Material"},        {"difference", "5", "Difference"},
+                        {"specular-light", "6", "Specular light"}, {"light-count", "7", "Light count"},
+                        {"roughness", "8", "Roughness"}};
+
+/// Whether a pass is there for the lights alone: it evaluates them or finds their pixels. Passes that
+/// shade lights together with materials are not.
+bool is_light_pass(const std::string& name) {
+    for (const char* word : {"light", "stencil", "tile", "cluster"})
+        if (name.find(word) != std::string::npos)
+            return true;
+    return false;
+}
+
+/// Of the passes' time together; null where no pass is there for the lights alone.
+Json light_share(const Stats& stats) {
+    double light = 0, all = 0;
+    bool any = false;
+    for (const PassStats& pass : stats.passes) {
+        all += pass.gpu_ms.median;
+        if (is_light_pass(pass.name)) {
+            light += pass.gpu_ms.median;
+            any = true;
+        }
+    }
+    return any && all > 0 ? Json(light / all) : Json(nullptr);
+}
+
+Json per_pixel(uint64_t bytes, const RenderOptions& options) {
+    return double(bytes) / (double(options.width) * double(options.height));
+}
+
+Json entry(const Report& report, const RunReport& run, const Stats& stats) {
+    Json json = stats_entry(report.scene, run.variant.renderer, run.options, stats);
+    json["attachment_bytes_per_pixel"] = {
+        {"shared", per_pixel(stats.attachment_bytes, run.options)},
+        {"unshared", per_pixel(stats.attachment_bytes_unshared, run.options)}};
+    json["light_pass_share"] = light_share(stats);
+    for (size_t i = 0; i < stats.passes.size(); ++i)
+        json["passes"][i]["for_lights"] = is_light_pass(stats.passes[i].name);
+    return json;
+}
+
+Json difference_json(const Comparison& difference) {
+    return {{"psnr", std::isfinite(difference.psnr) ? Json(difference.psnr) : Json(nullptr)},
+            {"flip", difference.flip},
+            {"off_share", difference.off_share},
+            {"block", difference.block},
+            {"left_out_share", difference.left_out_share}};
+}
+
+Json heading(const RunReport& run) {
+    const Variant& variant = run.variant;
+    return {{"variant", variant.name()},
+            {"kind", !variant.preset.empty()     ? "preset"
+                     : !variant.settings.empty() ? "settings"
+                                                 : "architecture"},
+            {"description", run.info.description},
+            {"error", run.error.empty() ? Json(nullptr) : Json(run.error)}};
+}
+
+Json run_json(const Report& report, const RunReport& run) {
+    Json json = heading(run);
+    if (!run.error.empty()) {
+        json["renderer"] = run.variant.renderer;
+        return json;
+    }
+    json.update(entry(report, run, run.stats));
+    json["notes"] = run.stats.notes;
+    json["reference_form"] = run.form;
+    json["difference"] = difference_json(run.difference);
+    json["pictures"] = Json(run.pictures);
+    return json;
+}
+
+/// Least squares of device time over the number of lights: what one light more costs, and what is left
+/// without any. Null with fewer than two numbers of lights.
+std::pair<Json, Json> cost(const std::vector<Stats>& series) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const Stats& stats : series) {
+        const double lights = double(stats.lights), ms = stats.gpu_ms.median;
+        n += 1;
+        x += lights;
+        y += ms;
+        xx += lights * lights;
+        xy += lights * ms;
+    }
+    const double spread = n * xx - x * x;
+    if (n < 2 || spread <= 0)
+        return {nullptr, nullptr};
+    const double slope = (n * xy - x * y) / spread;
+    return {slope * 1000, (y - slope * x) / n};
+}
+
+Json series_json(const Report& report) {
+    Json all = Json::array();
+    for (const RunReport& run : report.runs) {
+        if (!run.error.empty() || !run.in_series)
+            continue;
+        const auto [slope, base] = cost(run.series);
+        Json json = {{"variant", run.variant.name()},
+                     {"us_per_light", slope},
+                     {"ms_without_lights", base},
+                     {"stopped", run.stopped.empty() ? Json(nullptr) : Json(run.stopped)},
+                     {"points", Json::array()}};
+        for (const Stats& stats : run.series)
+            json["points"].push_back(entry(report, run, stats));
+        all.push_back(std::move(json));
+    }
+    return all;
+}
+
+/// Every buffer that any run has, with the key that shows it.
+Json views_json(const Report& report) {
+    std::vector<std::string> found;
+    const auto add = [&](const std::map<std::string, std::string>& pictures) {
+        for (const auto& [view, file] : pictures)
+            if (std::ranges::find(found, view) == found.end())
+                found.push_back(view);
+    };
+    add(report.reference_pictures);
+    for (const RunReport& run : report.runs)
+        add(run.pictures);
+    Json views = Json::array();
+    for (const Key& key : keys)
+        if (std::ranges::find(found, key.view) != found.end())
+            views.push_back({{"name", key.view}, {"key", key.key}, {"label", key.label}});
+    for (const std::string& view : found) {
+        if (std::ranges::find(keys, view, &Key::view) != std::end(keys))
+            continue;
+        std::string label = view;
+        std::ranges::replace(label, '-', ' ');
+        label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+        views.push_back({{"name", view}, {"key", nullptr}, {"label", label}});
+    }
+    return views;
+}
+
+} // namespace
+
+Json report_json(const Report& report) {
+    const CompareCommand& command = report.command;
+    Json json = {{"prelight_report", 1},
+                 {"version", PRELIGHT_VERSION},
+                 {"scene", report.scene},
+                 {"camera", report.camera},
+                 {"size", {command.options.width, command.options.height}},
+                 {"shading", command.options.shading == Shading::ggx ? "ggx" : "phong"},
+                 {"exposure", command.options.exposure},
+                 {"seed", command.seed},
+                 {"lights", report.lights},
+                 {"lights_added", report.lights_added},
+                 {"triangles", report.triangles},
+                 {"device", report.device},
+                 {"driver", report.driver},
+                 {"frames", command.frames},
+                 {"frame_limit", command.frame_limit},
+                 {"seconds", report.seconds},
+                 {"views", views_json(report)},
+                 {"reference",
+                  {{"wall_ms", report.reference_ms}, {"pictures", Json(report.reference_pictures)}}},
+                 {"runs", Json::array()}};
+    for (const RunReport& run : report.runs)
+        json["runs"].push_back(run_json(report, run));
+    json["light_counts"] = series_json(report);
+    return json;
+}
+
+} // namespace prelight::app

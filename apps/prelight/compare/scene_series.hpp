@@ -1,0 +1,31 @@
+#pragma once
+#include "scene_source.hpp"
+
+namespace prelight::app {
+
+/// One scene with different numbers of lights. A file is read once.
+class SceneSeries {
+public:
+    /// As `--lights` and `--seed` say. A file that has no lights and is given no number gets
+    /// `default_lights`. Throws Error, UsageError.
+    SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed);
+
+    static constexpr uint32_t default_lights = 256;
+
+    /// The scene with the number of lights that the command asks for; or with `lights` of them: all
+    /// that a built-in scene has, added to those of a file. Must not outlive this object. Throws Error.
+    std::unique_ptr<LoadedScene> make() const { return make(lights_); }
+    std::unique_ptr<LoadedScene> make(std::optional<uint32_t> lights) const;
+    /// How many lights such a world has.
+    uint64_t total(uint32_t lights) const { return lights + (file_ ? file_->world.lights.size() : 0); }
+    /// Lights that make() adds to a file's.
+    uint64_t added() const { return file_ ? lights_.value_or(0) : 0; }
+
+private:
+    std::string name_;
+    std::optional<uint32_t> lights_;
+    uint64_t seed_;
+    std::unique_ptr<LoadedScene> file_; ///< with no lights added; null for a built-in scene
+};
+
+} // namespace prelight::app

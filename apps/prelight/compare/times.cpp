@@ -1,0 +1,135 @@
+#include "times.hpp"
+
+#include "interleave.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <prelight/device.hpp>
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+namespace {
+
+/// One number of lights at which runs are timed.
+struct Stop {
+    std::optional<uint32_t> lights; ///< as --light-counts says; nothing: the scene's own
+    uint64_t total = 0;             ///< lights in the world
+    bool own() const { return !lights; }
+};
+
+std::vector<Stop> make_stops(const Report& report, const SceneSeries& scenes) {
+    std::vector<Stop> stops{{{}, report.lights}};
+    for (const uint32_t count : report.command.light_counts)
+        if (scenes.total(count) != report.lights) // that one is there already
+            stops.push_back({count, scenes.total(count)});
+    std::ranges::stable_sort(stops, {}, &Stop::total);
+    return stops;
+}
+
+/// A run with the renderer that is timed: without views and without counting pairs, which cost time.
+struct Timed {
+    RunReport& run;
+    std::unique_ptr<Renderer> renderer;
+
+    bool wanted_at(const Stop& stop) const {
+        return run.error.empty() && (stop.own() || (run.in_series && run.stopped.empty()));
+    }
+
+    /// False when the renderer cannot take the world; the run then says why.
+    bool take(const World& world, Device& device, const Stop& stop) {
+        try {
+            if (!renderer)
+                renderer = create_renderer(run.variant.renderer, &device, run.options);
+            renderer->set_world(world);
+            return true;
+        } catch (const Error& error) {
+            fail(error.what(), stop);
+            return false;
+        }
+    }
+
+    void fail(const std::string& reason, const Stop& stop) {
+        (stop.own() ? run.error : run.stopped) = reason;
+        renderer.reset();
+    }
+
+    void keep(Stats stats, const Stop& stop, double frame_limit) {
+        if (run.in_series && run.stopped.empty())
+            run.series.push_back(stats);
+        const double seconds = stats.wall_ms.median / 1000;
+        if (seconds > frame_limit && run.stopped.empty())
+            run.stopped = fmt::format("no more than {} lights: a frame took {:.1f} s (--frame-limit {:g})",
+                                      stats.lights, seconds, frame_limit);
+        if (!stop.own())
+            return;
+        stats.pairs_counted = run.stats.pairs_counted;
+        stats.pairs_evaluated = run.stats.pairs_evaluated;
+        stats.pairs_contributing = run.stats.pairs_contributing;
+        run.stats = std::move(stats);
+    }
+};
+
+void time_at(const Stop& stop, const World& world, const Report& report, std::vector<Timed>& all,
+             Device& device, const std::function<void(double, const std::string&)>& show) {
+    std::vector<Contender> contenders;
+    std::vector<Timed*> owners;
+    for (Timed& timed : all)
+        if (timed.wanted_at(stop)) {
+            show(0, "upload for " + timed.run.variant.name());
+            if (timed.take(world, device, stop)) {
+                contenders.push_back({.renderer = timed.renderer.get()});
+                owners.push_back(&timed);
+            }
+        }
+    const CompareCommand& command = report.command;
+    const double frames = std::max<double>(1, double(command.frames) * double(contenders.size()));
+    size_t frame = 0;
+    render_interleaved(contenders, camera_of(world, command.camera),
+                       {.frames = command.frames, .most_ms = command.frame_limit * 1000},
+                       [&](const Contender& contender) {
+                           const auto index = static_cast<size_t>(&contender - contenders.data());
+                           show(double(frame++) / frames, owners[index]->run.variant.name());
+                       });
+    for (size_t i = 0; i < contenders.size(); ++i)
+        if (contenders[i].error.empty())
+            owners[i]->keep(std::move(contenders[i].stats), stop, command.frame_limit);
+        else
+            owners[i]->fail(contenders[i].error, stop);
+}
+
+} // namespace
+
+const PlacedCamera& camera_of(const World& world, const std::string& name) {
+    return name.empty() ? world.cameras.at(0) : find_camera(world, name);
+}
+
+void take_times(Report& report, Device& device, const SceneSeries& scenes, Progress& progress,
+                double share) {
+    const std::vector<Stop> stops = make_stops(report, scenes);
+    // The renderers go first: they refer to the world.
+    std::unique_ptr<LoadedScene> scene;
+    std::vector<Timed> all;
+    for (RunReport& run : report.runs)
+        all.push_back({run, nullptr});
+    bool own_done = false;
+    for (size_t i = 0; i < stops.size(); ++i) {
+        std::unique_ptr<LoadedScene> next =
+            stops[i].own() ? scenes.make() : scenes.make(stops[i].lights);
+        time_at(stops[i], next->world, report, all, device, [&](double part, const std::string& what) {
+            const double done = (static_cast<double>(i) + part) / static_cast<double>(stops.size());
+            progress.show(share + (1 - share) * done,
+                          fmt::format("{} lights: {}", stops[i].total, what));
+        });
+        own_done = own_done || stops[i].own();
+        for (Timed& timed : all) // those that will not be asked again free their memory
+            if (own_done && !(timed.run.in_series && timed.run.stopped.empty()))
+                timed.renderer.reset();
+        // A renderer that sat this number out still refers to the scene before: it goes as well.
+        for (Timed& timed : all)
+            if (!timed.wanted_at(stops[i]))
+                timed.renderer.reset();
+        scene = std::move(next);
+    }
+}
+
+} // namespace prelight::app

@@ -1,0 +1,59 @@
+#include "interleave.hpp"
+
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+namespace {
+
+/// What one contender's frames took, milliseconds.
+struct Samples {
+    std::vector<double> wall, cpu, gpu;
+    std::vector<std::vector<double>> passes;
+    double spent = 0;
+
+    void add(const Stats& frame) {
+        wall.push_back(frame.wall_ms.median);
+        cpu.push_back(frame.cpu_ms.median);
+        gpu.push_back(frame.gpu_ms.median);
+        passes.resize(frame.passes.size());
+        for (size_t i = 0; i < passes.size(); ++i)
+            passes[i].push_back(frame.passes[i].gpu_ms.median);
+        spent += frame.wall_ms.median;
+    }
+
+    void put_into(Stats& stats) const {
+        stats.frames = static_cast<uint32_t>(wall.size());
+        stats.wall_ms = spread(wall);
+        stats.cpu_ms = spread(cpu);
+        stats.gpu_ms = spread(gpu);
+        for (size_t i = 0; i < passes.size(); ++i)
+            stats.passes[i].gpu_ms = spread(passes[i]);
+    }
+};
+
+} // namespace
+
+void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& camera,
+                        const Rounds& rounds, const std::function<void(const Contender&)>& before) {
+    std::vector<Samples> samples(contenders.size());
+    for (uint32_t round = 0; round < rounds.frames; ++round)
+        for (size_t i = 0; i < contenders.size(); ++i) {
+            Contender& contender = contenders[i];
+            if (before)
+                before(contender);
+            if (!contender.error.empty() || (round > 0 && samples[i].spent >= rounds.most_ms))
+                continue;
+            try {
+                contender.renderer->render(camera, 1);
+                contender.stats = contender.renderer->stats();
+                samples[i].add(contender.stats);
+            } catch (const Error& error) {
+                contender.error = error.what();
+            }
+        }
+    for (size_t i = 0; i < contenders.size(); ++i)
+        if (contenders[i].error.empty())
+            samples[i].put_into(contenders[i].stats);
+}
+
+} // namespace prelight::app

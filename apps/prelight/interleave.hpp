@@ -1,0 +1,30 @@
+#pragma once
+#include <functional>
+#include <prelight/renderer.hpp>
+#include <string>
+#include <vector>
+
+namespace prelight::app {
+
+/// A renderer that is timed against others; it has its world.
+struct Contender {
+    Renderer* renderer = nullptr;
+    Stats stats;       ///< of the frames that were rendered: their spreads, and the rest of the last one
+    std::string error; ///< why it gave up; empty: it did not
+};
+
+struct Rounds {
+    uint32_t frames = 5; ///< rounds: frames of each contender, ≥ 1
+    /// A contender that has rendered for this long (milliseconds, wall) gets no further frame;
+    /// everyone gets one.
+    double most_ms = 1e12;
+};
+
+/// Renders one frame of each contender in turn, A B C A B C …, so that what else the machine does
+/// meets all of them alike; each frame after a warm-up of its own. Fills `stats`, or `error` of one
+/// that throws Error. `before` is called before each frame.
+void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& camera,
+                        const Rounds& rounds,
+                        const std::function<void(const Contender&)>& before = {});
+
+} // namespace prelight::app

@@ -1,0 +1,264 @@
+// `prelight compare`: the report's figures, the page in a browser, and the folder that holds them.
+#include "process.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <prelight/image.hpp>
+#include <prelight/scene_io.hpp>
+#include <sstream>
+#include <thread>
+
+namespace prelight::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+/// A name that would end or confuse a page that did not take care of it.
+constexpr const char* awkward = "x<!--<script>&amp;'\".glb";
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+Json report_of(const fs::path& folder) {
+    return Json::parse(text_of(folder / "report.json"));
+}
+
+std::vector<std::string> small(std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"compare", "spheres", "--size", "64x36", "--frames", "1"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+/// One report for the tests that only look at it.
+class CompareReport : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        folder_ = std::make_unique<TemporaryFolder>();
+        ASSERT_TRUE(succeeded(run({"make", "spheres", "--lights", "4", "-o", awkward}, folder_->path)));
+        made_ = run({"compare", awkward, "--size", "160x90", "--frames", "3", "--light-counts", "1,4",
+                     "--renderers",
+                     "light-prepass,multipass@lights-per-pass=8@order=objects,z-prepass,"
+                     "light-prepass@model=full",
+                     "--device", "cpu", "--validate", "-o", "report"},
+                    folder_->path);
+    }
+    static void TearDownTestSuite() { folder_.reset(); }
+    void SetUp() override { ASSERT_TRUE(succeeded(made_)); }
+    static fs::path report() { return folder_->path / "report"; }
+
+    static inline std::unique_ptr<TemporaryFolder> folder_;
+    static inline Result made_;
+};
+
+void expect_spread(const Json& spread) {
+    EXPECT_LE(spread.at("min"), spread.at("median"));
+    EXPECT_LE(spread.at("median"), spread.at("max"));
+}
+
+/// The keys that every run of every command has (`--stats`).
+void expect_stats(const Json& run) {
+    for (const char* key : {"device", "driver", "scene", "renderer", "preset", "settings", "size", "msaa",
+                            "shading", "lights", "triangles", "draws", "frames", "attachment_bytes",
+                            "device_bytes", "light_pixel_pairs"})
+        EXPECT_TRUE(run.contains(key)) << key;
+    for (const char* key : {"wall_ms", "cpu_ms", "gpu_ms"})
+        expect_spread(run.at(key));
+    EXPECT_GT(run.at("wall_ms").at("min"), 0);
+    ASSERT_FALSE(run.at("passes").empty());
+    for (const Json& pass : run.at("passes")) {
+        expect_spread(pass.at("gpu_ms"));
+        EXPECT_GT(pass.at("bytes_written"), 0) << pass.at("name");
+    }
+}
+
+TEST_F(CompareReport, HoldsEveryFigureOfEachVariant) {
+    const Json json = report_of(report());
+    EXPECT_EQ(json.at("prelight_report"), 1);
+    EXPECT_EQ(json.at("scene"), awkward);
+    EXPECT_EQ(json.at("size"), Json({160, 90}));
+    EXPECT_EQ(json.at("lights"), 4);
+    EXPECT_EQ(json.at("lights_added"), 0);
+    ASSERT_EQ(json.at("runs").size(), 4u);
+    for (const Json& run : json.at("runs")) {
+        if (!run.at("error").is_null())
+            continue;
+        expect_stats(run);
+        EXPECT_EQ(run.at("frames"), 3);
+        EXPECT_EQ(run.at("lights"), 4);
+        EXPECT_GT(run.at("difference").at("psnr"), 50) << run.at("variant");
+        EXPECT_LT(run.at("difference").at("flip"), 0.02);
+        const Json& pairs = run.at("light_pixel_pairs");
+        EXPECT_GT(pairs.at("contributing"), 1000);
+        EXPECT_GE(pairs.at("evaluated"), pairs.at("contributing"));
+        for (const auto& [view, file] : run.at("pictures").items())
+            EXPECT_EQ(load_png(report() / file.get<std::string>()).width, 160u) << view;
+        EXPECT_TRUE(run.at("pictures").contains("final") && run.at("pictures").contains("difference"));
+    }
+    EXPECT_EQ(json.at("runs")[0].at("variant"), "light-prepass");
+    EXPECT_EQ(json.at("runs")[0].at("reference_form"), "ggx, Fresnel weighted over the lights");
+    EXPECT_EQ(json.at("runs")[1].at("settings").at("order"), "objects");
+    EXPECT_EQ(json.at("runs")[1].at("reference_form"), "ggx, Fresnel of each light");
+}
+
+/// By hand for 160×90 pixels of the light pre-pass's defaults: depth 4 bytes, normals 4, light 8 + 8,
+/// linear 8, final 4.
+TEST_F(CompareReport, BytesFollowFromTheFormats) {
+    const Json run = report_of(report()).at("runs")[0];
+    const uint64_t pixels = 160 * 90;
+    const auto expect = [&](size_t pass, const char* name, uint64_t read, uint64_t written) {
+        EXPECT_EQ(run.at("passes")[pass].at("name"), name);
+        EXPECT_EQ(run.at("passes")[pass].at("bytes_read"), read * pixels) << name;
+        EXPECT_EQ(run.at("passes")[pass].at("bytes_written"), written * pixels) << name;
+    };
+    expect(0, "depth-normal", 0, 4 + 4);
+    expect(1, "light", 4 + 4 + 16, 16); // depth, normals, and the light buffer under the blend
+    expect(2, "material", 4 + 16, 8);
+    expect(3, "tonemap", 8, 4);
+    EXPECT_EQ(run.at("attachment_bytes_per_pixel").at("unshared"), 36);
+    EXPECT_LT(run.at("attachment_bytes_per_pixel").at("shared"), 36);
+}
+
+TEST_F(CompareReport, AVariantThatFailsIsToldAndTheOthersGoOn) {
+    const Json failed = report_of(report()).at("runs")[3];
+    EXPECT_EQ(failed.at("variant"), "light-prepass@model=full");
+    EXPECT_THAT(failed.at("error").get<std::string>(), HasSubstr("model=full"));
+    EXPECT_FALSE(failed.contains("gpu_ms"));
+    EXPECT_THAT(made_.out, HasSubstr("1 failed"));
+}
+
+TEST_F(CompareReport, TimesEachNumberOfLights) {
+    const Json json = report_of(report());
+    ASSERT_EQ(json.at("light_counts").size(), 3u) << "the one that failed has none";
+    for (const Json& line : json.at("light_counts")) {
+        // 1 and 4 are added to the file's four, which are a point themselves.
+        std::vector<int> lights;
+        for (const Json& point : line.at("points")) {
+            expect_stats(point);
+            lights.push_back(point.at("lights"));
+        }
+        EXPECT_EQ(lights, (std::vector<int>{4, 5, 8}));
+        EXPECT_TRUE(line.at("us_per_light").is_number());
+        EXPECT_TRUE(line.at("stopped").is_null());
+    }
+    // The z pre-pass lights and shades in one pass; the others have one for lights alone.
+    const auto share = [&](size_t line) {
+        return json.at("light_counts")[line].at("points")[0].at("light_pass_share");
+    };
+    EXPECT_GT(share(0), 0);
+    EXPECT_LT(share(0), 1);
+    EXPECT_GT(share(1), 0);
+    EXPECT_TRUE(share(2).is_null());
+}
+
+TEST_F(CompareReport, ABrowserShowsItWithoutAComplaint) {
+    for (const char* program : {"node", "chromium"})
+        if (std::system(fmt::format("{} --version > /dev/null 2>&1", program).c_str()) != 0)
+            GTEST_SKIP() << program << " is missing";
+    const char* shots = std::getenv("PRELIGHT_TEST_PICTURES");
+    const fs::path said = folder_->path / "said";
+    const std::string command = fmt::format("timeout -k 5 240 node '{}/tests/page/report.js' '{}' {} > '{}' 2>&1",
+                                            PRELIGHT_SOURCE_DIR, report().string(),
+                                            shots ? fmt::format("'{}'", shots) : "", said.string());
+    EXPECT_EQ(std::system(command.c_str()), 0) << text_of(said);
+}
+
+TEST(Compare, ASlowFrameEndsTheLine) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run(small({"--frame-limit", "0", "--light-counts", "1,2,4,16", "--renderers",
+                                     "light-prepass", "--lights", "4", "-o", "report"}),
+                              folder.path)));
+    const Json json = report_of(folder.path / "report");
+    const Json& line = json.at("light_counts").at(0);
+    EXPECT_EQ(line.at("points").size(), 1u);
+    EXPECT_THAT(line.at("stopped").get<std::string>(), HasSubstr("no more than 1 lights"));
+    EXPECT_TRUE(line.at("us_per_light").is_null());
+    EXPECT_EQ(json.at("runs")[0].at("lights"), 4) << "the scene's own number is timed all the same";
+    EXPECT_EQ(json.at("runs")[0].at("frames"), 1);
+}
+
+TEST(Compare, AFileWithoutLightsGetsSome) {
+    const TemporaryFolder folder;
+    Scene scene = make_scene("spheres", 1, 1);
+    for (Node& node : scene.nodes)
+        node.light.reset();
+    scene.lights.clear();
+    save_glb(scene, folder.path / "dark.glb");
+    const auto lights = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments = small({"--light-counts", "none", "--renderers", "light-prepass",
+                                                    "-o", "report"});
+        arguments[1] = "dark.glb";
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_TRUE(succeeded(run(arguments, folder.path)));
+        const Json json = report_of(folder.path / "report");
+        return std::pair(json.at("lights").get<int>(), json.at("lights_added").get<int>());
+    };
+    EXPECT_EQ(lights({}), std::pair(256, 256));
+    EXPECT_EQ(lights({"--lights", "3"}), std::pair(3, 3));
+}
+
+TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
+    const TemporaryFolder folder;
+    const auto compare = [&](const char* place) {
+        return run(small({"--light-counts", "none", "--renderers", "light-prepass", "-o", place}), folder.path);
+    };
+    fs::create_directory(folder.path / "report");
+    ASSERT_TRUE(succeeded(compare("report"))) << "an empty folder";
+    std::ofstream(folder.path / "report/pictures/old.png") << "old";
+    ASSERT_TRUE(succeeded(compare("report/"))) << "an earlier report";
+    EXPECT_FALSE(fs::exists(folder.path / "report/pictures/old.png"));
+    EXPECT_TRUE(fs::exists(folder.path / "report/index.html"));
+
+    std::ofstream(folder.path / "report/diary.txt") << "mine";
+    EXPECT_TRUE(failed_with(compare("report"), 1)) << "somebody else's file lies in it";
+    EXPECT_EQ(text_of(folder.path / "report/diary.txt"), "mine");
+    fs::create_directory(folder.path / "other");
+    std::ofstream(folder.path / "other/report.json") << R"({"not": "ours"})";
+    EXPECT_TRUE(failed_with(compare("other"), 1));
+    std::ofstream(folder.path / "file") << "mine";
+    EXPECT_TRUE(failed_with(compare("file"), 1));
+    EXPECT_EQ(text_of(folder.path / "file"), "mine");
+    EXPECT_TRUE(failed_with(compare("nowhere/report"), 1));
+    EXPECT_EQ(folder.entries(), 3u) << "something was left behind";
+}
+
+TEST(Compare, InterruptLeavesTheEarlierReportAndNothingHalf) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run(small({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}),
+                              folder.path)));
+    const std::string before = text_of(folder.path / "report/report.json");
+    for (const int signal : {SIGINT, SIGTERM}) {
+        Prelight program({"compare", "spheres", "--size", "64x36", "--frames", "100000000", "--frame-limit",
+                          "100000", "-o", "report"},
+                         folder.path);
+        const auto half = [&] { // pictures lie there, under another name
+            for (const auto& entry : fs::directory_iterator(folder.path))
+                if (entry.path().filename() != "report")
+                    for (const auto& picture : fs::directory_iterator(entry.path() / "pictures"))
+                        return picture.exists();
+            return false;
+        };
+        while (program.running() && !half())
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        ASSERT_TRUE(program.running()) << program.wait().err;
+        program.send(signal);
+        const Result result = program.wait();
+        EXPECT_EQ(result.signal, signal);
+        EXPECT_FALSE(result.timed_out);
+        EXPECT_EQ(folder.entries(), 1u);
+        EXPECT_EQ(text_of(folder.path / "report/report.json"), before);
+    }
+}
+
+} // namespace
+} // namespace prelight::test
