@@ -181,7 +181,7 @@ TEST(Compare, ASlowFrameEndsTheLine) {
     const Json json = report_of(folder.path / "report");
     const Json& line = json.at("light_counts").at(0);
     EXPECT_EQ(line.at("points").size(), 1u);
-    EXPECT_THAT(line.at("stopped").get<std::string>(), HasSubstr("no more than 1 lights"));
+    EXPECT_THAT(line.at("stopped").get<std::string>(), HasSubstr("no more than 1 light:"));
     EXPECT_TRUE(line.at("us_per_light").is_null());
     EXPECT_EQ(json.at("runs")[0].at("lights"), 4) << "the scene's own number is timed all the same";
     EXPECT_EQ(json.at("runs")[0].at("frames"), 1);

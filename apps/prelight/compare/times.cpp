@@ -58,8 +58,8 @@ struct Timed {
             run.series.push_back(stats);
         const double seconds = stats.wall_ms.median / 1000;
         if (seconds > frame_limit && run.stopped.empty())
-            run.stopped = fmt::format("no more than {} lights: a frame took {:.1f} s (--frame-limit {:g})",
-                                      stats.lights, seconds, frame_limit);
+            run.stopped = fmt::format("no more than {} light{}: a frame took {:.1f} s (--frame-limit {:g})",
+                                      stats.lights, stats.lights == 1 ? "" : "s", seconds, frame_limit);
         if (!stop.own())
             return;
         stats.pairs_counted = run.stats.pairs_counted;

@@ -20,7 +20,7 @@ function showBars(runs) {
         track.append(element("div", { title: `${pass.name}: ${milliseconds(pass.gpu_ms.median)}, ${percent(pass.gpu_ms.median / (totals[index] || 1))}`,
           style: `width:${(pass.gpu_ms.median / whole) * 100}%;background:${colour(names.indexOf(pass.name))}` }));
       place.append(element("div", { class: "bar" }, element("div", { class: "name" }, nameOf(run.variant)), track,
-        element("div", { class: "total" }, milliseconds(totals[index]))));
+        element("div", { class: "total" }, milliseconds(run.gpu_ms.median))));
     });
   };
   shares.addEventListener("change", draw);

@@ -152,7 +152,7 @@ class Viewer {
     this.stage.style.setProperty("--split", `${this.split}%`);
     this.stage.classList.toggle("zoomed", this.scale !== 0);
     this.slider.setAttribute("aria-valuetext", `left ${Math.round(this.split)} %`);
-    document.getElementById("zoom").textContent = this.scale ? `${this.scale * 100} %` : "Fit";
+    document.getElementById("zoom").textContent = this.scale ? `${this.scale * 100} %` : "fit";
     document.getElementById("zoom-out").disabled = this.scale === 0;
     document.getElementById("zoom-in").disabled = this.scale === levels[levels.length - 1];
   }
