@@ -175,8 +175,9 @@ TEST_F(CompareReport, ABrowserShowsItWithoutAComplaint) {
 
 TEST(Compare, ASlowFrameEndsTheLine) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(small({"--frame-limit", "0", "--light-counts", "1,2,4,16", "--renderers",
-                                     "light-prepass", "--lights", "4", "-o", "report"}),
+    ASSERT_TRUE(succeeded(run({"compare", "spheres", "--size", "64x36", "--frames", "3", "--frame-limit", "0",
+                               "--light-counts", "1,2,4,16", "--renderers", "light-prepass", "--lights", "4",
+                               "-o", "report"},
                               folder.path)));
     const Json json = report_of(folder.path / "report");
     const Json& line = json.at("light_counts").at(0);
