@@ -43,7 +43,7 @@ struct RenderText {
 
 struct CompareText {
     std::string size = "960x540", shading = "ggx", output, lights, seed = "1", frames = "5";
-    std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "2";
+    std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
 };
 
 struct MakeText {
@@ -100,7 +100,7 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
     option("--light-counts", text.light_counts, "LIST",
            "Numbers of lights of the chart (default 1,4,16,64,256,1024,4096), or none");
     option("--frame-limit", text.frame_limit, "SECONDS",
-           "A slower frame ends a variant's line in the chart (default 2)");
+           "A slower frame ends a variant's line in the chart (default 1)");
     option("--frames", text.frames, "N", "Frames of each variant to time, interleaved (default 5)");
     option("--size", text.size, "WxH", "Picture size in pixels (default 960x540)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");

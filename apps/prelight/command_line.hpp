@@ -49,7 +49,7 @@ struct CompareCommand {
     bool validate = false;
     std::vector<Variant> variants;      ///< empty: the standard ones
     std::vector<uint32_t> light_counts; ///< rising; may be empty
-    double frame_limit = 2; ///< seconds; a slower frame ends a variant's series of light counts
+    double frame_limit = 1; ///< seconds; a slower frame ends a variant's series of light counts
 };
 
 /// `prelight make`

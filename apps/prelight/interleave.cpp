@@ -11,14 +11,14 @@ struct Samples {
     std::vector<std::vector<double>> passes;
     double spent = 0;
 
-    void add(const Stats& frame) {
+    void add(const Stats& frame, double cost_ms) {
         wall.push_back(frame.wall_ms.median);
         cpu.push_back(frame.cpu_ms.median);
         gpu.push_back(frame.gpu_ms.median);
         passes.resize(frame.passes.size());
         for (size_t i = 0; i < passes.size(); ++i)
             passes[i].push_back(frame.passes[i].gpu_ms.median);
-        spent += frame.wall_ms.median;
+        spent += cost_ms;
     }
 
     void put_into(Stats& stats) const {
@@ -46,7 +46,8 @@ void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& 
             try {
                 contender.renderer->render(camera, 1);
                 contender.stats = contender.renderer->stats();
-                samples[i].add(contender.stats);
+                samples[i].add(contender.stats, rounds.cost_ms ? rounds.cost_ms(contender.stats)
+                                                               : contender.stats.wall_ms.median);
             } catch (const Error& error) {
                 contender.error = error.what();
             }

@@ -15,9 +15,11 @@ struct Contender {
 
 struct Rounds {
     uint32_t frames = 5; ///< rounds: frames of each contender, ≥ 1
-    /// A contender that has rendered for this long (milliseconds, wall) gets no further frame;
-    /// everyone gets one.
+    /// A contender whose frames have cost this much (milliseconds) gets no further one; everyone gets
+    /// one.
     double most_ms = 1e12;
+    /// What a frame cost, of its figures; none: wall time.
+    std::function<double(const Stats&)> cost_ms = {};
 };
 
 /// Renders one frame of each contender in turn, A B C A B C …, so that what else the machine does

@@ -122,6 +122,14 @@ async function checkFigures(browser, report) {
   check(await count("#chart-time circle") === points, "the chart of times lacks a point");
   check(await count("#chart-share circle") === report.light_counts.flatMap((line) => line.points).filter((point) => point.light_pass_share !== null).length,
     "the chart of shares lacks a point");
+  check(await browser.evaluate(`document.getElementById("metric").value`) === report.steady_time, "the chart does not begin with the steadier time");
+  const cell = () => browser.evaluate(`document.querySelector("#costs tbody td").textContent`);
+  const digits = (text) => Number(text.replaceAll(",", ""));
+  for (const metric of ["gpu_ms", "cpu_ms"]) {
+    await browser.evaluate(`(() => { const at = document.getElementById("metric"); at.value = "${metric}"; at.dispatchEvent(new Event("change")); })()`);
+    const right = report.light_counts[0].points[0][metric].median;
+    check(Math.abs(digits(await cell()) - right) <= 0.02 * right + 0.01, `${metric}: the table says ${await cell()}, not ${right}`);
+  }
   await browser.evaluate(`document.querySelector("#lines input").click()`);
   await browser.settle();
   check(await count("#chart-time circle") === points - report.light_counts[0].points.length, "a line cannot be taken out of the chart");

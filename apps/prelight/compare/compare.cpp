@@ -11,6 +11,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <prelight/device.hpp>
 #include <prelight/error.hpp>
 
 namespace prelight::app {
@@ -49,6 +50,13 @@ void take_all_pictures(Report& report, Device& device, const World& world, Repor
     }
 }
 
+std::string type_of(const Device& device) {
+    for (const DeviceInfo& info : Device::list())
+        if (info.name == device.name() && info.driver == device.driver())
+            return info.type;
+    return "other";
+}
+
 /// A report without a single figure is no report.
 void check_any(const Report& report) {
     for (const RunReport& run : report.runs)
@@ -63,6 +71,7 @@ void make_report(Report& report, ReportFolder& folder) {
     const auto device = Device::create({.select = command.device, .validate = command.validate});
     report.device = device->name();
     report.driver = device->driver();
+    report.device_type = type_of(*device);
     const SceneSeries scenes(command.scene, command.lights, command.seed);
     {
         Progress progress;

@@ -24,6 +24,10 @@ struct RunReport {
 struct Report {
     CompareCommand command;
     std::string scene, camera, device, driver;
+    std::string device_type; ///< as DeviceInfo::type
+    /// On a software device whatever else the machine does lengthens wall and device time: CPU time is
+    /// the figure to compare.
+    bool software() const { return device_type == "software"; }
     uint64_t lights = 0, triangles = 0;
     uint64_t lights_added = 0; ///< scattered in a file's scene, among `lights`
     std::map<std::string, std::string> reference_pictures;

@@ -92,12 +92,12 @@ Json run_json(const Report& report, const RunReport& run) {
     return json;
 }
 
-/// Least squares of device time over the number of lights: what one light more costs, and what is left
-/// without any. Null with fewer than two numbers of lights.
-std::pair<Json, Json> cost(const std::vector<Stats>& series) {
+/// Least squares of a time over the number of lights: what one light more costs, microseconds, and what
+/// is left without any, milliseconds. Null with fewer than two numbers of lights.
+std::pair<Json, Json> cost(const std::vector<Stats>& series, Spread Stats::*time) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const Stats& stats : series) {
-        const double lights = double(stats.lights), ms = stats.gpu_ms.median;
+        const double lights = double(stats.lights), ms = (stats.*time).median;
         n += 1;
         x += lights;
         y += ms;
@@ -116,10 +116,13 @@ Json series_json(const Report& report) {
     for (const RunReport& run : report.runs) {
         if (!run.error.empty() || !run.in_series)
             continue;
-        const auto [slope, base] = cost(run.series);
+        const auto [slope, base] = cost(run.series, &Stats::gpu_ms);
+        const auto [cpu_slope, cpu_base] = cost(run.series, &Stats::cpu_ms);
         Json json = {{"variant", run.variant.name()},
                      {"us_per_light", slope},
                      {"ms_without_lights", base},
+                     {"cpu_us_per_light", cpu_slope},
+                     {"cpu_ms_without_lights", cpu_base},
                      {"stopped", run.stopped.empty() ? Json(nullptr) : Json(run.stopped)},
                      {"points", Json::array()}};
         for (const Stats& stats : run.series)
@@ -172,6 +175,8 @@ Json report_json(const Report& report) {
                  {"triangles", report.triangles},
                  {"device", report.device},
                  {"driver", report.driver},
+                 {"device_type", report.device_type},
+                 {"steady_time", report.software() ? "cpu_ms" : "gpu_ms"},
                  {"frames", command.frames},
                  {"frame_limit", command.frame_limit},
                  {"seconds", report.seconds},

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <prelight/device.hpp>
 #include <prelight/error.hpp>
+#include <thread>
 
 namespace prelight::app {
 namespace {
@@ -24,6 +25,13 @@ std::vector<Stop> make_stops(const Report& report, const SceneSeries& scenes) {
             stops.push_back({count, scenes.total(count)});
     std::ranges::stable_sort(stops, {}, &Stop::total);
     return stops;
+}
+
+/// What a frame costs, milliseconds: of a software device what it would take by itself on this machine.
+double frame_ms(const Stats& stats, bool software) {
+    const double threads = std::max(1u, std::thread::hardware_concurrency());
+    return software ? std::min(stats.wall_ms.median, stats.cpu_ms.median / threads)
+                    : stats.wall_ms.median;
 }
 
 /// A run with the renderer that is timed: without views and without counting pairs, which cost time.
@@ -53,10 +61,10 @@ struct Timed {
         renderer.reset();
     }
 
-    void keep(Stats stats, const Stop& stop, double frame_limit) {
+    void keep(Stats stats, const Stop& stop, double frame_limit, bool software) {
         if (run.in_series && run.stopped.empty())
             run.series.push_back(stats);
-        const double seconds = stats.wall_ms.median / 1000;
+        const double seconds = frame_ms(stats, software) / 1000;
         if (seconds > frame_limit && run.stopped.empty())
             run.stopped = fmt::format("no more than {} light{}: a frame took {:.1f} s (--frame-limit {:g})",
                                       stats.lights, stats.lights == 1 ? "" : "s", seconds, frame_limit);
@@ -85,14 +93,15 @@ void time_at(const Stop& stop, const World& world, const Report& report, std::ve
     const double frames = std::max<double>(1, double(command.frames) * double(contenders.size()));
     size_t frame = 0;
     render_interleaved(contenders, camera_of(world, command.camera),
-                       {.frames = command.frames, .most_ms = command.frame_limit * 1000},
+                       {.frames = command.frames, .most_ms = command.frame_limit * 1000,
+                        .cost_ms = [&](const Stats& stats) { return frame_ms(stats, report.software()); }},
                        [&](const Contender& contender) {
                            const auto index = static_cast<size_t>(&contender - contenders.data());
                            show(double(frame++) / frames, owners[index]->run.variant.name());
                        });
     for (size_t i = 0; i < contenders.size(); ++i)
         if (contenders[i].error.empty())
-            owners[i]->keep(std::move(contenders[i].stats), stop, command.frame_limit);
+            owners[i]->keep(std::move(contenders[i].stats), stop, command.frame_limit, report.software());
         else
             owners[i]->fail(contenders[i].error, stop);
 }

@@ -96,7 +96,11 @@ function showCharts(report) {
   document.getElementById("lights-caption").textContent =
     "Both axes of the first chart are logarithmic: a line at 45° doubles with the lights, a flat one does not feel them. " +
     "Multi-pass grows with lights × geometry, a light buffer with the pixels that lights reach. " +
-    "A variant is not timed further once a frame takes more than " + `${report.frame_limit} s.`;
+    `A variant is not timed further once a frame takes more than ${report.frame_limit} s.` +
+    (report.steady_time === "cpu_ms" ? " On this software device CPU time is the steadier figure: other work on the machine lengthens device time." : "");
+  const metric = document.getElementById("metric");
+  metric.value = report.steady_time;
+  metric.addEventListener("change", () => { draw(); showCosts(all, metric.value); });
   const field = document.getElementById("lines"), few = all.length <= 8;
   const boxes = all.map((line) => {
     const box = element("input", { type: "checkbox", checked: few || !line.variant.includes("@") });
@@ -109,10 +113,10 @@ function showCharts(report) {
     const shown = all.filter((line, index) => boxes[index].checked);
     const lines = (value) => shown.map((line) => ({ ...line, name: plainName(line.variant),
       points: line.points.map((point) => [point.lights, value(point)]).filter((point) => point[1] !== null) })).filter((line) => line.points.length);
-    drawOrSay("chart-time", lines((point) => Math.max(point.gpu_ms.median, 1e-6)), (values) => {
+    drawOrSay("chart-time", lines((point) => Math.max(point[metric.value].median, 1e-6)), (values) => {
       const [low, high] = [Math.min(...values) / 1.15, Math.max(...values) * 1.15];
       return { low, high, log: true, ticks: logTicks(low, high), text: (tick) => (tick < 1 ? String(Number(tick.toPrecision(2))) : whole.format(tick)),
-        value: milliseconds, label: "Device time of a frame against the number of lights; the table below has the figures" };
+        value: milliseconds, label: "Time of a frame against the number of lights; the table below has the figures" };
     });
     drawOrSay("chart-share", lines((point) => point.light_pass_share), () => ({ low: 0, high: 1, ticks: [0, 0.25, 0.5, 0.75, 1],
       text: (tick) => `${tick * 100} %`, value: percent, label: "Share of the light passes against the number of lights" }));
@@ -123,13 +127,13 @@ function showCharts(report) {
     else place.replaceChildren(element("p", { class: "facts" }, "None of the lines has a pass for lights alone."));
   }
   new ResizeObserver(draw).observe(document.querySelector(".charts"));
-  showCosts(all);
+  showCosts(all, metric.value);
 }
 
 /** The chart's figures, with what one light more costs. */
-function showCosts(all) {
+function showCosts(all, metric) {
   const counts = [...new Set(all.flatMap((line) => line.points.map((point) => point.lights)))].sort((a, b) => a - b);
-  const head = element("tr", {}, element("th", { scope: "col" }, "Device time, ms"),
+  const head = element("tr", {}, element("th", { scope: "col" }, metric === "cpu_ms" ? "CPU time, ms" : "Device time, ms"),
     ...counts.map((count) => element("th", { scope: "col" }, `${whole.format(count)} ${count === 1 ? "light" : "lights"}`)),
     element("th", { scope: "col" }, "Each light, µs"), element("th", { scope: "col" }, "Share of light passes"));
   const body = element("tbody");
@@ -139,9 +143,9 @@ function showCosts(all) {
       line.stopped ? element("span", { class: "detail" }, line.stopped) : null),
       ...counts.map((count) => {
         const point = line.points.find((known) => known.lights === count);
-        return element("td", {}, point ? figure(point.gpu_ms.median) : "–");
-      }), element("td", {}, figure(line.us_per_light)), element("td", {}, percent(last.light_pass_share),
+        return element("td", {}, point ? figure(point[metric].median) : "–");
+      }), element("td", {}, figure(line[slopeKeys[metric]])), element("td", {}, percent(last.light_pass_share),
         last.light_pass_share === null ? null : element("span", { class: "detail" }, `at ${whole.format(last.lights)}`))));
   }
-  document.getElementById("costs").append(element("thead", {}, head), body);
+  document.getElementById("costs").replaceChildren(element("thead", {}, head), body);
 }

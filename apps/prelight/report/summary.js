@@ -3,6 +3,11 @@
 const sum = (passes, key) => passes.reduce((total, pass) => total + pass[key], 0);
 const pairs = (run) => run.light_pixel_pairs.evaluated;
 
+const timeNames = { gpu_ms: "device time", cpu_ms: "CPU time" };
+const slopeKeys = { gpu_ms: "us_per_light", cpu_ms: "cpu_us_per_light" };
+/** The time of a run by which this report compares. */
+const steadyTime = (report) => (run) => run[report.steady_time].median;
+
 /** Where the lowest (or highest) value is, among runs that have one. */
 function bestOf(runs, value, highest = false) {
   let best = null;
@@ -34,15 +39,16 @@ function showHighlights(report, runs) {
   const add = (what, number, who) =>
     list.append(element("li", {}, element("div", { class: "what" }, what), element("div", { class: "figure" }, number),
       element("div", { class: "who" }, who)));
-  const time = (run) => run.gpu_ms.median;
+  const time = steadyTime(report);
   const fastest = bestOf(runs, time), slowest = bestOf(runs, time, true);
-  add("Fastest frame", milliseconds(time(fastest)),
+  add(`Fastest frame (${timeNames[report.steady_time]})`, milliseconds(time(fastest)),
     runs.length > 1 ? `${plainName(fastest.variant)}; the slowest takes ${times(time(slowest) / time(fastest))} as long` : plainName(fastest.variant));
-  const slopes = report.light_counts.filter((series) => series.us_per_light !== null && series.us_per_light > 0);
+  const slope = (series) => series[slopeKeys[report.steady_time]];
+  const slopes = report.light_counts.filter((series) => slope(series) !== null && slope(series) > 0);
   if (slopes.length) {
-    const cheap = bestOf(slopes, (series) => series.us_per_light), dear = bestOf(slopes, (series) => series.us_per_light, true);
-    add("Cheapest extra light", `${figure(cheap.us_per_light)} µs`,
-      slopes.length > 1 ? `${plainName(cheap.variant)}; the dearest costs ${times(dear.us_per_light / cheap.us_per_light)} as much` : plainName(cheap.variant));
+    const cheap = bestOf(slopes, slope), dear = bestOf(slopes, slope, true);
+    add("Cheapest extra light", `${figure(slope(cheap))} µs`,
+      slopes.length > 1 ? `${plainName(cheap.variant)}; the dearest costs ${times(slope(dear) / slope(cheap))} as much` : plainName(cheap.variant));
   }
   const bytes = (run) => run.attachment_bytes_per_pixel.shared, least = bytes(bestOf(runs, bytes));
   const small = [...new Set(runs.filter((run) => bytes(run) === least).map((run) => titleOf(run.variant).name))];
@@ -52,11 +58,13 @@ function showHighlights(report, runs) {
 }
 
 /** Label, text, the value that decides which row is best, and whether the highest is. */
-function summaryColumns(fastest) {
+function summaryColumns(steady, fastest) {
+  const first = steady, second = steady === "gpu_ms" ? "cpu_ms" : "gpu_ms";
+  const label = { gpu_ms: "Device time, ms", cpu_ms: "CPU time, ms" };
   return [
-    { label: "Device time, ms", value: (run) => run.gpu_ms.median, text: figure, bar: true },
-    { label: "Against the fastest", text: (value) => times(value), value: (run) => run.gpu_ms.median / fastest, plain: true },
-    { label: "CPU time, ms", value: (run) => run.cpu_ms.median, text: figure },
+    { label: label[first], value: (run) => run[first].median, text: figure, bar: true },
+    { label: "Against the fastest", text: (value) => times(value), value: (run) => run[steady].median / fastest, plain: true },
+    { label: label[second], value: (run) => run[second].median, text: figure },
     { label: "Draws", value: (run) => run.draws, text: whole.format },
     { label: "Attachments, bytes a pixel", value: (run) => run.attachment_bytes_per_pixel.shared, text: figure,
       detail: (run) => `${figure(run.attachment_bytes_per_pixel.unshared)} one by one` },
@@ -69,8 +77,8 @@ function summaryColumns(fastest) {
 }
 
 function showSummary(report, runs) {
-  const slowest = Math.max(...runs.map((run) => run.gpu_ms.median));
-  const columns = summaryColumns(Math.min(...runs.map((run) => run.gpu_ms.median)));
+  const all = runs.map(steadyTime(report)), slowest = Math.max(...all);
+  const columns = summaryColumns(report.steady_time, Math.min(...all));
   const head = element("tr", {}, element("th", { scope: "col" }, "Way to light"),
     ...columns.map((column) => element("th", { scope: "col" }, column.label)));
   const body = element("tbody");
