@@ -1,5 +1,6 @@
 #include <glm/geometric.hpp>
 #include <scene/tangents.hpp>
+#include <scene/vertex_lists.hpp>
 
 namespace prelight {
 namespace {
@@ -25,21 +26,37 @@ glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c
     return length > 0 ? glm::vec3(cross / length) : glm::vec3(0, 0, 1);
 }
 
+void set_face_normals(Primitive& primitive) {
+    const auto& p = primitive.positions;
+    for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        const uint32_t* corner = &primitive.indices[i];
+        const glm::vec3 normal = face_normal(p[corner[0]], p[corner[1]], p[corner[2]]);
+        for (int c = 0; c < 3; ++c)
+            primitive.normals[corner[c]] = normal;
+    }
+}
+
 } // namespace
 
 void make_flat_normals(Primitive& primitive) {
-    unshare(primitive.positions, primitive.indices);
-    unshare(primitive.colours, primitive.indices);
-    for (auto& set : primitive.texcoords)
-        unshare(set, primitive.indices);
     primitive.tangents.clear();
     primitive.normals.clear();
-    primitive.normals.reserve(primitive.positions.size());
-    const auto& p = primitive.positions;
-    for (size_t i = 0; i + 2 < p.size(); i += 3)
-        primitive.normals.insert(primitive.normals.end(), 3, face_normal(p[i], p[i + 1], p[i + 2]));
+    for_vertex_lists(primitive, [&](auto& list) { unshare(list, primitive.indices); });
     for (size_t i = 0; i < primitive.indices.size(); ++i)
         primitive.indices[i] = static_cast<uint32_t>(i);
+    primitive.flat_normals = true;
+    primitive.normals.resize(primitive.positions.size());
+    set_face_normals(primitive);
+}
+
+void turn_flat_normals(Primitive& primitive) {
+    set_face_normals(primitive);
+    for (size_t v = 0; v < primitive.tangents.size(); ++v) {
+        const glm::dvec3 normal(primitive.normals[v]), tangent(primitive.tangents[v]);
+        const glm::dvec3 inside = tangent - glm::dot(normal, tangent) * normal;
+        if (glm::length(inside) > 1e-6)
+            primitive.tangents[v] = glm::vec4(glm::normalize(inside), primitive.tangents[v].w);
+    }
 }
 
 } // namespace prelight

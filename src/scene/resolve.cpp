@@ -5,8 +5,13 @@
 #include <glm/matrix.hpp>
 #include <prelight/error.hpp>
 #include <prelight/scene.hpp>
+#include <map>
+#include <scene/deform.hpp>
 #include <scene/enclosure.hpp>
 #include <scene/finite.hpp>
+#include <scene/node_tree.hpp>
+#include <scene/place_camera.hpp>
+#include <tuple>
 
 namespace prelight {
 namespace {
@@ -14,6 +19,10 @@ namespace {
 /// Vertex transforms that bounds may cost; beyond it a mesh's box stands for its vertices, so that
 /// a file with a million instances of a million vertices cannot stall the program.
 constexpr uint64_t max_exact_vertices = uint64_t(1) << 25;
+/// Vertices that may be deformed, about 100 bytes each, and what that may cost (deform_work): a
+/// file of many nodes that each shape one large mesh must not fill the machine either.
+constexpr uint64_t max_deformed_vertices = uint64_t(1) << 23;
+constexpr uint64_t max_deform_work = uint64_t(1) << 27;
 
 struct Bounds {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
@@ -81,85 +90,38 @@ bool spans_area(const glm::dmat4& m) {
     return glm::cross(x, y) != zero || glm::cross(y, z) != zero || glm::cross(z, x) != zero;
 }
 
-glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 fallback) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    return largest > 0 ? glm::normalize(v / largest) : fallback;
-}
-
-PlacedCamera place_camera(const Camera& camera, const glm::dmat4& world) {
-    const glm::dvec3 back = unit_or(glm::dvec3(world[2]), {0, 0, 1});
-    glm::dvec3 up = unit_or(glm::dvec3(world[1]), {0, 1, 0});
-    up -= back * glm::dot(up, back);
-    if (glm::length(up) < 1e-9) // flattened: any up will do
-        up = glm::cross(back, std::abs(back.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
-    up = glm::normalize(up);
-    return {camera, glm::dvec3(world[3]), glm::dmat3(glm::cross(up, back), up, back)};
-}
-
-/// Sees every corner of the bounds in a picture that is at least as wide as high.
-PlacedCamera framed_camera(glm::dvec3 low, glm::dvec3 high) {
-    Camera camera;
-    camera.name = "framed";
-    camera.yfov = 0.87;
-    const glm::dvec3 centre = 0.5 * low + 0.5 * high;
-    glm::dvec3 half = 0.5 * high - 0.5 * low;
-    if (half == glm::dvec3(0))
-        half = glm::dvec3(0.5);
-    PlacedCamera placed = look_at(camera, centre + glm::dvec3(1, 0.6, 1.4), centre);
-    placed.axes = look_at(camera, {1, 0.6, 1.4}, {0, 0, 0}).axes; // exact however far the centre is
-    const double tangent = std::tan(camera.yfov / 2);
-    double distance = 0, nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-    std::array<glm::dvec3, 8> corners;
-    for (uint32_t i = 0; i < 8; ++i) {
-        const glm::dvec3 sign(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-        corners[i] = glm::transpose(placed.axes) * (half * sign);
-        const double extent = std::max(std::abs(corners[i].x), std::abs(corners[i].y));
-        distance = std::max(distance, corners[i].z + 1.02 * extent / tangent);
-    }
-    for (const glm::dvec3& corner : corners) {
-        nearest = std::min(nearest, distance - corner.z);
-        farthest = std::max(farthest, distance - corner.z);
-    }
-    placed.camera.zfar = 1.5 * farthest;
-    placed.camera.znear = std::max(0.5 * nearest, 1e-4 * farthest);
-    placed.position = centre + placed.axes[2] * distance;
-    return placed;
-}
-
 class Resolver {
 public:
-    explicit Resolver(const Scene& scene) : scene_(scene) {
+    Resolver(const Scene& scene, uint32_t scene_index, const std::optional<Moment>& moment,
+             std::optional<uint32_t> animation)
+        : scene_(scene), scene_index_(scene_index),
+          now_(scene, scene_index, moment ? Pose(scene, moment->time, animation) : Pose(scene)) {
+        if (moment && moment->interval != 0)
+            before_.emplace(scene, scene_index, Pose(scene, moment->time - moment->interval, animation));
         world_.scene = &scene;
         world_.ambient = scene.ambient;
         for (const Mesh& mesh : scene.meshes)
             facts_.push_back(facts_of(mesh));
     }
 
-    World run(uint32_t scene_index) {
-        const SceneRoot& root = scene_.scenes[scene_index];
-        struct Entry {
-            uint32_t node;
-            glm::dmat4 parent;
-        };
-        // A stack of our own: a chain of a million nodes must not exhaust the program's.
-        std::vector<Entry> stack;
-        for (auto it = root.nodes.rbegin(); it != root.nodes.rend(); ++it)
-            stack.push_back({*it, glm::dmat4(1)});
+    World run() {
+        const SceneRoot& root = scene_.scenes[scene_index_];
+        std::vector<uint32_t> stack(root.nodes.rbegin(), root.nodes.rend());
         while (!stack.empty()) {
-            const Entry entry = stack.back();
+            const uint32_t index = stack.back();
             stack.pop_back();
-            const Node& node = scene_.nodes[entry.node];
-            const glm::dmat4 world = entry.parent * node.local;
-            check_finite(world, entry.node);
-            visit(node, entry.node, world);
-            for (auto it = node.children.rbegin(); it != node.children.rend(); ++it)
-                stack.push_back({*it, world});
+            const Node& node = scene_.nodes[index];
+            check_finite(now_.world(index), index);
+            if (before_)
+                check_finite(before_->world(index), index);
+            visit(node, index);
+            stack.insert(stack.end(), node.children.rbegin(), node.children.rend());
         }
         if (world_.triangles == 0)
-            throw Error(fmt::format("{}: scene {}: no triangles", scene_.name, scene_index));
+            throw Error(fmt::format("{}: scene {}: no triangles", scene_.name, scene_index_));
         if (!bounds_.finite())
             throw Error(fmt::format("{}: scene {}: a vertex's world position is not finite",
-                                    scene_.name, scene_index));
+                                    scene_.name, scene_index_));
         world_.bounds_min = bounds_.min;
         world_.bounds_max = bounds_.max;
         add_defaults();
@@ -173,37 +135,103 @@ private:
                 fmt::format("{}: node {}: its world transform is not finite", scene_.name, node));
     }
 
-    void visit(const Node& node, uint32_t index, const glm::dmat4& world) {
-        if (node.mesh && facts_[*node.mesh].triangles > 0) {
-            if (node.instances.empty())
-                add_instance(*node.mesh, index, world);
-            for (const glm::dmat4& instance : node.instances)
-                add_instance(*node.mesh, index, world * instance);
-        }
+    void visit(const Node& node, uint32_t index) {
+        const glm::dmat4& world = now_.world(index);
+        if (node.mesh && facts_[*node.mesh].triangles > 0)
+            show(node, index);
         if (node.camera)
-            world_.cameras.push_back(place_camera(scene_.cameras[*node.camera], world));
+            add_camera(scene_.cameras[*node.camera], index);
         if (node.light)
             world_.lights.push_back({scene_.lights[*node.light], glm::dvec3(world[3]),
                                      unit_or(-glm::dvec3(world[2]), {0, 0, -1})});
     }
 
-    void add_instance(uint32_t mesh, uint32_t node, const glm::dmat4& transform) {
-        check_finite(transform, node);
-        if (!spans_area(transform)) // a line or a point: nothing to see
-            return;
-        const double determinant = unit_determinant(transform);
-        world_.instances.push_back({mesh, transform, determinant < 0, node});
-        const MeshFacts& facts = facts_[mesh];
-        world_.triangles += facts.triangles;
-        transformed_ += facts.vertices;
-        if (transformed_ > max_exact_vertices) {
-            for (uint32_t i = 0; i < 8; ++i)
-                add_point(transform, glm::dvec3(i & 1 ? facts.box.max.x : facts.box.min.x,
-                                                i & 2 ? facts.box.max.y : facts.box.min.y,
-                                                i & 4 ? facts.box.max.z : facts.box.min.z));
+    void add_camera(const Camera& camera, uint32_t node) {
+        PlacedCamera placed = place_camera(camera, now_.world(node));
+        if (before_) {
+            const PlacedCamera previous = place_camera(camera, before_->world(node));
+            if (previous.position != placed.position || previous.axes != placed.axes)
+                placed.previous = CameraPose{previous.position, previous.axes};
+        }
+        world_.cameras.push_back(placed);
+    }
+
+    /// The node's mesh in its shape, at the node or, with a skin, where the joints are.
+    void show(const Node& node, uint32_t index) {
+        const Mesh& mesh = scene_.meshes[*node.mesh];
+        const bool skinned = node.skin && has_joints(mesh);
+        const Shape shape = shape_of(now_, node, index, skinned);
+        const Shape previous = before_ ? shape_of(*before_, node, index, skinned) : shape;
+        Instance instance{.mesh = *node.mesh, .node = index};
+        glm::dvec3 origin(0);
+        if (!is_plain(mesh, shape) || !is_plain(mesh, previous))
+            std::tie(instance.deformed, origin) = deformed(node, index, shape, previous);
+        if (skinned) {
+            instance.transform[3] = glm::dvec4(origin, 1);
+            add_instance(instance);
             return;
         }
-        const auto& primitives = scene_.meshes[mesh].primitives;
+        const bool moved = before_ && before_->world(index) != now_.world(index);
+        const auto place = [&](const glm::dmat4& in_node) {
+            instance.transform = now_.world(index) * in_node;
+            if (moved)
+                instance.previous_transform = before_->world(index) * in_node;
+            add_instance(instance);
+        };
+        if (node.instances.empty())
+            place(glm::dmat4(1));
+        for (const glm::dmat4& in_node : node.instances)
+            place(in_node);
+    }
+
+    Shape shape_of(NodeTree& tree, const Node& node, uint32_t index, bool skinned) const {
+        return {tree.weights(index), skinned ? tree.joints(*node.skin) : std::vector<glm::dmat4>{}};
+    }
+
+    /// Index into World::deformed and the origin of its vertices; equal ones are made once.
+    std::pair<uint32_t, glm::dvec3> deformed(const Node& node, uint32_t index, const Shape& shape,
+                                             const Shape& previous) {
+        const std::optional<uint32_t> skin = shape.joints.empty() ? std::nullopt : node.skin;
+        const auto [found, is_new] =
+            made_.try_emplace({*node.mesh, skin, shape.weights, previous.weights});
+        if (!is_new)
+            return found->second;
+        const Mesh& mesh = scene_.meshes[*node.mesh];
+        const std::string object = fmt::format("{}: node {}", scene_.name, index);
+        const uint64_t vertices = vertex_count(mesh), work = deform_work(mesh) * (before_ ? 2 : 1);
+        if (vertices > max_deformed_vertices - deformed_vertices_ || work > max_deform_work - deform_work_)
+            throw Error(fmt::format("{}: the scene's skins and morph targets move more vertices than "
+                                    "can be deformed ({} million, {} million steps)",
+                                    object, max_deformed_vertices >> 20, max_deform_work >> 20));
+        deformed_vertices_ += vertices;
+        deform_work_ += work;
+        Deformed made = deform(mesh, shape, previous == shape ? nullptr : &previous, object);
+        world_.deformed.push_back(std::move(made.mesh));
+        found->second = {static_cast<uint32_t>(world_.deformed.size() - 1), made.origin};
+        return found->second;
+    }
+
+    void add_instance(Instance instance) {
+        const glm::dmat4& transform = instance.transform;
+        check_finite(transform, instance.node);
+        if (instance.previous_transform)
+            check_finite(*instance.previous_transform, instance.node);
+        if (!spans_area(transform)) // a line or a point: nothing to see
+            return;
+        instance.mirrored = unit_determinant(transform) < 0;
+        world_.instances.push_back(instance);
+        const MeshFacts& facts = facts_[instance.mesh];
+        world_.triangles += facts.triangles;
+        transformed_ += facts.vertices;
+        const auto& primitives = world_.mesh_of(instance).primitives;
+        if (transformed_ > max_exact_vertices) {
+            const Bounds box = instance.deformed ? facts_of(world_.mesh_of(instance)).box : facts.box;
+            for (uint32_t i = 0; i < 8; ++i)
+                add_point(transform,
+                          glm::dvec3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+                                     i & 4 ? box.max.z : box.min.z));
+            return;
+        }
         for (size_t p = 0; p < primitives.size(); ++p) {
             if (primitives[p].indices.empty())
                 continue;
@@ -235,21 +263,28 @@ private:
     }
 
     const Scene& scene_;
+    uint32_t scene_index_;
+    NodeTree now_;
+    std::optional<NodeTree> before_; ///< absent: nothing has moved
     std::vector<MeshFacts> facts_;
+    /// Mesh, skin, weights now and before → index into World::deformed, origin.
+    std::map<std::tuple<uint32_t, std::optional<uint32_t>, std::vector<double>, std::vector<double>>,
+             std::pair<uint32_t, glm::dvec3>>
+        made_;
     World world_;
     Bounds bounds_;
-    uint64_t transformed_ = 0;
+    uint64_t transformed_ = 0, deformed_vertices_ = 0, deform_work_ = 0;
 };
 
 } // namespace
 
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index,
-              const std::optional<Moment>& /*moment*/, std::optional<uint32_t> /*animation*/) {
+              const std::optional<Moment>& moment, std::optional<uint32_t> animation) {
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
         throw Error(
             fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
-    return Resolver(scene).run(index);
+    return Resolver(scene, index, moment, animation).run();
 }
 
 } // namespace prelight

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <scene/tangents.hpp>
 #include <scene/tangents_groups.hpp>
+#include <scene/vertex_lists.hpp>
 #include <tuple>
 
 namespace prelight {
@@ -132,17 +133,12 @@ std::vector<glm::vec4> corner_tangents(const Vertices& vertices,
 
 /// Repeats vertex `index` at the end, but for its tangent.
 void repeat_vertex(Primitive& primitive, uint32_t index) {
-    const auto repeat = [index](auto& attribute) {
+    for_vertex_lists(primitive, [index](auto& attribute) {
         if (attribute.empty())
             return;
         const auto value = attribute[index];
         attribute.push_back(value);
-    };
-    repeat(primitive.positions);
-    repeat(primitive.normals);
-    repeat(primitive.colours);
-    for (auto& set : primitive.texcoords)
-        repeat(set);
+    });
 }
 
 /// Gives every corner a vertex with its tangent: corners sorted by vertex and tangent fall into

@@ -16,7 +16,11 @@ void generate_tangents(Primitive& primitive, uint32_t texcoord_set);
 
 /// Normals of the triangles themselves: every corner gets a vertex of its own (attributes are
 /// repeated, indices become 0, 1, 2 …) and tangents are discarded, as glTF 2.0 asks. A triangle
-/// without area gets (0, 0, 1).
+/// without area gets (0, 0, 1). Sets Primitive::flat_normals.
 void make_flat_normals(Primitive& primitive);
+
+/// Normals of the triangles once more, after the vertices of a primitive that make_flat_normals() has
+/// treated were moved. Tangents are turned into their triangles' planes.
+void turn_flat_normals(Primitive& primitive);
 
 } // namespace prelight

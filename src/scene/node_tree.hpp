@@ -1,0 +1,28 @@
+#pragma once
+#include <optional>
+#include <scene/animate.hpp>
+#include <vector>
+
+namespace prelight {
+
+/// Every node of a scene in one pose: its place in the world, and what its mesh is shaped by.
+class NodeTree {
+public:
+    /// `root`: the one of Scene::scenes whose roots stand in the world's origin.
+    NodeTree(const Scene& scene, uint32_t root, Pose pose);
+
+    const glm::dmat4& world(uint32_t node) const { return world_[node]; } ///< node → world
+    /// Weights of the morph targets of the node's mesh.
+    std::vector<double> weights(uint32_t node) const { return pose_.weights(node); }
+    /// Mesh → world for each of the skin's joints. Throws Error when one is not there or not finite.
+    const std::vector<glm::dmat4>& joints(uint32_t skin);
+
+private:
+    void place(const std::vector<uint32_t>& roots);
+    const Scene& scene_;
+    Pose pose_;
+    std::vector<glm::dmat4> world_;
+    std::vector<std::optional<std::vector<glm::dmat4>>> joints_; ///< by skin, made when asked for
+};
+
+} // namespace prelight
