@@ -16,7 +16,8 @@ void load(std::span<const uint8_t> bytes) {
     try {
         const prelight::Scene scene = prelight::gltf::load(bytes, "fuzz", "/nonexistent");
         for (uint32_t i = 0; i < scene.scenes.size() && i < 4; ++i)
-            prelight::resolve(scene, i);
+            for (const auto& moment : {std::optional<prelight::Moment>(), {prelight::Moment{0.5}}})
+                prelight::resolve(scene, i, moment);
     } catch (const prelight::Error& error) {
         if (std::strchr(error.what(), '\n'))
             __builtin_trap();

@@ -52,6 +52,31 @@ GltfBuilder with_nodes() {
     return b;
 }
 
+GltfBuilder with_animation() {
+    GltfBuilder b = GltfBuilder::textured_triangle();
+    b.attributes()["JOINTS_0"] = b.add_values<uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5121, "VEC4");
+    b.attributes()["WEIGHTS_0"] = b.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0}, "VEC4");
+    b.primitive()["targets"] = {{{"POSITION", b.add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3")}}};
+    b.json["meshes"][0]["weights"] = {0.5};
+    b.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, {{"children", {2}}}, {{"translation", {1, 0, 0}}}};
+    b.json["scenes"][0]["nodes"] = {0, 1};
+    b.json["skins"] = {{{"joints", {1, 2}},
+                        {"inverseBindMatrices", b.add_floats(std::vector<float>(32, 0), "MAT4")}}};
+    for (size_t i = 15; i < 32; i += 16)
+        std::memcpy(b.binary.data() + b.binary.size() - 128 + 4 * i, "\0\0\x80\x3f", 4); // w = 1
+    const size_t times = b.add_floats({0, 1}, "SCALAR");
+    b.json["animations"] = {
+        {{"samplers",
+          {{{"input", times}, {"output", b.add_floats({1, 0, 0, 1, 2, 0}, "VEC3")}},
+           {{"input", times}, {"output", b.add_floats({0, 0, 0, 1, 0, 0, 1, 0}, "VEC4")}, {"interpolation", "STEP"}},
+           {{"input", times}, {"output", b.add_floats({0, 0, 0, 0, 1, 0}, "SCALAR")}, {"interpolation", "CUBICSPLINE"}}}},
+         {"channels",
+          {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "translation"}}}},
+           {{"sampler", 1}, {"target", {{"node", 1}, {"path", "rotation"}}}},
+           {{"sampler", 2}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
+    return b;
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -77,5 +102,8 @@ int main(int count, char** arguments) {
     write("draco-edgebreaker.glb", draco_grid(true).glb());
     write("draco-sequential.glb", draco_grid(false).glb());
     write("meshopt.glb", meshopt_grid().glb());
+    write("animation.glb", with_animation().glb());
+    write("draco-joints.glb", draco_grid(true, nullptr, true).glb());
+    write("meshopt-joints.glb", meshopt_grid(true).glb());
     return 0;
 }

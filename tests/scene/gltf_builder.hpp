@@ -34,7 +34,8 @@ public:
     /// View and accessor of packed values. `type`: "VEC3" …; `component`: 5126 …
     template <class T>
     size_t add_values(const std::vector<T>& values, int component, const std::string& type) {
-        const size_t width = type == "SCALAR" ? 1 : size_t(type.back() - '0');
+        const size_t side = type == "SCALAR" ? 1 : size_t(type.back() - '0');
+        const size_t width = type[0] == 'M' ? side * side : side; // packed: not for MAT2, MAT3 of bytes
         return add_accessor({{"bufferView", add_view(bytes_of(values))},
                              {"componentType", component},
                              {"type", type},
@@ -70,8 +71,10 @@ Bytes webp_lossy(uint32_t width, uint32_t height, const Bytes& rgba);
 Bytes solid(uint32_t width, uint32_t height, std::vector<uint8_t> colour);
 
 /// The builder's file with its triangle in Draco (edgebreaker or sequential) or meshopt form.
-GltfBuilder draco_grid(bool edgebreaker, Bytes* draco = nullptr);
-GltfBuilder meshopt_grid();
+/// `joints`: vertices follow joint 1 by x / 4 and joint 0 by the rest; nodes and a skin come with it,
+/// joint 1 lies 8 m up in z.
+GltfBuilder draco_grid(bool edgebreaker, Bytes* draco = nullptr, bool joints = false);
+GltfBuilder meshopt_grid(bool joints = false);
 
 /// The one line of the Error that loading and resolving gives; empty when there is none.
 std::string error_of(const Bytes& bytes);

@@ -11,6 +11,7 @@
 #pragma GCC diagnostic pop
 
 #include "gltf_builder.hpp"
+#include <cmath>
 #include <meshoptimizer.h>
 #include <stdexcept>
 
@@ -24,14 +25,26 @@ GltfBuilder grid_node() {
     b.json["scenes"] = {{{"nodes", {0}}}};
     return b;
 }
+
+/// Nodes 1 and 2 as joints of the skin of node 0, the second 8 m up.
+void add_skin(GltfBuilder& b) {
+    b.json["nodes"][0]["skin"] = 0;
+    b.json["nodes"].push_back(Json::object());
+    b.json["nodes"].push_back({{"translation", {0, 0, 8}}});
+    b.json["skins"] = {{{"joints", {1, 2}}}};
+}
 } // namespace
 
-GltfBuilder draco_grid(bool edgebreaker, Bytes* draco) {
+GltfBuilder draco_grid(bool edgebreaker, Bytes* draco, bool with_joints) {
     draco::TriangleSoupMeshBuilder soup;
     soup.Start(int(cells * cells * 2));
     const int position =
         soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
     const int normal = soup.AddAttribute(draco::GeometryAttribute::NORMAL, 3, draco::DT_FLOAT32);
+    const int joint =
+        with_joints ? soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT16) : -1;
+    const int weight =
+        with_joints ? soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_FLOAT32) : -1;
     uint32_t face = 0;
     for (uint32_t y = 0; y < cells; ++y)
         for (uint32_t x = 0; x < cells; ++x)
@@ -46,6 +59,16 @@ GltfBuilder draco_grid(bool edgebreaker, Bytes* draco) {
                 soup.SetAttributeValuesForFace(position, draco::FaceIndex(face), corners[0],
                                                corners[1], corners[2]);
                 soup.SetAttributeValuesForFace(normal, draco::FaceIndex(face), up, up, up);
+                if (with_joints) {
+                    const uint16_t joints[4] = {0, 1, 0, 0};
+                    float w[3][4] = {};
+                    for (int c = 0; c < 3; ++c) {
+                        w[c][1] = corners[c][0] / 4;
+                        w[c][0] = 1 - w[c][1];
+                    }
+                    soup.SetAttributeValuesForFace(joint, draco::FaceIndex(face), joints, joints, joints);
+                    soup.SetAttributeValuesForFace(weight, draco::FaceIndex(face), w[0], w[1], w[2]);
+                }
                 ++face;
             }
     const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
@@ -75,10 +98,22 @@ GltfBuilder draco_grid(bool edgebreaker, Bytes* draco) {
                           {{{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
                             {"indices", indices},
                             {"extensions", {{"KHR_draco_mesh_compression", extension}}}}}}}};
+    if (with_joints) {
+        const Json vec4 = {{"type", "VEC4"}, {"count", encoder.num_encoded_points()}};
+        Json joints = vec4, weights = vec4;
+        joints["componentType"] = 5123;
+        weights["componentType"] = 5126;
+        b.attributes()["JOINTS_0"] = b.add_accessor(joints);
+        b.attributes()["WEIGHTS_0"] = b.add_accessor(weights);
+        Json& packed = b.primitive()["extensions"]["KHR_draco_mesh_compression"]["attributes"];
+        packed["JOINTS_0"] = mesh->attribute(joint)->unique_id();
+        packed["WEIGHTS_0"] = mesh->attribute(weight)->unique_id();
+        add_skin(b);
+    }
     return b;
 }
 
-GltfBuilder meshopt_grid() {
+GltfBuilder meshopt_grid(bool with_joints) {
     std::vector<float> positions;
     std::vector<uint32_t> indices;
     for (uint32_t y = 0; y <= cells; ++y)
@@ -140,6 +175,26 @@ GltfBuilder meshopt_grid() {
                     {"count", indices.size()}});
     b.json["meshes"] = {
         {{"primitives", {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}, {"indices", 2}}}}}};
+    if (with_joints) {
+        Bytes joints, weights; // four bytes each: weights normalised
+        for (size_t v = 0; v < vertices; ++v) {
+            const auto share = uint8_t(std::lround(positions[3 * v] * 255 / 4));
+            joints.insert(joints.end(), {0, 1, 0, 0});
+            weights.insert(weights.end(), {uint8_t(255 - share), share, 0, 0});
+        }
+        for (const auto& [name, values] : {std::pair("JOINTS_0", joints), {"WEIGHTS_0", weights}}) {
+            Bytes bytes(meshopt_encodeVertexBufferBound(vertices, 4));
+            bytes.resize(
+                meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), values.data(), vertices, 4));
+            b.attributes()[name] =
+                b.add_accessor({{"bufferView", compressed(bytes, vertices, 4, "ATTRIBUTES", "NONE")},
+                                {"componentType", 5121},
+                                {"normalized", name[0] == 'W'},
+                                {"type", "VEC4"},
+                                {"count", vertices}});
+        }
+        add_skin(b);
+    }
     return b;
 }
 

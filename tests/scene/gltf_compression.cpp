@@ -41,6 +41,25 @@ TEST(GltfCompression, MeshoptWithFallbackBuffer) {
     expect_grid(meshopt_grid().load(), 0);
 }
 
+/// Each vertex is lifted by 2 · x.
+void expect_bent_grid(const Scene& scene, double tolerance) {
+    ASSERT_EQ(scene.meshes.at(0).primitives.at(0).joint_sets.size(), 1u);
+    const World world = resolve(scene);
+    const Instance& instance = world.instances.at(0);
+    ASSERT_TRUE(instance.deformed);
+    for (const glm::vec3& p : world.mesh_of(instance).primitives.at(0).positions) {
+        const glm::dvec4 v = instance.transform * glm::dvec4(p, 1);
+        ASSERT_NEAR(v.z, 2 * v.x, tolerance);
+    }
+    EXPECT_NEAR(world.bounds_max.z, 8, tolerance);
+}
+
+TEST(GltfCompression, JointsInDracoAndMeshopt) {
+    expect_bent_grid(draco_grid(true, nullptr, true).load(), 1e-5);
+    expect_bent_grid(draco_grid(false, nullptr, true).load(), 1e-5);
+    expect_bent_grid(meshopt_grid(true).load(), 0.02); // weights are 1/255 coarse
+}
+
 /// Every byte of the compressed data changed in turn, and the data cut at every length: an error or
 /// a mesh, never anything else. Under the address sanitizer this sees reads out of bounds too.
 void damage_each_byte(GltfBuilder builder, size_t view) {

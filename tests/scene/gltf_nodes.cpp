@@ -111,15 +111,6 @@ TEST(GltfNodes, InstancingFromEveryAttribute) {
     EXPECT_NEAR(corner.y, 5, 1e-6);
 }
 
-TEST(GltfNodes, SkinsMorphsAndAnimationsGiveOneWarning) {
-    GltfBuilder b = GltfBuilder::triangle();
-    b.json["nodes"][0]["skin"] = 0;
-    b.json["skins"] = Json::array({{{"joints", {0}}}});
-    b.primitive()["targets"] = Json::array({{{"POSITION", 0}}});
-    b.json["animations"] = Json::array({Json::object()});
-    EXPECT_THAT(b.load().warnings, ElementsAre(HasSubstr("are not evaluated (3 in all)")));
-}
-
 TEST(GltfNodes, UnknownExtensionsInUseGiveOneWarning) {
     GltfBuilder b = GltfBuilder::triangle();
     b.json["extensionsUsed"] = {"VENDOR_a", "KHR_lights_punctual", "VENDOR_b"};

@@ -41,6 +41,11 @@ void check_sound(const Scene& scene) {
             for (const auto& set : p.texcoords)
                 ASSERT_TRUE(set.empty() || set.size() == count);
             ASSERT_TRUE(p.colours.empty() || p.colours.size() == count);
+            for (const JointSet& set : p.joint_sets)
+                ASSERT_TRUE(set.joints.size() == count && set.weights.size() == count);
+            for (const MorphTarget& target : p.morph_targets)
+                for (const auto* list : {&target.positions, &target.normals, &target.tangents})
+                    ASSERT_TRUE(list->empty() || list->size() == count);
             for (const TextureRef* ref :
                  {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,
                   &m.occlusion_texture, &m.emissive_texture}) {
@@ -66,10 +71,30 @@ TEST(GltfShared, EveryRealSceneLoads) {
             const Scene scene = load_gltf(entry.path());
             check_sound(scene);
             EXPECT_GT(resolve(scene).triangles, 0u);
+            EXPECT_EQ(resolve(scene, {}, Moment{0.4}).triangles, resolve(scene).triangles);
         });
         ++count;
     }
     EXPECT_GT(count, 10u);
+}
+
+// Bounds of a walking fox and man as they stand up, not as their meshes are stored.
+TEST(GltfShared, SkinnedModelsAreWhereTheirJointsAre) {
+    if (!fs::exists(shared_scenes()))
+        GTEST_SKIP() << "no shared scenes here";
+    const Scene man = load_gltf(shared_scenes() / "CesiumMan.glb");
+    const World world = resolve(man, {}, Moment{0.5});
+    ASSERT_EQ(world.deformed.size(), 1u);
+    const glm::dvec3 size = world.bounds_max - world.bounds_min;
+    EXPECT_NEAR(size.y, 1.5, 0.1) << "he stands along y";
+    EXPECT_NEAR(world.bounds_min.y, 0, 0.1) << "on the ground";
+    EXPECT_FALSE(world.deformed[0].primitives[0].previous_positions.empty());
+    const Scene fox = load_gltf(shared_scenes() / "Fox.glb");
+    EXPECT_EQ(fox.animations.size(), 3u);
+    EXPECT_EQ(find_animation(fox, "Run"), 2u);
+    const World walk = resolve(fox, {}, Moment{0.3}, find_animation(fox, "Walk"));
+    const World run = resolve(fox, {}, Moment{0.3}, find_animation(fox, "Run"));
+    EXPECT_NE(walk.bounds_max, run.bounds_max);
 }
 
 TEST(GltfShared, DracoAndPlainSponzaAgree) {
@@ -103,6 +128,7 @@ TEST(GltfShared, EveryDamagedFileEndsInASceneOrOneLine) {
             const Scene scene = load_gltf(entry.path());
             check_sound(scene);
             resolve(scene);
+            resolve(scene, {}, Moment{1});
         } catch (const Error& error) {
             const std::string line = error.what();
             EXPECT_EQ(line.rfind(entry.path().string() + ": ", 0), 0u);

@@ -47,13 +47,28 @@ Component component_of(const Item& item) {
     return Component(type);
 }
 
-uint32_t width_of(const Item& item) {
-    const std::string type = item.text("type");
-    constexpr std::array<const char*, 4> names{"SCALAR", "VEC2", "VEC3", "VEC4"};
-    const auto found = std::find(names.begin(), names.end(), type);
-    if (found == names.end())
-        item.fail(fmt::format("type \"{}\" cannot be used here", printable(type)));
-    return uint32_t(found - names.begin()) + 1;
+/// Sets width and columns from the accessor's type.
+void read_type(const Item& item, Elements& elements) {
+    struct Type {
+        const char* name;
+        uint32_t width, columns;
+    };
+    constexpr std::array<Type, 7> types{{{"SCALAR", 1, 1}, {"VEC2", 2, 1}, {"VEC3", 3, 1}, {"VEC4", 4, 1},
+                                         {"MAT2", 2, 2}, {"MAT3", 3, 3}, {"MAT4", 4, 4}}};
+    const std::string name = item.text("type");
+    const auto found =
+        std::find_if(types.begin(), types.end(), [&](const Type& type) { return type.name == name; });
+    if (found == types.end())
+        item.fail(fmt::format("type \"{}\" is not known", printable(name)));
+    elements.width = found->width;
+    elements.columns = found->columns;
+    const uint32_t packed = elements.width * size_of(elements.component);
+    elements.column_stride = found->columns > 1 ? (packed + 3) & ~3u : packed;
+}
+
+/// Bytes of one element.
+size_t size_of(const Elements& elements) {
+    return size_t(elements.columns) * elements.column_stride;
 }
 
 } // namespace
@@ -75,18 +90,19 @@ const uint8_t* Elements::at(uint32_t element) const {
     if (!sparse.empty()) {
         const auto found = std::lower_bound(sparse.begin(), sparse.end(), element);
         if (found != sparse.end() && *found == element)
-            return sparse_values + size_t(found - sparse.begin()) * width * size_of(component);
+            return sparse_values + size_t(found - sparse.begin()) * columns * column_stride;
     }
     if (!base)
         return nullptr;
     return base + (map.empty() ? element : map[element]) * stride;
 }
 
-glm::vec4 Elements::vec(uint32_t element) const {
+glm::vec4 Elements::column(uint32_t element, uint32_t column) const {
     glm::vec4 out(0);
     if (const uint8_t* bytes = at(element))
         for (uint32_t c = 0; c < width; ++c)
-            out[int(c)] = to_float(bytes + c * size_of(component), component, normalized);
+            out[int(c)] = to_float(bytes + column * column_stride + c * size_of(component), component,
+                                   normalized);
     return out;
 }
 
@@ -111,6 +127,13 @@ Accessors::Accessors(Document& document, Buffers& buffers)
 }
 
 const Elements& Accessors::get(uint32_t index) {
+    const Elements& elements = get_any(index);
+    if (elements.columns > 1)
+        gltf::fail(document_.file(), elements.label, "holds matrices, which cannot be used here");
+    return elements;
+}
+
+const Elements& Accessors::get_any(uint32_t index) {
     if (!opened_[index]) {
         const Item item = document_.item(Table::accessors, index);
         document_.charge(item.label(), 1, sizeof(Elements) + 64);
@@ -141,15 +164,15 @@ Elements Accessors::open(const Item& item) {
     Elements elements;
     elements.label = item.label();
     elements.component = component_of(item);
-    elements.width = width_of(item);
+    read_type(item, elements);
     elements.normalized = item.flag("normalized");
     const uint64_t count = item.required_integer("count");
     if (count == 0 || count >= 0xffffffffu)
         item.fail(fmt::format("count {} is out of range", count));
     elements.count = uint32_t(count);
     if (const auto view = item.index("bufferView", document_.count(Table::buffer_views)))
-        elements.base = locate(item, *view, item.integer_or("byteOffset", 0), count,
-                               elements.width * size_of(elements.component), elements.stride);
+        elements.base = locate(item, *view, item.integer_or("byteOffset", 0), count, size_of(elements),
+                               elements.stride);
     open_sparse(item, elements);
     return elements;
 }
@@ -173,7 +196,7 @@ void Accessors::open_sparse(const Item& item, Elements& elements) {
     places.stride = size_of(places.component); // packed by definition
     places.base = locate(*indices, indices->required_index("bufferView", views),
                          indices->integer_or("byteOffset", 0), count, places.stride, places.stride);
-    size_t stride = elements.width * size_of(elements.component);
+    size_t stride = size_of(elements);
     elements.sparse_values = locate(*values, values->required_index("bufferView", views),
                                     values->integer_or("byteOffset", 0), count, stride, stride);
     document_.charge(sparse->label(), count, sizeof(uint32_t));

@@ -22,7 +22,9 @@ struct Elements {
     const uint8_t* base = nullptr; ///< null: all zero before `sparse`
     size_t stride = 0;             ///< bytes
     uint32_t count = 0;
-    uint32_t width = 1; ///< components, 1 … 4
+    uint32_t width = 1;         ///< components, 1 … 4; of a matrix: rows
+    uint32_t columns = 1;       ///< of a matrix: as many as rows
+    uint32_t column_stride = 0; ///< bytes; a matrix's columns begin at multiples of 4
     Component component = Component::f32;
     bool normalized = false;      ///< integers mean 0 … 1 or −1 … 1
     std::vector<uint32_t> map;    ///< element → place in `base`; empty: the same (Draco)
@@ -31,7 +33,9 @@ struct Elements {
 
     const uint8_t* at(uint32_t element) const; ///< null: zero
     /// Element as floats; components it does not have are 0.
-    glm::vec4 vec(uint32_t element) const;
+    glm::vec4 vec(uint32_t element) const { return column(element, 0); }
+    /// Column of a matrix.
+    glm::vec4 column(uint32_t element, uint32_t column) const;
     uint32_t index(uint32_t element) const; ///< for integer scalars
 };
 
@@ -39,8 +43,11 @@ struct Elements {
 class Accessors {
 public:
     Accessors(Document& document, Buffers& buffers);
-    /// `index` < count of accessors. Throws Error when the accessor does not fit its view.
+    /// `index` < count of accessors. Throws Error when the accessor does not fit its view or holds
+    /// matrices.
     const Elements& get(uint32_t index);
+    /// The same for any type.
+    const Elements& get_any(uint32_t index);
 
 private:
     Elements open(const Item& item);

@@ -26,6 +26,8 @@ constexpr std::array<std::pair<const char*, const char*>, table_count> table_nam
     {"lights", "light"},
     {"nodes", "node"},
     {"scenes", "scene"},
+    {"skins", "skin"},
+    {"animations", "animation"},
 }};
 
 constexpr std::array known_extensions{

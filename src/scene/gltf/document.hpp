@@ -27,9 +27,11 @@ enum class Table {
     cameras,
     lights,
     nodes,
-    scenes
+    scenes,
+    skins,
+    animations
 };
-inline constexpr size_t table_count = 12;
+inline constexpr size_t table_count = 14;
 
 /// The file's JSON and binary chunk, its limits, and the warnings that gather while it is read.
 class Document {

@@ -133,6 +133,25 @@ std::vector<uint32_t> Item::indices(std::string_view key, size_t count) const {
     return out;
 }
 
+std::vector<float> Item::reals(std::string_view key) const {
+    const auto value = find(key);
+    dom::array array;
+    std::vector<float> out;
+    if (!value)
+        return out;
+    if (value->get(array) != simdjson::SUCCESS)
+        bad(key, "is not an array");
+    for (const dom::element element : array) {
+        double number = 0;
+        if (element.get(number) != simdjson::SUCCESS)
+            bad(key, "holds something that is not a number");
+        out.push_back(float(number));
+        if (!std::isfinite(out.back()))
+            bad(key, "holds a number that is too large");
+    }
+    return out;
+}
+
 void Item::read_numbers(std::string_view key, double* values, size_t count) const {
     const auto value = find(key);
     dom::array array;

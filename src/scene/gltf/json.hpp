@@ -40,6 +40,7 @@ public:
     uint32_t required_index(std::string_view key, size_t count) const;
     /// An array of indices below `count`; empty when absent.
     std::vector<uint32_t> indices(std::string_view key, size_t count) const;
+    std::vector<float> reals(std::string_view key) const; ///< finite; empty when absent
     /// An array of exactly N numbers.
     template <size_t N>
     std::array<double, N> numbers(std::string_view key, std::array<double, N> absent) const {

@@ -1,5 +1,6 @@
 #include <new>
 #include <prelight/scene_io.hpp>
+#include <scene/gltf/animations.hpp>
 #include <scene/gltf/extras.hpp>
 #include <scene/gltf/load.hpp>
 #include <scene/gltf/nodes.hpp>
@@ -24,8 +25,8 @@ Scene read_scene(gltf::Document&& document) {
     gltf::read_extras(document, scene);
     gltf::read_nodes(document, accessors, scene);
     gltf::read_scenes(document, scene);
-    if (document.root().has("animations"))
-        document.warn("skins, morph targets and animations are not evaluated", "animations");
+    gltf::read_skins(document, accessors, scene);
+    gltf::read_animations(document, accessors, scene);
     scene.warnings = document.warnings();
     return scene;
 }

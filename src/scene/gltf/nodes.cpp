@@ -1,31 +1,19 @@
 #include <cmath>
 #include <fmt/format.h>
-#include <glm/ext/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
+#include <glm/geometric.hpp>
+#include <scene/animate.hpp>
 #include <scene/finite.hpp>
 #include <scene/gltf/nodes.hpp>
+#include <scene/gltf/primitives.hpp>
 
 namespace prelight::gltf {
 namespace {
 
-glm::dmat4 compose(glm::dvec3 translation, glm::dvec4 rotation, glm::dvec3 scale) {
-    // Not quite unit in real files; a zero quaternion turns nothing.
-    const double length = glm::length(rotation);
-    glm::dmat4 m(1);
-    if (length > 1e-12 && std::isfinite(length)) {
-        const glm::dvec4 q = rotation / length;
-        m = glm::mat4_cast(glm::dquat(q.w, q.x, q.y, q.z));
-    }
-    for (int axis = 0; axis < 3; ++axis)
-        m[axis] *= scale[axis];
-    m[3] = glm::dvec4(translation, 1);
-    return m;
-}
-
-glm::dmat4 read_local(const Item& item) {
-    glm::dmat4 m(1);
+/// Sets the node's transform, and its parts where the file gives them.
+void read_transform(const Item& item, Node& node) {
     if (item.has("matrix")) {
         const auto values = item.numbers<16>("matrix", {});
+        glm::dmat4& m = node.local;
         for (int i = 0; i < 16; ++i)
             m[i / 4][i % 4] = values[size_t(i)];
         if (m[0].w != 0 || m[1].w != 0 || m[2].w != 0 || m[3].w != 1)
@@ -34,11 +22,11 @@ glm::dmat4 read_local(const Item& item) {
         const auto t = item.numbers<3>("translation", {0, 0, 0});
         const auto r = item.numbers<4>("rotation", {0, 0, 0, 1});
         const auto s = item.numbers<3>("scale", {1, 1, 1});
-        m = compose({t[0], t[1], t[2]}, {r[0], r[1], r[2], r[3]}, {s[0], s[1], s[2]});
+        node.trs = Trs{{t[0], t[1], t[2]}, {r[3], r[0], r[1], r[2]}, {s[0], s[1], s[2]}};
+        node.local = node.trs->matrix();
     }
-    if (!is_finite(m))
+    if (!is_finite(node.local))
         item.fail("its transform is not finite");
-    return m;
 }
 
 /// EXT_mesh_gpu_instancing: TRANSLATION, ROTATION, SCALE, each optional, all as long.
@@ -78,7 +66,7 @@ std::vector<glm::dmat4> read_instances(Document& document, Accessors& accessors,
         const glm::dvec3 s = scale ? glm::dvec3(glm::vec3(scale->vec(i))) : glm::dvec3(1);
         if (!std::isfinite(glm::dot(r, glm::dvec4(1))))
             extension.fail(fmt::format("rotation {} is not finite", i));
-        out.push_back(compose(t, r, s));
+        out.push_back(Trs{t, {r.w, r.x, r.y, r.z}, s}.matrix());
         if (!is_finite(out.back()))
             extension.fail(fmt::format("instance {} is not finite", i));
     }
@@ -117,20 +105,25 @@ void check_forest(const Document& document, const std::vector<Node>& nodes) {
 
 void read_nodes(Document& document, Accessors& accessors, Scene& scene) {
     const size_t count = document.count(Table::nodes);
-    document.charge("nodes", count, sizeof(Node) + sizeof(Instance) + 16);
+    // The node here, and what resolving it takes: its place now and before, and its instance.
+    document.charge("nodes", count, sizeof(Node) + sizeof(Instance) + 2 * sizeof(glm::dmat4) + 16);
     scene.nodes.resize(count);
     for (size_t i = 0; i < count; ++i) {
         const Item item = document.item(Table::nodes, i);
         Node& node = scene.nodes[i];
         node.name = item.text("name");
-        node.local = read_local(item);
+        read_transform(item, node);
         node.children = item.indices("children", count);
         node.mesh = item.index("mesh", scene.meshes.size());
         node.camera = item.index("camera", scene.cameras.size());
         if (const auto light = item.extension("KHR_lights_punctual"))
             node.light = light->required_index("light", scene.lights.size());
-        if (item.has("skin"))
-            document.warn("skins, morph targets and animations are not evaluated", item.label());
+        node.skin = item.index("skin", document.count(Table::skins));
+        if (node.mesh) {
+            node.weights = read_weights(document, item, scene.meshes[*node.mesh]);
+            // Its weights now and before, while it is resolved.
+            document.charge(item.label(), morph_targets(scene.meshes[*node.mesh]), 4 * sizeof(double));
+        }
         if (const auto instancing = item.extension("EXT_mesh_gpu_instancing");
             instancing && node.mesh)
             node.instances = read_instances(document, accessors, *instancing);

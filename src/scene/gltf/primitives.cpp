@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <scene/animate.hpp>
 #include <scene/gltf/draco_mesh.hpp>
 #include <scene/gltf/primitives.hpp>
 #include <scene/gltf/triangles.hpp>
@@ -14,6 +15,8 @@ namespace {
 constexpr uint64_t tangent_work_bytes = 256;
 /// An index as read; and a triangle's corner as read, while it is compacted, and kept.
 constexpr uint64_t index_bytes = 4, corner_index_bytes = 16;
+/// Four joints and weights.
+constexpr uint64_t joint_set_bytes = 4 * 2 + 4 * 4;
 
 bool is_finite(const glm::vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
@@ -35,8 +38,6 @@ public:
             return skip("points and lines are not drawn");
         if (!attributes_ || !attributes_->has("POSITION"))
             return skip("primitives without POSITION are not drawn");
-        if (item_.has("targets"))
-            document_.warn("skins, morph targets and animations are not evaluated", item_.label());
         read_topology(Mode(mode));
         if (primitive_.indices.empty())
             return skip("primitives without a whole triangle are not drawn");
@@ -157,6 +158,9 @@ private:
         }
         read_texcoords("TEXCOORD_0", 0);
         read_texcoords("TEXCOORD_1", 1);
+        for (uint32_t set = 0; read_joints(set);)
+            ++set;
+        read_targets();
         if ((source = elements("COLOR_0", 3))) {
             primitive_.colours.resize(used_.size());
             const bool alpha = source->width == 4;
@@ -176,10 +180,81 @@ private:
                [&](uint32_t i, glm::vec4 v) { primitive_.texcoords[set][i] = glm::vec2(v); });
     }
 
+    /// JOINTS_n and WEIGHTS_n; false when there are none.
+    bool read_joints(uint32_t set) {
+        const std::string joints_name = fmt::format("JOINTS_{}", set);
+        const std::string weights_name = fmt::format("WEIGHTS_{}", set);
+        const Elements* source = elements(joints_name.c_str(), 4);
+        if (attributes_->has(joints_name) != attributes_->has(weights_name))
+            item_.fail(fmt::format("{} and {} must stand together", joints_name, weights_name));
+        if (!source)
+            return false;
+        if (source->normalized ||
+            (source->component != Component::u8 && source->component != Component::u16))
+            item_.fail(fmt::format("{}: its type is not fit for that", joints_name));
+        document_.charge(item_.label(), used_.size(), joint_set_bytes);
+        moving_bytes_ += joint_set_bytes;
+        JointSet& out = primitive_.joint_sets.emplace_back();
+        out.joints.resize(used_.size());
+        gather(joints_name.c_str(), *source,
+               [&](uint32_t i, glm::vec4 v) { out.joints[i] = glm::vec<4, uint16_t>(v); });
+        source = elements(weights_name.c_str(), 4);
+        if (source->component != Component::f32 &&
+            (!source->normalized ||
+             (source->component != Component::u8 && source->component != Component::u16)))
+            item_.fail(fmt::format("{}: its type is not fit for that", weights_name));
+        out.weights.resize(used_.size());
+        gather(weights_name.c_str(), *source, [&](uint32_t i, glm::vec4 v) {
+            for (int k = 0; k < 4; ++k) {
+                if (v[k] < 0)
+                    item_.fail(fmt::format("{}: vertex {} has a negative weight", weights_name, used_[i]));
+                if (v[k] == 0) // where nothing follows it, a joint may have any number
+                    out.joints[i][k] = 0;
+            }
+            out.weights[i] = v;
+        });
+        return true;
+    }
+
+    void read_targets() {
+        const std::vector<Item> targets = item_.items("targets", "target");
+        document_.charge(item_.label(), targets.size(), sizeof(MorphTarget));
+        for (const Item& target : targets) {
+            MorphTarget& out = primitive_.morph_targets.emplace_back();
+            read_deltas(target, "POSITION", out.positions);
+            if (!primitive_.normals.empty()) // else both are made anew
+                read_deltas(target, "NORMAL", out.normals);
+            if (!primitive_.tangents.empty())
+                read_deltas(target, "TANGENT", out.tangents);
+            if (target.has("TEXCOORD_0") || target.has("TEXCOORD_1") || target.has("COLOR_0"))
+                document_.warn("morph targets move no texture coordinates and colours", target.label());
+        }
+    }
+
+    void read_deltas(const Item& target, const char* name, std::vector<glm::vec3>& out) {
+        const auto accessor = target.index(name, document_.count(Table::accessors));
+        if (!accessor)
+            return;
+        const Elements& source = accessors_.get(*accessor);
+        if (source.width != 3 || source.component == Component::u32)
+            target.fail(fmt::format("{}: its type is not fit for that", name));
+        if (source.count != vertices_)
+            target.fail(fmt::format("{}: has {} values for {} vertices", name, source.count, vertices_));
+        document_.charge(target.label(), used_.size(), sizeof(glm::vec3));
+        moving_bytes_ += sizeof(glm::vec3);
+        out.resize(used_.size());
+        for (uint32_t place = 0; place < used_.size(); ++place) {
+            const glm::vec4 value = source.vec(used_[place]);
+            if (!is_finite(value))
+                target.fail(fmt::format("{}: vertex {} is not finite", name, used_[place]));
+            out[place] = glm::vec3(value);
+        }
+    }
+
     /// A vertex with the attributes that the primitive has or will get.
     uint64_t vertex_bytes() const {
         return 12 + 12 + 2 * 8 + (needs_tangents() ? 16 : 0) +
-               (attributes_->has("COLOR_0") ? 16 : 0);
+               (attributes_->has("COLOR_0") ? 16 : 0) + moving_bytes_;
     }
 
     const Material& material() const { return scene_.materials[primitive_.material]; }
@@ -257,6 +332,8 @@ private:
                 document_.warn("tangents without a direction are replaced by MikkTSpace's",
                                item_.label());
                 primitive_.tangents.clear();
+                for (MorphTarget& target : primitive_.morph_targets)
+                    target.tangents.clear();
                 return false;
             }
             tangent = glm::vec4(glm::vec3(t / length), tangent.w < 0 ? -1.f : 1.f);
@@ -274,10 +351,20 @@ private:
     std::optional<Elements> draco_elements_;
     uint32_t vertices_ = 0;
     std::vector<uint32_t> used_;
+    uint64_t moving_bytes_ = 0; ///< of a vertex: joints, weights and morph targets
     Primitive primitive_;
 };
 
 } // namespace
+
+std::vector<float> read_weights(Document& document, const Item& item, const Mesh& mesh) {
+    std::vector<float> weights = item.reals("weights");
+    document.charge(item.label(), weights.size(), sizeof(float));
+    if (!weights.empty() && !mesh.primitives.empty() && weights.size() != morph_targets(mesh))
+        item.fail(fmt::format("weights: has {} values for {} morph targets", weights.size(),
+                              morph_targets(mesh)));
+    return weights;
+}
 
 void read_meshes(Document& document, Buffers& buffers, Accessors& accessors, Scene& scene) {
     document.charge("meshes", document.count(Table::meshes), sizeof(Mesh));
@@ -288,13 +375,19 @@ void read_meshes(Document& document, Buffers& buffers, Accessors& accessors, Sce
         for (const Item& primitive : item.items("primitives", "primitive")) {
             document.charge(primitive.label(), 1, sizeof(Primitive));
             try {
-                if (auto read =
-                        PrimitiveReader(document, buffers, accessors, scene, primitive).read())
-                    scene.meshes[i].primitives.push_back(std::move(*read));
+                auto read = PrimitiveReader(document, buffers, accessors, scene, primitive).read();
+                if (!read)
+                    continue;
+                scene.meshes[i].primitives.push_back(std::move(*read));
+                const size_t targets = scene.meshes[i].primitives.back().morph_targets.size();
+                if (targets != morph_targets(scene.meshes[i]))
+                    primitive.fail(fmt::format("has {} morph targets, but the mesh's first has {}", targets,
+                                               morph_targets(scene.meshes[i])));
             } catch (const Budget::Exceeded& error) {
                 primitive.fail(error.what());
             }
         }
+        scene.meshes[i].weights = read_weights(document, item, scene.meshes[i]);
     }
 }
 
