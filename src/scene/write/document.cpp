@@ -42,6 +42,13 @@ Json number(float value) {
     return static_cast<float>(decimal) == value ? decimal : static_cast<double>(value);
 }
 
+Json reals(const std::vector<float>& values) {
+    Json list = Json::array();
+    for (const float value : values)
+        list.push_back(number(value));
+    return list;
+}
+
 void set_name(Json& object, const std::string& name) {
     if (!name.empty())
         object["name"] = name;

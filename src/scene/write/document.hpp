@@ -61,6 +61,7 @@ Json numbers(const glm::vec<N, float>& v) {
         list.push_back(number(v[i]));
     return list;
 }
+Json reals(const std::vector<float>& values);
 /// Sets "name" unless it is empty.
 void set_name(Json& object, const std::string& name);
 /// "material 3 (wood)", for messages.

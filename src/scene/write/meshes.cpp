@@ -32,6 +32,8 @@ public:
                 entry["primitives"].push_back(write(primitive));
         if (!entry.contains("primitives"))
             return {};
+        if (!mesh.weights.empty())
+            entry["weights"] = reals(mesh.weights);
         return document_.add("meshes", std::move(entry));
     }
 
@@ -42,9 +44,13 @@ private:
         Json entry;
         Json& attributes = entry["attributes"];
         attributes["POSITION"] = positions(primitive);
-        if (!primitive.normals.empty())
+        // What deforms with normals of its triangles gets new ones in each pose: left out, the reader
+        // makes the same again, and tangents with them.
+        const bool made = primitive.flat_normals &&
+                          (!primitive.joint_sets.empty() || !primitive.morph_targets.empty());
+        if (!primitive.normals.empty() && !made)
             attributes["NORMAL"] = vectors(primitive, primitive.normals, "normals");
-        if (!primitive.tangents.empty())
+        if (!primitive.tangents.empty() && !made)
             attributes["TANGENT"] = vectors(primitive, primitive.tangents, "tangents");
         size_t sets = sets_read(scene_.materials[primitive.material]);
         for (size_t set = 0; set < primitive.texcoords.size(); ++set)
@@ -58,6 +64,10 @@ private:
         }
         if (!primitive.colours.empty())
             attributes["COLOR_0"] = vectors(primitive, primitive.colours, "colours");
+        for (size_t set = 0; set < primitive.joint_sets.size(); ++set)
+            add_joints(attributes, primitive, set);
+        for (const MorphTarget& target : primitive.morph_targets)
+            entry["targets"].push_back(target_of(primitive, target));
         entry["indices"] = indices(primitive);
         entry["material"] = primitive.material;
         return entry;
@@ -76,10 +86,42 @@ private:
         return document_.add_vectors(values, ViewKind::vertices);
     }
 
+    void add_joints(Json& attributes, const Primitive& primitive, size_t index) {
+        const JointSet& set = primitive.joint_sets[index];
+        if (set.joints.size() != primitive.positions.size())
+            document_.fail(object_, fmt::format("has {} positions but {} joints",
+                                                primitive.positions.size(), set.joints.size()));
+        const auto bytes = std::as_bytes(std::span(set.joints));
+        attributes[fmt::format("JOINTS_{}", index)] = document_.add_accessor(
+            document_.add_view(bytes, ViewKind::vertices), 5123, "VEC4", set.joints.size());
+        attributes[fmt::format("WEIGHTS_{}", index)] = vectors(primitive, set.weights, "joint weights");
+    }
+
+    /// A target that moves nothing still needs one attribute: zeros.
+    Json target_of(const Primitive& primitive, const MorphTarget& target) {
+        Json entry;
+        const bool nothing =
+            target.positions.empty() && target.normals.empty() && target.tangents.empty();
+        if (!target.positions.empty() || nothing) {
+            const std::vector<glm::vec3> zeros(nothing ? primitive.positions.size() : 0);
+            entry["POSITION"] = bounded(primitive, nothing ? zeros : target.positions, "morph targets");
+        }
+        if (!target.normals.empty())
+            entry["NORMAL"] = vectors(primitive, target.normals, "morph targets' normals");
+        if (!target.tangents.empty())
+            entry["TANGENT"] = vectors(primitive, target.tangents, "morph targets' tangents");
+        return entry;
+    }
+
     uint32_t positions(const Primitive& primitive) {
-        const uint32_t accessor = vectors(primitive, primitive.positions, "positions");
-        glm::vec3 low = primitive.positions.at(0), high = low;
-        for (const glm::vec3& p : primitive.positions) {
+        return bounded(primitive, primitive.positions, "positions");
+    }
+
+    /// Vectors with the bounds that glTF wants of positions.
+    uint32_t bounded(const Primitive& primitive, const std::vector<glm::vec3>& values, const char* what) {
+        const uint32_t accessor = vectors(primitive, values, what);
+        glm::vec3 low = values.at(0), high = low;
+        for (const glm::vec3& p : values) {
             low = glm::min(low, p);
             high = glm::max(high, p);
         }

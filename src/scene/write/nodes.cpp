@@ -1,4 +1,6 @@
+#include <cmath>
 #include <fmt/format.h>
+#include <scene/finite.hpp>
 #include <scene/write/parts.hpp>
 #include <scene/write/transform.hpp>
 
@@ -39,6 +41,19 @@ void set_transform(Json& entry, const glm::dmat4& local, const Placement& placem
         entry["scale"] = three(scale);
 }
 
+/// Exact as well: what animation changes must stand there in parts.
+void set_parts(Json& entry, const Trs& trs) {
+    if (trs.translation != glm::dvec3(0))
+        entry["translation"] = three(trs.translation);
+    glm::dquat q = trs.rotation;
+    if (const double length = glm::length(q); !(std::abs(length - 1) < 1e-3)) // glTF wants unit length
+        q = length > 1e-12 ? q / length : glm::dquat(1, 0, 0, 0);
+    if (q != glm::dquat(1, 0, 0, 0))
+        entry["rotation"] = {q.x, q.y, q.z, q.w};
+    if (trs.scale != glm::dvec3(1))
+        entry["scale"] = three(trs.scale);
+}
+
 class NodeWriter {
 public:
     NodeWriter(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes,
@@ -50,7 +65,13 @@ public:
         object_ = label("node", index, node.name);
         Json entry = Json::object();
         set_name(entry, node.name);
-        set_transform(entry, node.local, placed(node.local, "its transform"));
+        if (node.trs) {
+            if (!is_finite(node.trs->matrix()))
+                document_.fail(object_, "its translation, rotation or scale is not finite");
+            set_parts(entry, *node.trs);
+        } else {
+            set_transform(entry, node.local, placed(node.local, "its transform"));
+        }
         if (!node.children.empty())
             entry["children"] = node.children;
         if (node.camera)
@@ -59,6 +80,10 @@ public:
             entry["extensions"]["KHR_lights_punctual"] = {{"light", *node.light}};
         if (node.mesh && meshes_.at(*node.mesh)) {
             entry["mesh"] = *meshes_[*node.mesh];
+            if (node.skin)
+                entry["skin"] = *node.skin;
+            if (!node.weights.empty())
+                entry["weights"] = reals(node.weights);
             if (!node.instances.empty())
                 entry["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = instances(node);
         }

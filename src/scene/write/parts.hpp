@@ -33,4 +33,9 @@ void add_cameras(const Scene& scene, Document& document);
 void add_nodes(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes,
                Document& document);
 
+/// Skins and animations, after the nodes. Only meshes that are written have weights to animate.
+void add_skins(const Scene& scene, Document& document);
+void add_animations(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes,
+                    Document& document);
+
 } // namespace prelight::write

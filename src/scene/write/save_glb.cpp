@@ -22,6 +22,8 @@ Document make_document(const Scene& scene, const std::filesystem::path& path) {
     const auto meshes = write::add_meshes(scene, document);
     write::add_images(scene, document);
     write::add_nodes(scene, meshes, document);
+    write::add_skins(scene, document);
+    write::add_animations(scene, meshes, document);
     if (!document.binary.empty())
         document.add("buffers", {{"byteLength", document.binary.size()}});
     return document;
