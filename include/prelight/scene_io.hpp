@@ -22,7 +22,7 @@ struct BuiltinScene {
     std::string_view description;
     uint32_t default_lights;
 };
-/// city, spheres, lights.
+/// city, spheres, lights, motion.
 std::vector<BuiltinScene> builtin_scenes();
 
 /// Makes a procedural scene; the same name, count and seed give the same bytes everywhere.

@@ -5,6 +5,7 @@
 #include <prelight/scene_io.hpp>
 #include <scene/procedural/city.hpp>
 #include <scene/procedural/lights.hpp>
+#include <scene/procedural/motion.hpp>
 #include <scene/procedural/spheres.hpp>
 
 namespace prelight {
@@ -23,6 +24,8 @@ constexpr auto entries = std::to_array<Entry>({
     {{"spheres", "shininess x metalness grid of spheres", 8}, make_spheres_scene},
     {{"lights", "yardstick for speed: 144 spheres, 121 columns, small point lights", 1024},
      make_lights_scene},
+    {{"motion", "all that moves: turning boxes, a bent column, a morphing sphere, camera, lights", 24},
+     make_motion_scene},
 });
 
 } // namespace
