@@ -1,37 +1,39 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Stage 1: the shading normal and roughness of the nearest surface; the only place that discards.
+// Compiled with NO_NORMAL_TARGET it is the first of two passes [L9]: depth alone.
+#include "shared/linear_depth.h"
 #include "shared/normal_encoding.h"
 #include "shared/surface.glsl"
 
 layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMAL_OCT24;
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
+layout(constant_id = CONSTANT_DEPTH_SOURCE) const int depth_source = DEPTH_ATTACHMENT;
 
+#ifndef NO_NORMAL_TARGET
 layout(location = 0) out vec4 out_normal;
+#endif
 #ifdef ROUGHNESS_TARGET  // for encodings that have no room for roughness
 layout(location = ROUGHNESS_TARGET) out float out_roughness;
 #endif
-#ifdef DEPTH_TARGET  // view depth in metres, for depth=r32f
-layout(location = DEPTH_TARGET) out float out_depth;
+#ifdef DEPTH_TARGET  // for depth= anything but the attachment
+layout(location = DEPTH_TARGET) out vec4 out_depth;
 #endif
 
 void main() {
     if (has(FEATURE_ALPHA_MASK) && base_colour().a < material.emissive.w)
         discard;
+#ifndef NO_NORMAL_TARGET
     vec3 n = shading_normal();
     if (view_space)
         n = mat3(frame.view_from_world) * n;
     float roughness = metallic_roughness().y;
-    if (normal_encoding == NORMAL_OCT24)
-        out_normal = vec4(oct24_encode(n), roughness_encode(roughness));
-    else if (normal_encoding == NORMAL_OCT32)
-        out_normal = vec4(oct32_encode(n), 0.0, 0.0);
-    else
-        out_normal = vec4(rgb10_encode(n), 0.0);
+    out_normal = normal_encode(normal_encoding, n, roughness);
+#endif
 #ifdef ROUGHNESS_TARGET
     out_roughness = roughness;
 #endif
 #ifdef DEPTH_TARGET
-    out_depth = dot(in_world, frame.forward.xyz);
+    out_depth = linear_depth_encode(depth_source, dot(in_world, frame.forward.xyz));
 #endif
 }

@@ -4,6 +4,7 @@ set(PRELIGHT_SHADER_VARIANTS
     "depth_normal+roughness.frag|depth_normal.frag|-DROUGHNESS_TARGET=1"
     "depth_normal+depth.frag|depth_normal.frag|-DDEPTH_TARGET=1"
     "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
+    "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
     "light+packed.frag|light.frag|-DONE_TARGET"
     "light+count.frag|light.frag|-DCOUNT_TARGET"
     "light_ambient+packed.frag|light_ambient.frag|-DONE_TARGET")

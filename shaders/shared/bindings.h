@@ -20,6 +20,12 @@
 // tone mapping
 #define INPUT_COLOUR 0
 
+// measuring encodings of normals: passes of their own, without a frame
+#define SET_BENCH 0
+#define BENCH_DIRECTIONS 0
+#define BENCH_STORED 0
+#define BENCH_WIDTH 1024  // pixels a row, one direction each
+
 #define SET_MATERIAL 2
 #define MATERIAL_CONSTANTS 0
 #define MATERIAL_BASE_COLOUR 1
@@ -41,7 +47,7 @@
 #define CONSTANT_MATERIAL_FEATURES 0
 #define CONSTANT_NORMAL_ENCODING 1
 #define CONSTANT_NORMAL_SPACE 2
-#define CONSTANT_LINEAR_DEPTH 3
+#define CONSTANT_DEPTH_SOURCE 3
 #define CONSTANT_POSITION_FROM_RAY 4
 #define CONSTANT_SHADING 5
 #define CONSTANT_MODEL 6
@@ -70,6 +76,15 @@
 #define NORMAL_OCT24 0
 #define NORMAL_OCT32 1
 #define NORMAL_RGB10A2 2
+#define NORMAL_RGB8 3
+#define NORMAL_SPHERICAL 4
+#define NORMAL_OCT16 5
+#define NORMAL_XY16F 6
+
+#define DEPTH_ATTACHMENT 0
+#define DEPTH_R32F 1
+#define DEPTH_R16F 2
+#define DEPTH_RGBA8 3
 
 #define SHADING_PHONG 0
 #define SHADING_GGX 1

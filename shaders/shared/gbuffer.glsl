@@ -4,11 +4,12 @@
 #define PRELIGHT_GBUFFER_GLSL
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shared/frame.glsl"
+#include "shared/linear_depth.h"
 #include "shared/normal_encoding.h"
 
 layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMAL_OCT24;
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
-layout(constant_id = CONSTANT_LINEAR_DEPTH) const bool linear_depth = false;
+layout(constant_id = CONSTANT_DEPTH_SOURCE) const int depth_source = DEPTH_ATTACHMENT;
 layout(constant_id = CONSTANT_POSITION_FROM_RAY) const bool position_from_ray = true;
 
 layout(set = SET_INPUTS, binding = INPUT_DEPTH) uniform texture2D depth_buffer;
@@ -27,21 +28,19 @@ float device_depth(float z) {
 }
 
 vec3 read_normal(ivec2 pixel) {
-    vec4 stored = texelFetch(normal_buffer, pixel, 0);
-    vec3 n = normal_encoding == NORMAL_OCT24   ? oct24_decode(stored.rgb)
-             : normal_encoding == NORMAL_OCT32 ? oct32_decode(stored.rg)
-                                               : rgb10_decode(stored.rgb);
+    vec3 n = normal_decode(normal_encoding, texelFetch(normal_buffer, pixel, 0));
     return view_space ? n * mat3(frame.view_from_world) : n;
 }
 
 float read_roughness(ivec2 pixel) {
-    return normal_encoding == NORMAL_OCT24 ? roughness_decode(texelFetch(normal_buffer, pixel, 0).a)
-                                           : texelFetch(roughness_buffer, pixel, 0).r;
+    return normal_holds_roughness(normal_encoding) ? roughness_decode(texelFetch(normal_buffer, pixel, 0).a)
+                                                   : texelFetch(roughness_buffer, pixel, 0).r;
 }
 
 // False where no surface is.
 bool read_position(ivec2 pixel, out vec3 world) {
-    float stored = texelFetch(depth_buffer, pixel, 0).r;
+    const bool linear_depth = depth_source != DEPTH_ATTACHMENT;
+    float stored = linear_depth_decode(depth_source, texelFetch(depth_buffer, pixel, 0));
     bool surface = stored > 0.0;
     vec2 clip = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
     if (position_from_ray) {

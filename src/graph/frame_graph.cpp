@@ -75,14 +75,14 @@ ImageId FrameGraph::image(std::string name, const ImageDesc& desc) {
     return {static_cast<uint32_t>(images_.size() - 1)};
 }
 
-ImageId FrameGraph::image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats) {
+ImageId FrameGraph::image(std::string name, VkExtent2D extent, std::span<const VkFormat> formats) {
     for (const VkFormat format : formats) {
         const VkFormatFeatureFlags target = is_depth(format) ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT
                                                              : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
         if (!context_.supports(format, target | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT))
             continue;
-        if (format != *formats.begin())
-            note(fmt::format("{}: {} is no target on {}, {} is taken", name, format_name(*formats.begin()),
+        if (format != formats.front())
+            note(fmt::format("{}: {} is no target on {}, {} is taken", name, format_name(formats.front()),
                              context_.name(), format_name(format)));
         return image(std::move(name), {format, extent});
     }

@@ -6,6 +6,7 @@
 #include <gpu/descriptors.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -108,7 +109,10 @@ public:
     ImageId image(std::string name, const ImageDesc& desc);
     /// A colour or depth image in the first of `formats` that the device can draw into and sample; notes() names
     /// what was missing. Throws Error when it has none of them.
-    ImageId image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats);
+    ImageId image(std::string name, VkExtent2D extent, std::span<const VkFormat> formats);
+    ImageId image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats) {
+        return image(std::move(name), extent, std::span(formats.begin(), formats.size()));
+    }
     /// What is not as asked for, one line each.
     const std::vector<std::string>& notes() const { return notes_; }
     /// Adds a line to notes(), once.

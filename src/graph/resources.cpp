@@ -21,6 +21,7 @@ constexpr FormatInfo formats[] = {
     {VK_FORMAT_D32_SFLOAT_S8_UINT, 5, "D32F_S8"},
     {VK_FORMAT_D24_UNORM_S8_UINT, 4, "D24_S8"},
     {VK_FORMAT_R8_UNORM, 1, "R8"},
+    {VK_FORMAT_R8G8_UNORM, 2, "RG8"},
     {VK_FORMAT_R16_SFLOAT, 2, "R16F"},
     {VK_FORMAT_R32_SFLOAT, 4, "R32F"},
     {VK_FORMAT_R8G8B8A8_UNORM, 4, "RGBA8"},
@@ -30,6 +31,7 @@ constexpr FormatInfo formats[] = {
     {VK_FORMAT_R16G16_SFLOAT, 4, "RG16F"},
     {VK_FORMAT_R16G16B16A16_SFLOAT, 8, "RGBA16F"},
     {VK_FORMAT_R32G32_SFLOAT, 8, "RG32F"},
+    {VK_FORMAT_R32G32B32A32_SFLOAT, 16, "RGBA32F"},
 };
 
 const FormatInfo& find(VkFormat format) {

@@ -1,28 +1,80 @@
 #include "depth_normal.hpp"
+#include "depth_only.hpp"
 #include "surface_draws.hpp"
-#include <shared/bindings.h>
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <prelight/error.hpp>
+#include <shared/normal_encoding.h>
 
 namespace prelight::passes {
 namespace {
 
-/// The target of each encoding, and what takes its place on a device that cannot draw into it: the
-/// shaders write and read the same 0 … 1 values whatever the format.
-graph::ImageId normal_target(graph::FrameGraph& graph, VkExtent2D extent, NormalEncoding encoding) {
-    switch (encoding) {
-    case NormalEncoding::oct24: return graph.image("normal", {VK_FORMAT_R8G8B8A8_UNORM, extent});
-    case NormalEncoding::oct32:
-        return graph.image("normal", extent, {VK_FORMAT_R16G16_UNORM, VK_FORMAT_R32G32_SFLOAT});
-    case NormalEncoding::rgb10a2: break;
+/// View depth in a colour target, or a worse one where the device lacks it: R32F, R16F, RGBA8. Sets
+/// `source` to what was taken.
+graph::ImageId linear_depth_target(graph::FrameGraph& graph, VkExtent2D extent, DepthSource& source) {
+    struct Target {
+        DepthSource source;
+        VkFormat format;
+    };
+    constexpr std::array chain{Target{DepthSource::r32f, VK_FORMAT_R32_SFLOAT},
+                               Target{DepthSource::r16f, VK_FORMAT_R16_SFLOAT},
+                               Target{DepthSource::rgba8, VK_FORMAT_R8G8B8A8_UNORM}};
+    const auto first = std::find_if(chain.begin(), chain.end(), [&](const Target& t) { return t.source == source; });
+    std::vector<VkFormat> formats;
+    for (auto target = first; target != chain.end(); ++target)
+        formats.push_back(target->format);
+    const graph::ImageId image = graph.image("linear depth", extent, formats);
+    const auto taken = std::find_if(first, chain.end(),
+                                    [&](const Target& t) { return t.format == graph.desc(image).format; });
+    source = taken->source;
+    return image;
+}
+
+/// The first of two geometry passes: depth, and linear depth when a colour target holds it.
+void depth_pass(graph::FrameGraph& graph, const resident::Frame& frame, SurfaceBuffers& out) {
+    if (out.format.depth == DepthSource::attachment) {
+        out.depth = out.depth_source = depth_only_pass(graph, frame, out.format.stencil);
+        return;
     }
-    return graph.image("normal", extent, {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM});
+    out.depth = make_depth(graph, frame.extent(), out.format.stencil);
+    out.depth_source = linear_depth_target(graph, frame.extent(), out.format.depth);
+    graph::Pass& pass = graph.pass("depth");
+    pass.depth_write(out.depth).colour(out.depth_source, graph::Load::clear);
+    draw_surfaces(pass, frame,
+                  {.name = "depth", .fragment = "linear_depth.frag", .constants = out.format.constants()});
 }
 
 } // namespace
 
+std::span<const NormalEncodingInfo> normal_encodings() {
+    using Encoding = NormalEncoding;
+    static const std::array all{
+        NormalEncodingInfo{Encoding::oct24, "oct24", 24, {VK_FORMAT_R8G8B8A8_UNORM}},
+        NormalEncodingInfo{Encoding::oct32, "oct32", 32, {VK_FORMAT_R16G16_UNORM, VK_FORMAT_R32G32_SFLOAT}},
+        NormalEncodingInfo{Encoding::rgb10a2, "rgb10a2", 30, {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM}},
+        NormalEncodingInfo{Encoding::rgb8, "rgb8", 24, {VK_FORMAT_R8G8B8A8_UNORM}},
+        NormalEncodingInfo{Encoding::spherical, "spherical", 24, {VK_FORMAT_R8G8B8A8_UNORM}},
+        NormalEncodingInfo{Encoding::oct16, "oct16", 16, {VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8A8_UNORM}},
+        NormalEncodingInfo{Encoding::xy16f, "xy16f", 32, {VK_FORMAT_R16G16_SFLOAT, VK_FORMAT_R32G32_SFLOAT}}};
+    return all;
+}
+
+const NormalEncodingInfo& find_normal_encoding(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const NormalEncodingInfo& info : normal_encodings()) {
+        if (info.name == name)
+            return info;
+        names.push_back(info.name);
+    }
+    throw UsageError(fmt::format("normals={}: allowed is {}", name, fmt::join(names, ", ")));
+}
+
 gpu::Constants SurfaceFormat::constants() const {
     return {{CONSTANT_NORMAL_ENCODING, static_cast<uint32_t>(normals)},
             {CONSTANT_NORMAL_SPACE, view_space},
-            {CONSTANT_LINEAR_DEPTH, linear_depth},
+            {CONSTANT_DEPTH_SOURCE, static_cast<uint32_t>(depth)},
             {CONSTANT_POSITION_FROM_RAY, position_from_ray}};
 }
 
@@ -35,24 +87,37 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
                                  const SurfaceFormat& format) {
     const VkExtent2D extent = frame.extent();
     SurfaceBuffers out{format};
-    out.depth = out.depth_source = make_depth(graph, extent, format.stencil);
-    out.normal = out.roughness = normal_target(graph, extent, format.normals);
+    if (format.two_passes)
+        depth_pass(graph, frame, out);
+    else
+        out.depth = out.depth_source = make_depth(graph, extent, format.stencil);
 
     std::string shader = "depth_normal";
-    graph::Pass& pass = graph.pass("depth-normal");
-    pass.depth_write(out.depth).colour(out.normal, graph::Load::clear);
-    if (format.normals != NormalEncoding::oct24) {
-        out.roughness = graph.image("roughness", {VK_FORMAT_R16_SFLOAT, extent});
+    graph::Pass& pass = graph.pass(format.two_passes ? "normal" : "depth-normal");
+    if (format.two_passes)
+        pass.depth_test(out.depth);
+    else
+        pass.depth_write(out.depth);
+    for (const NormalEncodingInfo& info : normal_encodings())
+        if (info.encoding == format.normals)
+            out.normal = out.roughness = graph.image("normal", extent, info.formats);
+    pass.colour(out.normal, graph::Load::clear);
+    if (!shared::normal_holds_roughness(static_cast<int>(format.normals))) {
+        out.roughness = graph.image("roughness", extent, {VK_FORMAT_R16_SFLOAT, VK_FORMAT_R32_SFLOAT});
         pass.colour(out.roughness, graph::Load::clear);
         shader += "+roughness";
     }
-    if (format.linear_depth) {
-        out.depth_source = graph.image("linear depth", extent, {VK_FORMAT_R32_SFLOAT, VK_FORMAT_R16_SFLOAT});
+    if (!format.two_passes && format.depth != DepthSource::attachment) {
+        out.depth_source = linear_depth_target(graph, extent, out.format.depth);
         pass.colour(out.depth_source, graph::Load::clear);
         shader += "+depth";
     }
     draw_surfaces(pass, frame,
-                  {.name = "depth-normal", .fragment = shader + ".frag", .constants = format.constants()});
+                  {.name = pass.name(),
+                   .fragment = shader + ".frag",
+                   .constants = out.format.constants(),
+                   .depth = format.two_passes ? gpu::DepthTest::equal : gpu::DepthTest::write_nearer,
+                   .keeps_alpha_mask = !format.two_passes});
     return out;
 }
 

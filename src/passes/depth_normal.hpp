@@ -2,27 +2,60 @@
 #include <gpu/pipeline.hpp>
 #include <graph/frame_graph.hpp>
 #include <resident/frame.hpp>
+#include <shared/bindings.h>
+#include <span>
+#include <string_view>
 
 namespace prelight::passes {
 
-enum class NormalEncoding { oct24, oct32, rgb10a2 };
+enum class NormalEncoding : uint32_t {
+    oct24 = NORMAL_OCT24,
+    oct32 = NORMAL_OCT32,
+    rgb10a2 = NORMAL_RGB10A2,
+    rgb8 = NORMAL_RGB8,
+    spherical = NORMAL_SPHERICAL,
+    oct16 = NORMAL_OCT16,
+    xy16f = NORMAL_XY16F,
+};
 
-/// How depth and normals are stored and read back: [L1] [L2] [L3].
+/// What is to be known of an encoding: [L1]. Its code stands in shaders/shared/normal_encoding.h.
+struct NormalEncodingInfo {
+    NormalEncoding encoding;
+    const char* name;              ///< the value of `normals=`
+    uint32_t bits;                 ///< that hold the normal
+    std::vector<VkFormat> formats; ///< the target, and what takes its place where it is missing
+};
+/// In the order of the values of `normals=`; the first is the default.
+std::span<const NormalEncodingInfo> normal_encodings();
+/// Throws UsageError listing them.
+const NormalEncodingInfo& find_normal_encoding(std::string_view name);
+
+/// Where later passes read depth from: the attachment itself, or view depth in metres in a colour
+/// target of this format: [L2].
+enum class DepthSource : uint32_t {
+    attachment = DEPTH_ATTACHMENT,
+    r32f = DEPTH_R32F,
+    r16f = DEPTH_R16F,
+    rgba8 = DEPTH_RGBA8,
+};
+
+/// How depth and normals are stored and read back: [L1] [L2] [L3] [L9].
 struct SurfaceFormat {
     NormalEncoding normals = NormalEncoding::oct24;
     bool view_space = false;         ///< normals in view space instead of world space
-    bool linear_depth = false;       ///< view depth in a colour target R32F instead of the attachment
+    DepthSource depth = DepthSource::attachment;
     bool stencil = false;            ///< the depth attachment has stencil beside it
     bool position_from_ray = true;   ///< frustum ray, or the inverse view-projection matrix
+    bool two_passes = false;         ///< geometry once for depth and once for normals, instead of MRT
     /// Specialisation constants of every shader that writes or reads these buffers.
     gpu::Constants constants() const;
 };
 
 /// Stage 1's result.
 struct SurfaceBuffers {
-    SurfaceFormat format;
+    SurfaceFormat format;        ///< as it became: of the next depth source where one is missing
     graph::ImageId depth;        ///< D32F attachment, or one with stencil; reversed
-    graph::ImageId depth_source; ///< what later passes read: the attachment, or R32F
+    graph::ImageId depth_source; ///< what later passes read: the attachment, or a colour target
     graph::ImageId normal;
     graph::ImageId roughness;    ///< the normal target itself when it holds roughness
 };
@@ -30,8 +63,9 @@ struct SurfaceBuffers {
 /// The depth attachment of a renderer: D32F, with `stencil` D32F_S8 or what the device has instead.
 graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool stencil);
 
-/// Depth, shading normals and roughness of the nearest surface, with MRT where the encoding has no
-/// room for roughness.
+/// Depth, shading normals and roughness of the nearest surface. At once, with MRT; or depth [and
+/// linear depth] first, then normals [and roughness, where the encoding has no room for it] with depth
+/// test EQUAL. Both give the same bytes.
 SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                                  const SurfaceFormat& format);
 

@@ -11,13 +11,15 @@ namespace prelight {
 namespace {
 
 passes::SurfaceFormat surface_format(const Settings& settings) {
-    const std::string& normals = settings.get("normals");
-    return {.normals = normals == "oct24"   ? passes::NormalEncoding::oct24
-                       : normals == "oct32" ? passes::NormalEncoding::oct32
-                                            : passes::NormalEncoding::rgb10a2,
+    using Depth = passes::DepthSource;
+    return {.normals = passes::find_normal_encoding(settings.get("normals")).encoding,
             .view_space = settings.is("normal-space", "view"),
-            .linear_depth = settings.is("depth", "r32f"),
-            .position_from_ray = settings.is("position", "ray")};
+            .depth = settings.is("depth", "r32f")    ? Depth::r32f
+                     : settings.is("depth", "r16f")  ? Depth::r16f
+                     : settings.is("depth", "rgba8") ? Depth::rgba8
+                                                     : Depth::attachment,
+            .position_from_ray = settings.is("position", "ray"),
+            .two_passes = settings.is("geometry", "two-passes")};
 }
 
 /// `model=auto` becomes what the light buffer can hold.
@@ -106,12 +108,18 @@ private:
 } // namespace
 
 RendererInfo light_prepass_info() {
+    std::vector<std::string> normals;
+    for (const passes::NormalEncodingInfo& encoding : passes::normal_encodings())
+        normals.emplace_back(encoding.name);
     return {.name = "light-prepass",
             .description = "depth and normals, then all lights into a light buffer, then materials",
             .settings =
-                {{"normals", {"oct24", "oct32", "rgb10a2"}, "oct24", "encoding of the normal buffer"},
+                {{"normals", normals, normals[0], "encoding of the normal buffer"},
                  {"normal-space", {"world", "view"}, "world", "space of the stored normals"},
-                 {"depth", {"attachment", "r32f"}, "attachment", "what later passes read depth from"},
+                 {"depth", {"attachment", "r32f", "r16f", "rgba8"}, "attachment",
+                  "what later passes read depth from: the attachment, or view depth in a colour target"},
+                 {"geometry", {"mrt", "two-passes"}, "mrt",
+                  "depth and normals at once, or depth first and then normals"},
                  {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
                  {"light-buffer", {"rgba16f", "packed-rgba16f", "packed-rgba8"}, "rgba16f",
                   "diffuse and specular pair, or specular packed into alpha"},

@@ -1,25 +1,8 @@
-// [L1] [L2] [L3] [L4]: every way to store normals, depth and light, against the reference.
+// [L4]: every way to store light, against the reference.
 #include "garden.hpp"
 
 namespace prelight {
 namespace {
-
-using Format = std::tuple<const char*, const char*, const char*, const char*>;
-class SurfaceFormats : public testing::TestWithParam<Format> {};
-
-TEST_P(SurfaceFormats, AgreeWithTheReference) {
-    Garden garden;
-    garden.add_lights(12, 4, 6);
-    Shot shot = garden.shot();
-    const auto& [normals, space, depth, position] = GetParam();
-    shot.settings = {{"normals", normals}, {"normal-space", space}, {"depth", depth}, {"position", position}};
-    expect_agrees(shot);
-}
-INSTANTIATE_TEST_SUITE_P(L1L2L3, SurfaceFormats,
-                         testing::Combine(testing::Values("oct24", "oct32", "rgb10a2"),
-                                          testing::Values("world", "view"),
-                                          testing::Values("attachment", "r32f"),
-                                          testing::Values("ray", "matrix")));
 
 /// At most four lights on a pixel, and no light above what the buffer stores.
 struct FewLights : Garden {

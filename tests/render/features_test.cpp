@@ -190,28 +190,5 @@ TEST(Views, EveryBufferCanBeSeen) {
     expect_validation_clean(test_device());
 }
 
-TEST(Views, NormalViewShowsTheReferencesNormals) {
-    Garden garden;
-    garden.add_lights(2, 4, 3);
-    const ReferencePicture reference = render_reference(garden.world, garden.camera, 320, 180, 0, {});
-    const std::vector<uint8_t> left_out = reference.left_out();
-    for (const char* space : {"world", "view"}) {
-        RenderOptions options;
-        options.width = 320;
-        options.height = 180;
-        options.views = {"normal"};
-        options.settings["normal-space"] = space;
-        const auto renderer = create_renderer("light-prepass", &test_device(), options);
-        renderer->set_world(garden.world);
-        renderer->render(garden.camera);
-        const Image view = renderer->read("normal");
-        double worst = 0;
-        for (size_t i = 0; i < view.pixels.size(); ++i)
-            if (!left_out[i] && reference.instance[i] != 0xffffffffu)
-                worst = std::max(worst, glm::length(glm::dvec3(view.pixels[i]) * 2.0 - 1.0 - reference.normal[i]));
-        EXPECT_LT(worst, 2.0 / 127) << space; // the view itself has eight bits
-    }
-}
-
 } // namespace
 } // namespace prelight

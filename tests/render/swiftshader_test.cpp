@@ -22,7 +22,9 @@ TEST_F(SwiftShader, EveryLightBufferAndEncodingAgreesWithTheReference) {
     const std::map<std::string, std::string> settings[] = {
         {},
         {{"light-buffer", "packed-rgba16f"}, {"normals", "oct32"}, {"normal-space", "view"}},
-        {{"normals", "rgb10a2"}, {"depth", "r32f"}, {"position", "matrix"}, {"model", "nv"}}};
+        {{"normals", "rgb10a2"}, {"depth", "r32f"}, {"position", "matrix"}, {"model", "nv"}},
+        {{"normals", "spherical"}, {"depth", "rgba8"}},
+        {{"normals", "xy16f"}, {"normal-space", "view"}, {"depth", "rgba8"}, {"geometry", "two-passes"}}};
     for (const auto& set : settings) {
         Shot shot = garden.shot();
         shot.width = 160;
