@@ -68,13 +68,26 @@ struct RenderersCommand {
     std::string name; ///< empty: all, one line each
 };
 
+/// `prelight bench WHAT`: a table of figures, measured here and now.
+struct BenchCommand {
+    std::string what;            ///< one of bench_names()
+    std::string scene = "spheres";
+    std::string camera; ///< name or index; empty: the scene's first
+    uint32_t width = 640, height = 360;
+    std::optional<uint32_t> lights;
+    uint64_t seed = 1;
+    std::string device = "auto";
+    bool validate = false;
+    std::filesystem::path json; ///< empty: none
+};
+
 /// `--help`, `--version`: text that goes to stdout, and nothing else to do.
 struct PrintCommand {
     std::string text;
 };
 
-using Command =
-    std::variant<RenderCommand, CompareCommand, MakeCommand, DevicesCommand, RenderersCommand, PrintCommand>;
+using Command = std::variant<RenderCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand,
+                             RenderersCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);

@@ -14,7 +14,7 @@ TEST(Inform, HelpNamesEveryCommandAndHasExamples) {
     const TemporaryFolder folder;
     const Result result = run({"--help"}, folder.path);
     ASSERT_TRUE(succeeded(result));
-    for (const char* command : {"render", "compare", "make", "devices", "renderers", "Examples:"})
+    for (const char* command : {"render", "compare", "make", "devices", "renderers", "bench", "Examples:"})
         EXPECT_THAT(result.out, HasSubstr(command));
 }
 

@@ -53,7 +53,11 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"CompareSameTwice", "compare city -o out --renderers multipass,multipass", "named twice"},
         Wrong{"CompareNoCount", "compare city -o out --light-counts 1,,2", "--light-counts"},
         Wrong{"CompareCountTooLarge", "compare city -o out --light-counts 70000", "65536"},
-        Wrong{"NotYetBench", "bench city --json a.json", "bench: not a command"},
+        Wrong{"NotYetBench", "bench city --json a.json", "city: not a bench (encodings"},
+        Wrong{"BenchOfNothing", "bench", "WHAT"},
+        Wrong{"BenchSize", "bench encodings --size 64", "--size 64"},
+        Wrong{"BenchCamera", "bench encodings --size 64x36 --camera magic --json a.json", "magic"},
+        Wrong{"BenchDevice", "bench encodings --device magic --json a.json", "magic"},
         Wrong{"NotYetMaterials", "materials", "materials: not a command"},
         Wrong{"NoScene", "render -o a.png", "SCENE"}, //
         Wrong{"NoOutput", "render city", "--output"},

@@ -1,0 +1,46 @@
+#include "bench.hpp"
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "validation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+namespace {
+
+constexpr std::array benches{
+    Bench{"encodings", "angular error of each encoding of normals, and its picture's error",
+          bench_encodings_table},
+};
+
+} // namespace
+
+std::string bench_names() {
+    std::string names;
+    for (const Bench& bench : benches)
+        names += (names.empty() ? "" : ", ") + std::string(bench.name);
+    return names;
+}
+
+void run(const BenchCommand& command) {
+    const auto bench = std::ranges::find(benches, std::string_view(command.what), &Bench::name);
+    if (bench == benches.end())
+        throw UsageError(fmt::format("{}: not a bench ({})", command.what, bench_names()));
+    if (!command.json.empty())
+        check_writable(command.json);
+    const auto device = Device::create({.select = command.device, .validate = command.validate});
+    nlohmann::ordered_json json = {
+        {"bench", command.what}, {"device", device->name()}, {"driver", device->driver()}};
+    json.update(bench->run(command, *device));
+    check_validation(*device);
+    // A file name may hold any bytes; JSON holds UTF-8 only.
+    if (!command.json.empty())
+        save_text(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
+                  command.json);
+}
+
+} // namespace prelight::app

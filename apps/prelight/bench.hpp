@@ -1,0 +1,23 @@
+#pragma once
+#include "command_line.hpp"
+
+#include <nlohmann/json.hpp>
+#include <prelight/device.hpp>
+
+namespace prelight::app {
+
+/// One table of `prelight bench`. To add one: a file bench_NAME.cpp, a declaration here, a line in
+/// bench.cpp.
+struct Bench {
+    const char* name;
+    const char* description;
+    /// Prints the table; what it returns becomes part of the JSON file. Throws Error.
+    nlohmann::ordered_json (*run)(const BenchCommand& command, Device& device);
+};
+
+/// "encodings, …" for messages.
+std::string bench_names();
+
+nlohmann::ordered_json bench_encodings_table(const BenchCommand& command, Device& device);
+
+} // namespace prelight::app
