@@ -7,6 +7,7 @@
 #define FRAME_LIGHTS 1
 #define FRAME_OBJECTS 2
 #define FRAME_LIGHT_ORDER 3
+#define FRAME_LIGHT_BOUNDS 4
 
 #define SET_INPUTS 1
 // light pass
@@ -63,6 +64,7 @@
 #define CONSTANT_VIEW 16
 #define CONSTANT_VOLUME 17
 #define CONSTANT_FORWARD_BASE 18
+#define CONSTANT_RECTANGLE_FAR_SIDE 19
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -102,6 +104,7 @@
 
 #define VOLUME_SPHERE 0
 #define VOLUME_CONE 1
+#define VOLUME_BOX 2
 
 #define TONEMAP_PBR_NEUTRAL 0
 #define TONEMAP_ACES 1

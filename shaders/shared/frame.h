@@ -31,6 +31,12 @@ struct LightData {
     vec4 cone;      // x, y: scale and offset of the cone's falloff; z: falloff kind; w: outer angle
 };
 
+// What a light covers of the screen, in the order of the lights: light-culling=rectangles.
+struct LightBounds {
+    vec4 rectangle;  // clip space: low x, low y, high x, high y
+    vec4 depth;      // x, y: device depth of the nearest and the farthest point; reversed, so x ≥ y
+};
+
 // One object; rows of the 3×4 matrix object → world, and of the inverse transpose.
 struct ObjectData {
     vec4 world_row[3];

@@ -1,4 +1,6 @@
 #include "light_pass.hpp"
+#include "light_rectangles.hpp"
+#include "light_stencil.hpp"
 #include "light_volumes.hpp"
 
 namespace prelight::passes {
@@ -8,15 +10,38 @@ void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const st
     switch (frame.culling()) {
     case resident::LightCulling::fullscreen:
     case resident::LightCulling::volumes: return light_volume_pass(graph, frame, name, inputs);
+    case resident::LightCulling::rectangles: return light_rectangle_pass(graph, frame, name, inputs);
+    case resident::LightCulling::stencil: return light_stencil_pass(graph, frame, name, inputs);
     }
 }
 
 SettingInfo light_culling_setting() {
-    return {"light-culling", {"volumes", "fullscreen"}, "volumes", "how a light finds its pixels"};
+    return {"light-culling", {"volumes", "fullscreen", "rectangles", "stencil"}, "volumes",
+            "how a light finds its pixels"};
 }
 
 resident::LightCulling light_culling(const std::string& value) {
-    return value == "fullscreen" ? resident::LightCulling::fullscreen : resident::LightCulling::volumes;
+    using resident::LightCulling;
+    return value == "fullscreen"   ? LightCulling::fullscreen
+           : value == "rectangles" ? LightCulling::rectangles
+           : value == "stencil"    ? LightCulling::stencil
+                                   : LightCulling::volumes;
+}
+
+std::vector<SettingInfo> volume_settings() {
+    return {{"spot-volume", {"cone", "box"}, "cone", "volumes, stencil: shape around a spot of less than 80°"},
+            {"volume-depth-test", {"on", "off"}, "on", "volumes: off leaves only the cull mode by camera position"},
+            {"depth-bounds", {"auto", "on", "off"}, "auto", "rectangles: test near and far side, a draw a light"}};
+}
+
+resident::VolumeOptions volume_options(const std::map<std::string, std::string>& settings) {
+    using resident::DepthBounds;
+    const std::string& bounds = settings.at("depth-bounds");
+    return {.spot_boxes = settings.at("spot-volume") == "box",
+            .depth_test = settings.at("volume-depth-test") == "on",
+            .depth_bounds = bounds == "auto" ? DepthBounds::automatic
+                            : bounds == "on" ? DepthBounds::on
+                                             : DepthBounds::off};
 }
 
 } // namespace prelight::passes

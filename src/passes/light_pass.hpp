@@ -1,5 +1,6 @@
 #pragma once
 #include "lighting.hpp"
+#include <map>
 
 namespace prelight::passes {
 
@@ -11,5 +12,9 @@ void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const st
 /// The setting `light-culling` of every architecture with light passes.
 SettingInfo light_culling_setting();
 resident::LightCulling light_culling(const std::string& value);
+
+/// The settings of rectangles, volumes and stencil, and what they say: keys and values of every one.
+std::vector<SettingInfo> volume_settings();
+resident::VolumeOptions volume_options(const std::map<std::string, std::string>& settings);
 
 } // namespace prelight::passes

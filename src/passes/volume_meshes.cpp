@@ -83,4 +83,13 @@ VolumeMesh cone_volume(uint32_t sides) {
     return mesh;
 }
 
+VolumeMesh box_volume() {
+    VolumeMesh mesh;
+    for (int i = 0; i < 8; ++i)
+        mesh.points.push_back({i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : 0});
+    mesh.indices = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                    2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    return mesh;
+}
+
 } // namespace prelight::passes

@@ -18,6 +18,7 @@ passes::SurfaceFormat surface_format(const Settings& settings) {
                      : settings.is("depth", "r16f")  ? Depth::r16f
                      : settings.is("depth", "rgba8") ? Depth::rgba8
                                                      : Depth::attachment,
+            .stencil = settings.is("light-culling", "stencil"),
             .position_from_ray = settings.is("position", "ray"),
             .two_passes = settings.is("geometry", "two-passes")};
 }
@@ -61,6 +62,7 @@ private:
         if (bytes)
             frame.light_scale = settings().number("light-scale");
         frame.culling = passes::light_culling(settings().get("light-culling"));
+        frame.volumes = passes::volume_options(settings().all());
         frame.texture_filter = settings().is("texture-filter", "bilinear")
                                    ? gpu::TextureFilter::bilinear
                                    : gpu::TextureFilter::anisotropic;
@@ -111,7 +113,7 @@ RendererInfo light_prepass_info() {
     std::vector<std::string> normals;
     for (const passes::NormalEncodingInfo& encoding : passes::normal_encodings())
         normals.emplace_back(encoding.name);
-    return {.name = "light-prepass",
+    RendererInfo info{.name = "light-prepass",
             .description = "depth and normals, then all lights into a light buffer, then materials",
             .settings =
                 {{"normals", normals, normals[0], "encoding of the normal buffer"},
@@ -135,6 +137,9 @@ RendererInfo light_prepass_info() {
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
                       "albedo", "light-count"},
             .presets = {}};
+    for (const SettingInfo& setting : passes::volume_settings())
+        info.settings.push_back(setting);
+    return info;
 }
 
 std::unique_ptr<Renderer> make_light_prepass(Device& device, const RenderOptions& options) {

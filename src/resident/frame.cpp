@@ -38,15 +38,19 @@ void Frame::make_light_buffers(size_t lights) {
     constexpr auto storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     gpu::Buffer data = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
     gpu::Buffer order = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
+    gpu::Buffer bounds = make_upload(context_, "light bounds", culling() == LightCulling::rectangles ? lights : 1,
+                                     sizeof(shared::LightBounds), storage);
     const std::vector<gpu::Binding> bindings{gpu::Binding::uniform(FRAME_CONSTANTS, constants_.handle()),
                                              gpu::Binding::storage(FRAME_LIGHTS, data.handle()),
                                              gpu::Binding::storage(FRAME_OBJECTS, objects_.handle()),
-                                             gpu::Binding::storage(FRAME_LIGHT_ORDER, order.handle())};
+                                             gpu::Binding::storage(FRAME_LIGHT_ORDER, order.handle()),
+                                             gpu::Binding::storage(FRAME_LIGHT_BOUNDS, bounds.handle())};
     if (!layout_)
         layout_ = gpu::make_set_layout(context_, "frame", bindings);
     sets_ = gpu::DescriptorSets(context_, "frame", layout_, {{bindings}});
     lights_ = std::move(data);
     order_ = std::move(order);
+    bounds_ = std::move(bounds);
     capacity_ = lights;
 }
 
@@ -78,8 +82,9 @@ void Frame::update(const PlacedCamera& camera) {
     for (size_t i = 0; i < world_.instances.size(); ++i)
         objects[i] = object_data(world_.instances[i], camera.position);
     groups_ = group_lights(placed_, camera, next, settings_.culling,
-                           context_.features().depth_clamp);
+                           context_.features().depth_clamp, settings_.volumes.spot_boxes);
     std::copy(groups_.order.begin(), groups_.order.end(), order_.mapped<uint32_t>());
+    std::copy(groups_.bounds.begin(), groups_.bounds.end(), bounds_.mapped<shared::LightBounds>());
     reach_ = find_reach(geometry_.draws, placed_, groups_.order, settings_.object_lights);
 }
 

@@ -11,6 +11,7 @@ struct FrameSettings {
     double exposure = 1;             ///< factor
     double light_scale = 32;         ///< what stored light is divided by
     LightCulling culling = LightCulling::volumes;
+    VolumeOptions volumes = {};
     ObjectLights object_lights = ObjectLights::none;
     gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
     bool motion = false;             ///< fill Geometry::previous_positions
@@ -38,6 +39,7 @@ public:
     /// Lights of each object; empty lists with ObjectLights::none.
     const LightReach& reach() const { return reach_; }
     LightCulling culling() const { return settings_.culling; }
+    const VolumeOptions& volumes() const { return settings_.volumes; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
     VkDescriptorSetLayout layout() const { return layout_; }
     VkDescriptorSet set() const { return sets_[0]; }
@@ -54,7 +56,7 @@ private:
     size_t capacity_ = 0; ///< lights that the buffers hold
     Geometry geometry_;
     Materials materials_;
-    gpu::Buffer constants_, lights_, objects_, order_;
+    gpu::Buffer constants_, lights_, objects_, order_, bounds_;
     gpu::UniqueSetLayout layout_;
     gpu::DescriptorSets sets_;
     LightGroups groups_;

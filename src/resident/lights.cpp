@@ -1,3 +1,4 @@
+#include "light_bounds.hpp"
 #include "lights.hpp"
 #include <algorithm>
 #include <cmath>
@@ -9,10 +10,6 @@ constexpr double widest_cone = 80.0 / 180.0 * 3.14159265358979323846;
 
 /// A range so large that its inverse is no normal float is none.
 constexpr float longest_range = 1e18f;
-
-bool is_cone(const Light& light) {
-    return light.kind == LightKind::spot && light.outer_cone < widest_cone;
-}
 
 bool has_volume(const Light& light) {
     return light.kind != LightKind::directional && light.range < longest_range;
@@ -58,9 +55,15 @@ LightGroup group_of(const PlacedLight& light, const PlacedCamera& camera,
 
 } // namespace
 
-double volume_reach(const Light& light) {
+bool is_cone(const Light& light) {
+    return light.kind == LightKind::spot && light.outer_cone < widest_cone;
+}
+
+double volume_reach(const Light& light, bool spot_boxes) {
     if (!is_cone(light))
         return 1.08; // sphere_volume()'s corners lie at 1.0716, times light_volume.vert's 1.001
+    if (spot_boxes) // a far corner of the box: sin(outer cone) to both sides
+        return std::sqrt(1 + 2 * std::pow(std::sin(double(light.outer_cone)), 2)) * 1.002;
     // The rim of the cone and the rim of its cap, on polygons of `cone_sides` around their circles.
     const double outward = 1 / std::cos(3.14159265358979323846 / cone_sides);
     const double angle = light.outer_cone;
@@ -90,7 +93,10 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
 
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
                          const shared::FrameConstants& constants, LightCulling culling,
-                         bool depth_clamp) {
+                         bool depth_clamp, bool spot_boxes) {
+    const bool rectangles = culling == LightCulling::rectangles;
+    const double aspect = double(constants.size.x) / double(constants.size.y);
+    std::vector<shared::LightBounds> bounds(rectangles ? lights.size() : 0);
     std::array<std::vector<uint32_t>, light_group_count> members;
     const glm::dmat4 clip(constants.clip_from_world);
     for (uint32_t i = 0; i < lights.size(); ++i) {
@@ -102,9 +108,15 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
             const glm::dvec3 centre = light.position - camera.position;
             if (outside_view(clip, centre, light.light.range))
                 continue;
-            const double radius = light.light.range * volume_reach(light.light);
+            if (rectangles) {
+                const ScreenBounds screen = screen_bounds(light, camera, aspect);
+                if (screen.empty())
+                    continue;
+                bounds[i] = light_bounds(screen, constants);
+            }
+            const double radius = light.light.range * volume_reach(light.light, spot_boxes);
             const double farthest = glm::dot(centre, glm::dvec3(constants.forward)) + radius;
-            if (depth_clamp || farthest < camera.camera.zfar)
+            if (depth_clamp || rectangles || farthest < camera.camera.zfar)
                 group = group_of(light, camera, constants, centre, radius);
         }
         members[static_cast<size_t>(group)].push_back(i);
@@ -115,6 +127,9 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
         groups.count[g] = static_cast<uint32_t>(members[g].size());
         groups.order.insert(groups.order.end(), members[g].begin(), members[g].end());
     }
+    if (rectangles)
+        for (const uint32_t light : groups.order)
+            groups.bounds.push_back(bounds[light]);
     return groups;
 }
 

@@ -10,7 +10,19 @@ namespace prelight::resident {
 /// How lights find their pixels: the setting `light-culling`.
 enum class LightCulling {
     fullscreen, ///< every light by a full-screen triangle, wherever it is: the yardstick [V1]
+    rectangles, ///< the rectangle that its volume covers on the screen [V2]
     volumes,    ///< spheres and cones [V3] [V5]
+    stencil,    ///< volumes that mark in stencil the pixels they hold, before they light them [V4]
+};
+
+/// The depth bounds test of rectangles: the setting `depth-bounds`.
+enum class DepthBounds { automatic, on, off };
+
+/// How rectangles and volumes are drawn: settings that only they obey.
+struct VolumeOptions {
+    bool spot_boxes = false; ///< `spot-volume=box`: boxes instead of cones
+    bool depth_test = true;  ///< `volume-depth-test`; off: only the cull mode goes by the camera's place
+    DepthBounds depth_bounds = DepthBounds::automatic;
 };
 
 /// How one light is drawn: full screen, or a volume seen from outside or inside [V1] [V3].
@@ -20,6 +32,7 @@ inline constexpr size_t light_group_count = 5;
 /// Indices of lights that can reach the picture, group by group; within a group in the world's order.
 struct LightGroups {
     std::vector<uint32_t> order;
+    std::vector<shared::LightBounds> bounds; ///< beside `order`; LightCulling::rectangles only
     std::array<uint32_t, light_group_count> first{};
     std::array<uint32_t, light_group_count> count{};
 };
@@ -31,11 +44,14 @@ shared::LightData light_data(const PlacedLight& light, glm::dvec3 camera, double
 /// faces, reversed depth test) as soon as its volume may touch the near plane.
 /// Without `depth_clamp`, a volume that the far plane would cut is drawn full screen.
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, LightCulling culling, bool depth_clamp);
+                         const shared::FrameConstants& constants, LightCulling culling, bool depth_clamp,
+                         bool spot_boxes = false);
 
 /// Sides of the cone's mesh, shared with passes::cone_volume.
 inline constexpr uint32_t cone_sides = 16;
 /// Largest distance of a point of the light's volume mesh from the light, in ranges.
-double volume_reach(const Light& light);
+double volume_reach(const Light& light, bool spot_boxes = false);
+/// Spots of 80° and more, and point lights, use the sphere.
+bool is_cone(const Light& light);
 
 } // namespace prelight::resident

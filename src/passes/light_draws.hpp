@@ -1,0 +1,50 @@
+#pragma once
+#include "lighting.hpp"
+#include <array>
+#include <gpu/pipeline.hpp>
+
+namespace prelight::passes {
+
+/// A group of lights that have a volume.
+struct VolumeGroup {
+    resident::LightGroup group;
+    const char* name;
+    bool spot;
+    bool inside; ///< the camera is inside, or the near plane cuts the volume
+    size_t index() const { return static_cast<size_t>(group); }
+};
+inline constexpr std::array<VolumeGroup, 4> volume_groups{{
+    {resident::LightGroup::sphere_outside, "spheres from outside", false, false},
+    {resident::LightGroup::sphere_inside, "spheres from inside", false, true},
+    {resident::LightGroup::cone_outside, "spots from outside", true, false},
+    {resident::LightGroup::cone_inside, "spots from inside", true, true},
+}};
+
+/// What all passes share that draw light by light: pipelines that add to the target, ambient light and
+/// the lights that are drawn full screen [V1].
+class LightDraws {
+public:
+    LightDraws(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs);
+    void record_fullscreen(const graph::PassContext& pass) const;
+    /// A pipeline of light.frag that blends ONE/ONE.
+    gpu::GraphicsPipelineDesc pipeline(const char* name, const char* vertex) const;
+    void bind(const graph::PassContext& pass, const gpu::GraphicsPipeline& pipeline) const;
+    const resident::Frame& frame() const { return frame_; }
+    const resident::LightGroups& lights() const { return frame_.lights(); }
+
+private:
+    const resident::Frame& frame_;
+    gpu::GraphicsPipelineDesc light_;
+    gpu::GraphicsPipeline ambient_, fullscreen_;
+    bool has_ambient_ = false;
+};
+
+/// Makes `pass` draw with a Draws(frame, interface, inputs) that has a record().
+template <class Draws>
+void draw_lights(graph::Pass& pass, const resident::Frame& frame, const LightingInputs& inputs) {
+    auto draws = std::make_shared<std::optional<Draws>>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
+    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+}
+
+} // namespace prelight::passes

@@ -1,0 +1,73 @@
+#include "light_rectangles.hpp"
+#include "light_draws.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+namespace {
+
+bool uses_depth_bounds(const resident::Frame& frame) {
+    return frame.volumes().depth_bounds != resident::DepthBounds::off && frame.context().features().depth_bounds;
+}
+
+class RectangleDraws {
+public:
+    RectangleDraws(const resident::Frame& frame, const graph::PassInterface& interface,
+                   const LightingInputs& inputs)
+        : draws_(frame, interface, inputs), bounds_(uses_depth_bounds(frame)) {
+        for (const bool inside : {false, true}) {
+            gpu::GraphicsPipelineDesc desc = draws_.pipeline(inside ? "rectangles from inside" : "rectangles from outside", "light_rectangle.vert");
+            desc.constants.emplace_back(CONSTANT_RECTANGLE_FAR_SIDE, inside);
+            desc.depth_bounds = bounds_;
+            desc.depth = bounds_  ? gpu::DepthTest::none
+                         : inside ? gpu::DepthTest::before_or_at
+                                  : gpu::DepthTest::behind_or_at;
+            pipelines_[inside] = gpu::GraphicsPipeline(frame.context(), desc);
+            if (bounds_)
+                break; // both sides are in the bounds
+        }
+    }
+
+    void record(const graph::PassContext& pass) const {
+        draws_.record_fullscreen(pass);
+        const resident::LightGroups& lights = draws_.lights();
+        for (const VolumeGroup& group : volume_groups) {
+            const uint32_t first = lights.first[group.index()], count = lights.count[group.index()];
+            if (count == 0)
+                continue;
+            draws_.bind(pass, pipelines_[group.inside && !bounds_]);
+            if (!bounds_) {
+                vkCmdDraw(pass.commands, 6, count, 0, first);
+                continue;
+            }
+            for (uint32_t i = first; i < first + count; ++i) {
+                // Reversed depth: the far side is the smaller one. 0 is where no surface is.
+                const float nearest = lights.bounds[i].depth.x, farthest = lights.bounds[i].depth.y;
+                vkCmdSetDepthBounds(pass.commands, std::min(nearest, std::max(farthest, std::numeric_limits<float>::min())), nearest);
+                vkCmdDraw(pass.commands, 6, 1, 0, i);
+            }
+        }
+    }
+
+private:
+    LightDraws draws_;
+    bool bounds_;
+    std::array<gpu::GraphicsPipeline, 2> pipelines_; ///< from outside, from inside
+};
+
+} // namespace
+
+void light_rectangle_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                          const LightingInputs& inputs) {
+    if (frame.volumes().depth_bounds == resident::DepthBounds::on && !uses_depth_bounds(frame))
+        graph.note(fmt::format("{}: {} has no depth bounds test, one side of each light is tested", name,
+                               frame.context().name()));
+    graph::Pass& pass = graph.pass(name);
+    declare_lighting(graph, pass, inputs);
+    pass.blends().depth_test(inputs.surface.depth);
+    draw_lights<RectangleDraws>(pass, frame, inputs);
+}
+
+} // namespace prelight::passes
