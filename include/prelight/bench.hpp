@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <prelight/device.hpp>
 #include <prelight/metrics.hpp>
 #include <prelight/scene.hpp>
@@ -22,6 +23,17 @@ struct EncodingFigures {
     Comparison picture;      ///< of the light pre-pass with this encoding, against its reference
 };
 
+/// Figures of one place where view depth is read from: [L2].
+struct DepthFigures {
+    std::string name;   ///< value of the setting `depth`
+    std::string target; ///< its format
+    uint32_t bytes = 0; ///< a pixel, beside the depth attachment; 0 for the attachment itself
+    /// Largest relative error of a depth between 0.1 m and 10 km that goes through the target; absent for the
+    /// attachment, where it depends on the camera.
+    std::optional<double> relative;
+    Comparison picture; ///< as above
+};
+
 struct EncodingBench {
     uint32_t directions = 2'097'152; ///< evenly over the sphere; rounded up to whole rows of 1,024
     uint32_t width = 640, height = 360;
@@ -33,5 +45,9 @@ struct EncodingBench {
 /// the same form. The result does not depend on how often or when it runs. Throws Error.
 std::vector<EncodingFigures> bench_encodings(Device& device, const World& world,
                                              const PlacedCamera& camera, const EncodingBench& options);
+/// The same for each source of depth, with normals=oct32, whose own error is the smallest. Of `options`
+/// the picture's size is used.
+std::vector<DepthFigures> bench_depth_sources(Device& device, const World& world,
+                                              const PlacedCamera& camera, const EncodingBench& options);
 
 } // namespace prelight

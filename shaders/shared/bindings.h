@@ -21,11 +21,11 @@
 // tone mapping
 #define INPUT_COLOUR 0
 
-// measuring encodings of normals: passes of their own, without a frame
+// measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
-#define BENCH_DIRECTIONS 0
+#define BENCH_VALUES 0
 #define BENCH_STORED 0
-#define BENCH_WIDTH 1024  // pixels a row, one direction each
+#define BENCH_WIDTH 1024  // pixels a row, one value each
 
 #define SET_MATERIAL 2
 #define MATERIAL_CONSTANTS 0

@@ -1,4 +1,4 @@
-#include "normal_error.hpp"
+#include "through_target.hpp"
 #include <algorithm>
 #include <cmath>
 #include <prelight/bench.hpp>
@@ -16,7 +16,7 @@ double degrees_between(glm::dvec3 a, glm::dvec3 b) {
 
 EncodingFigures angular_error(const gpu::Context& context, const passes::NormalEncodingInfo& encoding,
                               const std::vector<glm::vec4>& directions) {
-    const bench::EncodedNormals through = bench::through_target(context, encoding, directions);
+    const bench::Stored through = bench::through_normal_target(context, encoding, directions);
     std::vector<double> angles(directions.size());
     double sum = 0;
     for (size_t i = 0; i < angles.size(); ++i)
@@ -35,28 +35,75 @@ EncodingFigures angular_error(const gpu::Context& context, const passes::NormalE
             .max = *std::max_element(percentile, angles.end())};
 }
 
+/// The light pre-pass with some settings, against the reference of its form.
+class PictureError {
+public:
+    PictureError(Device& device, const World& world, const PlacedCamera& camera, const EncodingBench& options)
+        : device_(device), world_(world), camera_(camera), options_(options),
+          reference_(render_reference(world, camera, options.width, options.height, 0, {})),
+          left_out_(reference_.left_out()) {}
+
+    Comparison with(std::map<std::string, std::string> settings) const {
+        settings["texture-filter"] = "bilinear";
+        const auto renderer = create_renderer(
+            "light-prepass", &device_,
+            {.width = options_.width, .height = options_.height, .settings = std::move(settings)});
+        renderer->set_world(world_);
+        renderer->render(camera_);
+        return compare(renderer->read("linear"), reference_.linear, left_out_);
+    }
+
+private:
+    Device& device_;
+    const World& world_;
+    const PlacedCamera& camera_;
+    const EncodingBench& options_;
+    ReferencePicture reference_;
+    std::vector<uint8_t> left_out_;
+};
+
+double largest_relative_error(const gpu::Context& context, const passes::DepthSourceInfo& source) {
+    std::vector<glm::vec4> depths(64 * BENCH_WIDTH, glm::vec4(0));
+    for (size_t i = 0; i < depths.size(); ++i)
+        depths[i].x = static_cast<float>(0.1 * std::pow(1e5, double(i) / double(depths.size() - 1)));
+    const bench::Stored through = bench::through_depth_target(context, source, depths);
+    double largest = 0;
+    for (size_t i = 0; i < depths.size(); ++i)
+        largest = std::max(largest, std::abs(double(through.decoded[i].x) / depths[i].x - 1));
+    return largest;
+}
+
 } // namespace
 
 std::vector<EncodingFigures> bench_encodings(Device& device, const World& world,
                                              const PlacedCamera& camera, const EncodingBench& options) {
     const auto& context = dynamic_cast<const gpu::Context&>(device);
     const std::vector<glm::vec4> directions = bench::directions(options.directions);
-    const ReferencePicture reference = render_reference(world, camera, options.width, options.height, 0, {});
-    const std::vector<uint8_t> left_out = reference.left_out();
+    const PictureError picture(device, world, camera, options);
     std::vector<EncodingFigures> all;
     for (const passes::NormalEncodingInfo& encoding : passes::normal_encodings()) {
         EncodingFigures figures = angular_error(context, encoding, directions);
-        const auto renderer =
-            create_renderer("light-prepass", &device,
-                            {.width = options.width,
-                             .height = options.height,
-                             .settings = {{"normals", encoding.name}, {"texture-filter", "bilinear"}}});
-        renderer->set_world(world);
-        renderer->render(camera);
-        figures.picture = compare(renderer->read("linear"), reference.linear, left_out);
+        figures.picture = picture.with({{"normals", encoding.name}});
         all.push_back(figures);
         if (options.done)
             options.done(figures);
+    }
+    return all;
+}
+
+std::vector<DepthFigures> bench_depth_sources(Device& device, const World& world,
+                                              const PlacedCamera& camera, const EncodingBench& options) {
+    const auto& context = dynamic_cast<const gpu::Context&>(device);
+    const PictureError picture(device, world, camera, options);
+    std::vector<DepthFigures> all;
+    for (const passes::DepthSourceInfo& source : passes::depth_sources()) {
+        DepthFigures figures{.name = source.name, .target = graph::format_name(source.format)};
+        if (source.source != passes::DepthSource::attachment) {
+            figures.bytes = graph::texel_bytes(source.format);
+            figures.relative = largest_relative_error(context, source);
+        }
+        figures.picture = picture.with({{"depth", source.name}, {"normals", "oct32"}});
+        all.push_back(figures);
     }
     return all;
 }

@@ -11,24 +11,30 @@
 namespace prelight::passes {
 namespace {
 
-/// View depth in a colour target, or a worse one where the device lacks it: R32F, R16F, RGBA8. Sets
-/// `source` to what was taken.
+/// By the value of a setting. Throws UsageError listing all.
+template <class Info>
+const Info& find_named(std::span<const Info> all, const char* key, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Info& info : all) {
+        if (info.name == name)
+            return info;
+        names.push_back(info.name);
+    }
+    throw UsageError(fmt::format("{}={}: allowed is {}", key, name, fmt::join(names, ", ")));
+}
+
+/// View depth in a colour target, or in the next one where the device lacks it. Sets `source` to what was
+/// taken.
 graph::ImageId linear_depth_target(graph::FrameGraph& graph, VkExtent2D extent, DepthSource& source) {
-    struct Target {
-        DepthSource source;
-        VkFormat format;
-    };
-    constexpr std::array chain{Target{DepthSource::r32f, VK_FORMAT_R32_SFLOAT},
-                               Target{DepthSource::r16f, VK_FORMAT_R16_SFLOAT},
-                               Target{DepthSource::rgba8, VK_FORMAT_R8G8B8A8_UNORM}};
-    const auto first = std::find_if(chain.begin(), chain.end(), [&](const Target& t) { return t.source == source; });
+    const std::span<const DepthSourceInfo> chain = depth_sources();
+    const auto first = std::find_if(chain.begin(), chain.end(),
+                                    [&](const DepthSourceInfo& info) { return info.source == source; });
     std::vector<VkFormat> formats;
-    for (auto target = first; target != chain.end(); ++target)
-        formats.push_back(target->format);
+    for (auto info = first; info != chain.end(); ++info)
+        formats.push_back(info->format);
     const graph::ImageId image = graph.image("linear depth", extent, formats);
-    const auto taken = std::find_if(first, chain.end(),
-                                    [&](const Target& t) { return t.format == graph.desc(image).format; });
-    source = taken->source;
+    const VkFormat taken = graph.desc(image).format;
+    source = std::find_if(first, chain.end(), [&](const DepthSourceInfo& info) { return info.format == taken; })->source;
     return image;
 }
 
@@ -61,14 +67,21 @@ std::span<const NormalEncodingInfo> normal_encodings() {
     return all;
 }
 
+std::span<const DepthSourceInfo> depth_sources() {
+    static constexpr std::array all{
+        DepthSourceInfo{DepthSource::attachment, "attachment", VK_FORMAT_D32_SFLOAT},
+        DepthSourceInfo{DepthSource::r32f, "r32f", VK_FORMAT_R32_SFLOAT},
+        DepthSourceInfo{DepthSource::r16f, "r16f", VK_FORMAT_R16_SFLOAT},
+        DepthSourceInfo{DepthSource::rgba8, "rgba8", VK_FORMAT_R8G8B8A8_UNORM}};
+    return all;
+}
+
 const NormalEncodingInfo& find_normal_encoding(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const NormalEncodingInfo& info : normal_encodings()) {
-        if (info.name == name)
-            return info;
-        names.push_back(info.name);
-    }
-    throw UsageError(fmt::format("normals={}: allowed is {}", name, fmt::join(names, ", ")));
+    return find_named(normal_encodings(), "normals", name);
+}
+
+const DepthSourceInfo& find_depth_source(std::string_view name) {
+    return find_named(depth_sources(), "depth", name);
 }
 
 gpu::Constants SurfaceFormat::constants() const {

@@ -39,6 +39,17 @@ enum class DepthSource : uint32_t {
     rgba8 = DEPTH_RGBA8,
 };
 
+struct DepthSourceInfo {
+    DepthSource source;
+    const char* name; ///< the value of `depth=`
+    VkFormat format;
+};
+/// The attachment, which is the default, and then the colour targets: where a device lacks one, the next
+/// takes its place.
+std::span<const DepthSourceInfo> depth_sources();
+/// Throws UsageError listing them.
+const DepthSourceInfo& find_depth_source(std::string_view name);
+
 /// How depth and normals are stored and read back: [L1] [L2] [L3] [L9].
 struct SurfaceFormat {
     NormalEncoding normals = NormalEncoding::oct24;

@@ -11,13 +11,9 @@ namespace prelight {
 namespace {
 
 passes::SurfaceFormat surface_format(const Settings& settings) {
-    using Depth = passes::DepthSource;
     return {.normals = passes::find_normal_encoding(settings.get("normals")).encoding,
             .view_space = settings.is("normal-space", "view"),
-            .depth = settings.is("depth", "r32f")    ? Depth::r32f
-                     : settings.is("depth", "r16f")  ? Depth::r16f
-                     : settings.is("depth", "rgba8") ? Depth::rgba8
-                                                     : Depth::attachment,
+            .depth = passes::find_depth_source(settings.get("depth")).source,
             .stencil = settings.is("light-culling", "stencil"),
             .position_from_ray = settings.is("position", "ray"),
             .two_passes = settings.is("geometry", "two-passes")};
@@ -110,15 +106,17 @@ private:
 } // namespace
 
 RendererInfo light_prepass_info() {
-    std::vector<std::string> normals;
+    std::vector<std::string> normals, depths;
     for (const passes::NormalEncodingInfo& encoding : passes::normal_encodings())
         normals.emplace_back(encoding.name);
+    for (const passes::DepthSourceInfo& source : passes::depth_sources())
+        depths.emplace_back(source.name);
     RendererInfo info{.name = "light-prepass",
             .description = "depth and normals, then all lights into a light buffer, then materials",
             .settings =
                 {{"normals", normals, normals[0], "encoding of the normal buffer"},
                  {"normal-space", {"world", "view"}, "world", "space of the stored normals"},
-                 {"depth", {"attachment", "r32f", "r16f", "rgba8"}, "attachment",
+                 {"depth", depths, depths[0],
                   "what later passes read depth from: the attachment, or view depth in a colour target"},
                  {"geometry", {"mrt", "two-passes"}, "mrt",
                   "depth and normals at once, or depth first and then normals"},

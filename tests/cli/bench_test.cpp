@@ -36,6 +36,13 @@ TEST(BenchEncodings, L1_PrintsATableAndWritesIt) {
         EXPECT_LT(row["max_degrees"], 1);
         EXPECT_GT(row["psnr_db"], 40);
     }
+    ASSERT_EQ(json["depth_sources"].size(), 4u);
+    for (const nlohmann::json& row : json["depth_sources"]) {
+        EXPECT_THAT(result.out, HasSubstr("\n" + row["name"].get<std::string>() + " "));
+        EXPECT_GT(row["psnr_db"], 40);
+    }
+    EXPECT_TRUE(json["depth_sources"][0]["max_relative_error"].is_null());
+    EXPECT_EQ(json["depth_sources"][1]["max_relative_error"], 0);
 }
 
 TEST(BenchEncodings, RefusesInOneLine) {

@@ -2,7 +2,7 @@
 // the real formats and decodes, and the CPU does the same: [L1].
 #include "devices.hpp"
 #include "directions.hpp"
-#include <bench/normal_error.hpp>
+#include <bench/through_target.hpp>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <shared/normal_encoding.h>
@@ -73,7 +73,7 @@ TEST_P(NormalEncodingOnDevice, L1_AgreesWithTheCpu) {
         const auto& info = passes::normal_encodings()[static_cast<size_t>(e.encoding)];
         ASSERT_EQ(info.encoding, e.encoding);
         SCOPED_TRACE(info.name);
-        const bench::EncodedNormals through = bench::through_target(context(), info, directions);
+        const bench::Stored through = bench::through_normal_target(context(), info, directions);
         ASSERT_EQ(through.format, info.formats[0]) << "SwiftShader and lavapipe have them all";
         const std::vector<int> bits = channels(through.format);
         const size_t bytes = graph::texel_bytes(through.format);
@@ -86,7 +86,7 @@ TEST_P(NormalEncodingOnDevice, L1_AgreesWithTheCpu) {
             const glm::vec4 d = directions[i], back = through.decoded[i];
             const glm::vec4 encoded = shared::normal_encode(static_cast<int>(e.encoding), glm::vec3(d), d.w);
             uint32_t texel = 0;
-            std::memcpy(&texel, &through.stored[i * bytes], bytes);
+            std::memcpy(&texel, &through.texels[i * bytes], bytes);
             glm::ivec4 device(0), host(0);
             glm::vec4 stored(0);
             for (int c = 0, shift = 0; c < static_cast<int>(bits.size()); shift += bits[c++]) {

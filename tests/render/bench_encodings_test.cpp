@@ -1,7 +1,7 @@
 // [L1] The figures that `prelight bench encodings` prints.
 #include "garden.hpp"
 #include <algorithm>
-#include <bench/normal_error.hpp>
+#include <bench/through_target.hpp>
 #include <prelight/bench.hpp>
 
 namespace prelight {
@@ -21,7 +21,7 @@ TEST(BenchEncodings, L1_FiguresAreThoseOfTheTargetAndThePicture) {
         SCOPED_TRACE(f.name);
         EXPECT_EQ(f.directions, 10'240u) << "whole rows";
         const auto& info = passes::find_normal_encoding(f.name);
-        const auto through = bench::through_target(dynamic_cast<gpu::Context&>(test_device()), info, directions);
+        const auto through = bench::through_normal_target(dynamic_cast<gpu::Context&>(test_device()), info, directions);
         std::vector<double> angles;
         for (size_t i = 0; i < directions.size(); ++i) {
             const glm::dvec3 a = glm::normalize(glm::dvec3(directions[i])), b = glm::normalize(glm::dvec3(through.decoded[i]));
@@ -44,6 +44,24 @@ TEST(BenchEncodings, L1_FiguresAreThoseOfTheTargetAndThePicture) {
     EXPECT_EQ(all[0].target, "RGBA8");
     EXPECT_EQ(all[0].bytes, 4u);
     EXPECT_EQ(all[1].bytes, 6u) << "oct32 needs a target for roughness";
+    expect_validation_clean(test_device());
+}
+
+TEST(BenchEncodings, L2_DepthsGoThroughTheirTargets) {
+    Garden garden;
+    garden.add_lights(6, 4, 6);
+    const auto all = bench_depth_sources(test_device(), garden.world, garden.camera, {.width = 96, .height = 54});
+    ASSERT_EQ(all.size(), 4u);
+    EXPECT_EQ(all[0].name, "attachment");
+    EXPECT_FALSE(all[0].relative);
+    EXPECT_EQ(all[0].bytes, 0u);
+    EXPECT_EQ(all[1].relative, 0) << "r32f";
+    // Eleven bits: half a step of 2⁻¹⁰ rounded, a whole one cut off.
+    EXPECT_GT(*all[2].relative, 0.95 / 2048) << "r16f";
+    EXPECT_LE(*all[2].relative, 1.0 / 1024) << "r16f";
+    EXPECT_EQ(all[3].relative, 0) << "rgba8";
+    EXPECT_EQ(all[3].picture.psnr, all[1].picture.psnr);
+    EXPECT_LT(all[2].picture.psnr, all[1].picture.psnr);
     expect_validation_clean(test_device());
 }
 

@@ -1,5 +1,5 @@
 #include "sensitivity.hpp"
-#include <bench/normal_error.hpp>
+#include <bench/through_target.hpp>
 #include <cmath>
 
 namespace prelight {
@@ -39,7 +39,7 @@ Bound from_mean_square(double of_format) {
 
 double largest_angle(const passes::NormalEncodingInfo& encoding) {
     const std::vector<glm::vec4> directions = bench::directions(1 << 18);
-    const auto through = bench::through_target(dynamic_cast<gpu::Context&>(test_device()), encoding, directions);
+    const auto through = bench::through_normal_target(dynamic_cast<gpu::Context&>(test_device()), encoding, directions);
     double largest = 0;
     for (size_t i = 0; i < directions.size(); ++i) {
         const glm::dvec3 a(directions[i]), b(through.decoded[i]);
