@@ -27,6 +27,8 @@ public:
     /// Timestamps wrap around within this mask; 0: the queue has none.
     uint64_t timestamp_mask() const { return chosen_.timestamp_mask; }
     VkPipelineCache pipeline_cache() const { return cache_; }
+    /// The device is this machine's processor.
+    bool is_software() const { return chosen_.info.type == "software"; }
     const OptionalFeatures& features() const { return chosen_.optional; }
     const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
 

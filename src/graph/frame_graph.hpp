@@ -107,8 +107,8 @@ public:
     FrameGraph& operator=(const FrameGraph&) = delete;
 
     ImageId image(std::string name, const ImageDesc& desc);
-    /// A colour or depth image in the first of `formats` that the device can draw into and sample; notes() names
-    /// what was missing. Throws Error when it has none of them.
+    /// A colour or depth image in the first of `formats` that the device can draw into and sample;
+    /// notes() names what was missing. Throws Error when it has none of them.
     ImageId image(std::string name, VkExtent2D extent, std::span<const VkFormat> formats);
     ImageId image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats) {
         return image(std::move(name), extent, std::span(formats.begin(), formats.size()));

@@ -31,7 +31,8 @@ resident::LightCulling light_culling(const std::string& value) {
 std::vector<SettingInfo> volume_settings() {
     return {{"spot-volume", {"cone", "box"}, "cone", "volumes, stencil: shape around a spot of less than 80°"},
             {"volume-depth-test", {"on", "off"}, "on", "volumes: off leaves only the cull mode by camera position"},
-            {"depth-bounds", {"auto", "on", "off"}, "auto", "rectangles: test near and far side, a draw a light"}};
+            {"depth-bounds", {"auto", "on", "off"}, "auto",
+             "rectangles: test near and far side, a draw a light; auto: not on software devices"}};
 }
 
 resident::VolumeOptions volume_options(const std::map<std::string, std::string>& settings) {

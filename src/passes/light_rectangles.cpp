@@ -8,8 +8,13 @@
 namespace prelight::passes {
 namespace {
 
+/// `auto` leaves software devices out: on SwiftShader the test and a draw for each light cost
+/// more than the pixels that they save (docs/light-culling.md).
 bool uses_depth_bounds(const resident::Frame& frame) {
-    return frame.volumes().depth_bounds != resident::DepthBounds::off && frame.context().features().depth_bounds;
+    const gpu::Context& context = frame.context();
+    const resident::DepthBounds asked = frame.volumes().depth_bounds;
+    return context.features().depth_bounds && (asked == resident::DepthBounds::on ||
+                                               (asked == resident::DepthBounds::automatic && !context.is_software()));
 }
 
 class RectangleDraws {
@@ -18,7 +23,8 @@ public:
                    const LightingInputs& inputs)
         : draws_(frame, interface, inputs), bounds_(uses_depth_bounds(frame)) {
         for (const bool inside : {false, true}) {
-            gpu::GraphicsPipelineDesc desc = draws_.pipeline(inside ? "rectangles from inside" : "rectangles from outside", "light_rectangle.vert");
+            gpu::GraphicsPipelineDesc desc = draws_.pipeline(
+                inside ? "rectangles from inside" : "rectangles from outside", "light_rectangle.vert");
             desc.constants.emplace_back(CONSTANT_RECTANGLE_FAR_SIDE, inside);
             desc.depth_bounds = bounds_;
             desc.depth = bounds_  ? gpu::DepthTest::none
@@ -45,7 +51,8 @@ public:
             for (uint32_t i = first; i < first + count; ++i) {
                 // Reversed depth: the far side is the smaller one. 0 is where no surface is.
                 const float nearest = lights.bounds[i].depth.x, farthest = lights.bounds[i].depth.y;
-                vkCmdSetDepthBounds(pass.commands, std::min(nearest, std::max(farthest, std::numeric_limits<float>::min())), nearest);
+                const float least = std::max(farthest, std::numeric_limits<float>::min());
+                vkCmdSetDepthBounds(pass.commands, std::min(nearest, least), nearest);
                 vkCmdDraw(pass.commands, 6, 1, 0, i);
             }
         }

@@ -58,6 +58,10 @@ TEST(DepthBounds, V2_TestNearAndFarSideWhereTheDeviceHasThem) {
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     LightsEverywhere scene;
     scene.cameras.resize(3);
+    std::vector<PlacedLight>& lights = scene.garden.world.lights; // few: the driver compiles for each
+    for (size_t i = 0; i < lights.size(); ++i)
+        lights[i / 4] = lights[i];
+    lights.resize(lights.size() / 4);
     const SettingMap on{{"light-culling", "rectangles"}, {"depth-bounds", "on"}};
     const SettingMap off{{"light-culling", "rectangles"}, {"depth-bounds", "off"}};
     const auto found = expect_same_as_fullscreen(scene.garden.world, scene.cameras, {{on, off}}, *device);
