@@ -188,6 +188,21 @@ TEST(Compare, ASlowFrameEndsTheLine) {
     EXPECT_EQ(json.at("runs")[0].at("frames"), 1);
 }
 
+TEST(Compare, ATerminalSeesABar) {
+    if (std::system("script --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "script, which makes a terminal, is missing";
+    const TemporaryFolder folder;
+    const std::string command = fmt::format(
+        "cd '{}' && script -qec \"'{}' compare spheres --size 64x36 --frames 1 --light-counts none "
+        "--renderers light-prepass -o report\" /dev/null > said",
+        folder.path.string(), PRELIGHT_PROGRAM);
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const std::string said = text_of(folder.path / "said");
+    EXPECT_THAT(said, HasSubstr("\r[")) << "redrawn in place";
+    EXPECT_THAT(said, HasSubstr("picture of light-prepass"));
+    EXPECT_THAT(said, HasSubstr("\r\033[Kreport/index.html")) << "cleared before the result";
+}
+
 TEST(Compare, AFileWithoutLightsGetsSome) {
     const TemporaryFolder folder;
     Scene scene = make_scene("spheres", 1, 1);

@@ -30,6 +30,16 @@ TEST(Inform, RenderHelpNamesEveryOption) {
         EXPECT_THAT(result.out, HasSubstr(option));
 }
 
+TEST(Inform, CompareHelpNamesEveryOption) {
+    const TemporaryFolder folder;
+    const Result result = run({"compare", "--help"}, folder.path);
+    ASSERT_TRUE(succeeded(result));
+    for (const char* option :
+         {"--renderers", "--light-counts", "--frame-limit", "--frames", "--size", "--camera", "--lights",
+          "--seed", "--shading", "--exposure", "--device", "--validate", "-o", "Examples:"})
+        EXPECT_THAT(result.out, HasSubstr(option));
+}
+
 TEST(Inform, DevicesMarksExactlyOneAsTaken) {
     const TemporaryFolder folder;
     const Result result = run({"devices"}, folder.path);

@@ -109,10 +109,10 @@ void run(const CompareCommand& command) {
     folder.publish();
     const auto failed = std::ranges::count_if(
         report.runs, [](const RunReport& run) { return !run.error.empty(); });
-    fmt::print("{}: {} ways to render {} with {} lights{}, {:.0f} s on {}\n",
-               (command.folder / "index.html").string(), report.runs.size() - size_t(failed),
-               report.scene, report.lights, failed ? fmt::format(", {} failed", failed) : "",
-               report.seconds, report.device);
+    fmt::print("{}: {}, rendered in {} way(s){}, {} light(s), {:.0f} s on {}\n",
+               (command.folder / "index.html").string(), report.scene,
+               report.runs.size() - size_t(failed), failed ? fmt::format(", {} failed", failed) : "",
+               report.lights, report.seconds, report.device);
 }
 
 } // namespace prelight::app

@@ -147,13 +147,15 @@ Json views_json(const Report& report) {
     for (const Key& key : keys)
         if (std::ranges::find(found, key.view) != found.end())
             views.push_back({{"name", key.view}, {"key", key.key}, {"label", key.label}});
+    Json free_key = "9";
     for (const std::string& view : found) {
         if (std::ranges::find(keys, view, &Key::view) != std::end(keys))
             continue;
         std::string label = view;
         std::ranges::replace(label, '-', ' ');
         label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
-        views.push_back({{"name", view}, {"key", nullptr}, {"label", label}});
+        views.push_back({{"name", view}, {"key", free_key}, {"label", label}});
+        free_key = nullptr;
     }
     return views;
 }

@@ -21,7 +21,7 @@ function bestOf(runs, value, highest = false) {
 
 function showHeading(report, runs) {
   const lights = `${whole.format(report.lights)} ${report.lights === 1 ? "light" : "lights"}`;
-  const headline = `${runs.length} ways to light ${report.scene} with ${lights}`;
+  const headline = `${runs.length} ${runs.length === 1 ? "way" : "ways"} to light ${report.scene} with ${lights}`;
   document.title = `${headline} · Prelight compare`;
   document.getElementById("headline").textContent = headline;
   document.getElementById("facts").textContent =
