@@ -99,4 +99,8 @@ DescriptorSets::DescriptorSets(const Context& context, std::string_view name,
     }
 }
 
+void DescriptorSets::update(const Context& context, size_t i, std::span<const Binding> bindings) const {
+    write(context, sets_[i], bindings);
+}
+
 } // namespace prelight::gpu

@@ -36,6 +36,8 @@ public:
     DescriptorSets(const Context& context, std::string_view name, VkDescriptorSetLayout layout,
                    std::span<const std::vector<Binding>> sets);
     VkDescriptorSet operator[](size_t i) const { return sets_[i]; }
+    /// Writes some bindings of set `i` anew; the device must not be using it.
+    void update(const Context& context, size_t i, std::span<const Binding> bindings) const;
 
 private:
     UniqueDescriptorPool pool_;

@@ -1,35 +1,9 @@
 #include "pipeline.hpp"
 #include "check.hpp"
-#include "shaders.hpp"
+#include <optional>
 
 namespace prelight::gpu {
 namespace {
-
-UniqueShaderModule make_module(const Context& context, const std::string& name) {
-    const auto code = find_shader(name);
-    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    info.codeSize = code.size_bytes();
-    info.pCode = code.data();
-    VkShaderModule handle = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(context.device(), &info, nullptr, &handle), name);
-    context.set_name(VK_OBJECT_TYPE_SHADER_MODULE, reinterpret_cast<uint64_t>(handle), name);
-    return {context.device(), handle};
-}
-
-/// Specialisation constants in the form Vulkan wants.
-struct Specialisation {
-    std::vector<VkSpecializationMapEntry> entries;
-    std::vector<uint32_t> values;
-    VkSpecializationInfo info{};
-
-    explicit Specialisation(const Constants& constants) {
-        for (const auto& [id, value] : constants) {
-            entries.push_back({id, static_cast<uint32_t>(values.size() * 4), 4});
-            values.push_back(value);
-        }
-        info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * 4, values.data()};
-    }
-};
 
 void set_stencil(VkPipelineDepthStencilStateCreateInfo& state, Stencil stencil) {
     state.stencilTestEnable = stencil != Stencil::none;
@@ -83,40 +57,16 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
     return std::vector<VkPipelineColorBlendAttachmentState>(desc.colour_formats.size(), state);
 }
 
-UniquePipelineLayout make_layout(const Context& context, const GraphicsPipelineDesc& desc) {
-    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-    info.setLayoutCount = static_cast<uint32_t>(desc.sets.size());
-    info.pSetLayouts = desc.sets.data();
-    const VkPushConstantRange range{VK_SHADER_STAGE_FRAGMENT_BIT, 0, desc.push_bytes};
-    info.pushConstantRangeCount = desc.push_bytes > 0 ? 1 : 0;
-    info.pPushConstantRanges = &range;
-    VkPipelineLayout handle = VK_NULL_HANDLE;
-    check(vkCreatePipelineLayout(context.device(), &info, nullptr, &handle), desc.name);
-    context.set_name(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<uint64_t>(handle), desc.name);
-    return {context.device(), handle};
-}
-
 } // namespace
 
 GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelineDesc& desc)
-    : layout_(make_layout(context, desc)) {
-    const Specialisation constants(desc.constants);
-    const UniqueShaderModule vertex = make_module(context, desc.vertex);
-    UniqueShaderModule fragment;
-    std::vector<VkPipelineShaderStageCreateInfo> stages;
-    const auto add_stage = [&](VkShaderStageFlagBits stage, VkShaderModule module) {
-        VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
-        info.stage = stage;
-        info.module = module;
-        info.pName = "main";
-        info.pSpecializationInfo = &constants.info;
-        stages.push_back(info);
-    };
-    add_stage(VK_SHADER_STAGE_VERTEX_BIT, vertex);
-    if (!desc.fragment.empty()) {
-        fragment = make_module(context, desc.fragment);
-        add_stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment);
-    }
+    : layout_(make_pipeline_layout(context, desc.name, desc.sets, VK_SHADER_STAGE_FRAGMENT_BIT, desc.push_bytes)) {
+    const ShaderStage vertex(context, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex, desc.constants);
+    std::vector<VkPipelineShaderStageCreateInfo> stages{vertex.info()};
+    std::optional<ShaderStage> fragment;
+    if (!desc.fragment.empty())
+        stages.push_back(
+            fragment.emplace(context, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, desc.constants).info());
 
     std::vector<VkVertexInputBindingDescription> bindings;
     for (const uint32_t stride : desc.vertex_strides)

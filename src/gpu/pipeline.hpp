@@ -1,15 +1,8 @@
 #pragma once
-#include "context.hpp"
+#include "shader_stage.hpp"
 #include <array>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace prelight::gpu {
-
-/// Values of specialisation constants: {constant id, value}. Booleans are 0 or 1.
-using Constants = std::vector<std::pair<uint32_t, uint32_t>>;
 
 struct VertexAttribute {
     uint32_t location = 0;

@@ -77,6 +77,8 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
 void FrameGraph::record(VkCommandBuffer commands, bool one_pixel) {
     if (passes_.empty())
         return;
+    for (const auto& callback : before_frame_)
+        callback();
     vkCmdResetQueryPool(commands, queries_, 0, static_cast<uint32_t>(2 * passes_.size()));
     for (uint32_t p = 0; p < passes_.size(); ++p) {
         const Pass& pass = *passes_[p];

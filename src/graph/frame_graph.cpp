@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gpu/check.hpp>
 #include <prelight/error.hpp>
+#include <utility>
 
 namespace prelight::graph {
 
@@ -97,6 +98,24 @@ void FrameGraph::note(const std::string& line) {
 BufferId FrameGraph::buffer(std::string name, const gpu::Buffer& buffer) {
     buffers_.push_back({std::move(name), buffer.handle()});
     return {static_cast<uint32_t>(buffers_.size() - 1)};
+}
+
+void FrameGraph::rebind(BufferId id, const gpu::Buffer& buffer) {
+    const VkBuffer old = std::exchange(buffers_[id.index].handle, buffer.handle());
+    const auto replace = [&](std::vector<VkBufferMemoryBarrier2>& barriers) {
+        for (VkBufferMemoryBarrier2& barrier : barriers)
+            if (barrier.buffer == old)
+                barrier.buffer = buffer.handle();
+    };
+    replace(host_barriers_);
+    for (const auto& pass : passes_) {
+        replace(pass->buffer_barriers_);
+        std::vector<gpu::Binding> bindings;
+        for (const auto& [binding, used] : pass->storages_)
+            if (used.index == id.index)
+                bindings.push_back(gpu::Binding::storage(binding, buffer.handle()));
+        pass->sets_.update(context_, 0, bindings);
+    }
 }
 
 Pass& FrameGraph::pass(std::string name) {

@@ -119,6 +119,11 @@ public:
     void note(const std::string& line);
     /// A buffer of the caller's, alive as long as the graph; host writes before a frame are seen.
     BufferId buffer(std::string name, const gpu::Buffer& buffer);
+    /// Puts another buffer of the caller's in the place of `id`, in barriers and descriptor sets: for
+    /// buffers that grow. The device must be done with the frames before.
+    void rebind(BufferId id, const gpu::Buffer& buffer);
+    /// Called at the start of each recording, where rebind() is allowed.
+    void before_frame(std::function<void()> callback) { before_frame_.push_back(std::move(callback)); }
     Pass& pass(std::string name);
     /// The image's content stays for read_back() after the frame.
     void keep(ImageId image);
@@ -185,6 +190,7 @@ private:
     std::vector<GraphBuffer> buffers_;
     std::vector<std::unique_ptr<Pass>> passes_;
     std::vector<VkBufferMemoryBarrier2> host_barriers_; ///< at the frame's end
+    std::vector<std::function<void()>> before_frame_;
     gpu::Allocation memory_;
     gpu::UniqueQueryPool queries_;
 };

@@ -117,6 +117,34 @@ TEST_P(FrameGraphBuffers, HostWritesBeforeAFrameAreSeen) {
     }
 }
 
+// A buffer that grows: from the next frame on passes and barriers have the new one, the old one is left.
+TEST_P(FrameGraphBuffers, AReboundBufferTakesTheOldOnesPlace) {
+    const gpu::Buffer first = make("first"), second = make("second"), grown = make("grown");
+    graph::FrameGraph graph(context());
+    const graph::BufferId a = graph.buffer("first", first), b = graph.buffer("second", second);
+    counts(graph, a, 5);
+    mirrors(graph, a, b);
+    int frames = 0;
+    graph.before_frame([&] {
+        if (++frames == 2)
+            graph.rebind(a, grown);
+    });
+    graph.compile();
+    run_frame(context(), graph);
+    EXPECT_EQ(first.mapped<uint32_t>()[1], 6u);
+    std::fill_n(first.mapped<uint32_t>(), count, 7u);
+    std::fill_n(second.mapped<uint32_t>(), count, 0u);
+    const VulkanSpy spy;
+    run_frame(context(), graph);
+    for (uint32_t i = 0; i < count; ++i) {
+        ASSERT_EQ(first.mapped<uint32_t>()[i], 7u);
+        ASSERT_EQ(grown.mapped<uint32_t>()[i], i + 5);
+        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+    }
+    for (const VkBufferMemoryBarrier2& barrier : spy.buffer_barriers)
+        EXPECT_NE(barrier.buffer, first.handle());
+}
+
 TEST_P(FrameGraphBuffers, ComputeReadsADrawnImage) {
     const gpu::Buffer target = make("target");
     graph::FrameGraph graph(context());

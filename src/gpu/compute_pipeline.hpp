@@ -1,0 +1,28 @@
+#pragma once
+#include "shader_stage.hpp"
+
+namespace prelight::gpu {
+
+struct ComputePipelineDesc {
+    std::string name;
+    std::string shader;
+    Constants constants;
+    std::vector<VkDescriptorSetLayout> sets;
+    uint32_t push_bytes = 0; ///< push constants; at most 128
+};
+
+class ComputePipeline {
+public:
+    ComputePipeline() = default;
+    ComputePipeline(const Context& context, const ComputePipelineDesc& desc);
+    void bind(VkCommandBuffer commands) const;
+    void bind_set(VkCommandBuffer commands, uint32_t index, VkDescriptorSet set) const;
+    /// All `push_bytes` of the description at once.
+    void push(VkCommandBuffer commands, std::span<const std::byte> bytes) const;
+
+private:
+    UniquePipelineLayout layout_;
+    UniquePipeline pipeline_;
+};
+
+} // namespace prelight::gpu
