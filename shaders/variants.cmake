@@ -7,4 +7,6 @@ set(PRELIGHT_SHADER_VARIANTS
     "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
     "light+packed.frag|light.frag|-DONE_TARGET"
     "light+count.frag|light.frag|-DCOUNT_TARGET"
-    "light_ambient+packed.frag|light_ambient.frag|-DONE_TARGET")
+    "light_ambient+packed.frag|light_ambient.frag|-DONE_TARGET"
+    "light_list+packed.frag|light_list.frag|-DONE_TARGET"
+    "light_list+count.frag|light_list.frag|-DCOUNT_TARGET")

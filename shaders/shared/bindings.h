@@ -20,6 +20,13 @@
 #define INPUT_SPECULAR_LIGHT 1
 // tone mapping
 #define INPUT_COLOUR 0
+// light lists
+#define INPUT_LIGHT_CELLS 8
+#define INPUT_LIGHT_ENTRIES 9
+#define INPUT_COARSE_CELLS 10
+#define INPUT_LIGHT_MASKS 11
+#define INPUT_DEPTH_SLICES 12
+#define INPUT_LIST_TOTAL 13
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -65,6 +72,10 @@
 #define CONSTANT_VOLUME 17
 #define CONSTANT_FORWARD_BASE 18
 #define CONSTANT_RECTANGLE_FAR_SIDE 19
+#define CONSTANT_LIST_TILE_SIZE 30
+#define CONSTANT_LIST_SLICED 31
+#define CONSTANT_LIST_CONES 32
+#define CONSTANT_LIST_FILL 33
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u

@@ -1,4 +1,5 @@
 #include "light_pass.hpp"
+#include "light_list_shading.hpp"
 #include "light_rectangles.hpp"
 #include "light_stencil.hpp"
 #include "light_volumes.hpp"
@@ -12,11 +13,14 @@ void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const st
     case resident::LightCulling::volumes: return light_volume_pass(graph, frame, name, inputs);
     case resident::LightCulling::rectangles: return light_rectangle_pass(graph, frame, name, inputs);
     case resident::LightCulling::stencil: return light_stencil_pass(graph, frame, name, inputs);
+    case resident::LightCulling::tiles:
+    case resident::LightCulling::clusters: return light_list_pass(graph, frame, name, inputs);
+    case resident::LightCulling::grid: break; // forward only
     }
 }
 
 SettingInfo light_culling_setting() {
-    return {"light-culling", {"volumes", "fullscreen", "rectangles", "stencil"}, "volumes",
+    return {"light-culling", {"volumes", "fullscreen", "rectangles", "stencil", "tiles", "clusters"}, "volumes",
             "how a light finds its pixels"};
 }
 
@@ -25,7 +29,13 @@ resident::LightCulling light_culling(const std::string& value) {
     return value == "fullscreen"   ? LightCulling::fullscreen
            : value == "rectangles" ? LightCulling::rectangles
            : value == "stencil"    ? LightCulling::stencil
+           : value == "tiles"      ? LightCulling::tiles
+           : value == "clusters"   ? LightCulling::clusters
                                    : LightCulling::volumes;
+}
+
+SettingInfo tile_size_setting() {
+    return {"tile-size", {"8", "16", "32"}, "8", "pixels of a tile's side (light-culling=tiles, clusters)"};
 }
 
 std::vector<SettingInfo> volume_settings() {

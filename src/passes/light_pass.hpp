@@ -11,6 +11,7 @@ void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const st
 
 /// The setting `light-culling` of every architecture with light passes.
 SettingInfo light_culling_setting();
+SettingInfo tile_size_setting();
 resident::LightCulling light_culling(const std::string& value);
 
 /// The settings of rectangles, volumes and stencil, and what they say: keys and values of every one.

@@ -19,6 +19,7 @@ struct LightingInputs {
     LightTarget target;
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound
     bool count_pairs = false;
+    uint32_t tile_size = 8;     ///< light lists: pixels of a tile's side, 8, 16 or 32
 };
 
 /// The light buffer [L4]; `specular` is the diffuse image itself when packed.

@@ -72,7 +72,8 @@ private:
                                         .model = model_,
                                         .target = light.target,
                                         .pair_counters = &pair_counters(),
-                                        .count_pairs = options().count_pairs};
+                                        .count_pairs = options().count_pairs,
+                                        .tile_size = static_cast<uint32_t>(settings().number("tile-size"))};
         passes::light_pass(graph, frame, "light", lighting);
         const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_};
         const auto linear = passes::material_pass(graph, frame, materials);
@@ -127,6 +128,7 @@ RendererInfo light_prepass_info() {
                  {"model", {"auto", "weighted", "nv", "mono", "full"}, "auto",
                   "Fresnel: mean over the lights, at N·V, or with monochrome specular (packed)"},
                  passes::light_culling_setting(),
+                 passes::tile_size_setting(),
                  {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                  {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
                  {"ambient", {"material", "light"}, "material", "a material term, or a full-screen light"},

@@ -45,6 +45,20 @@ bool may_touch_near_plane(const PlacedCamera& placed, const shared::FrameConstan
     return glm::length(centre) <= radius + camera.znear * corner;
 }
 
+/// The share of the picture that a sphere covers, roughly; 1 when the camera is in it.
+double screen_share(const shared::FrameConstants& constants, glm::dvec3 centre, double radius) {
+    double distance = 1;
+    if (constants.forward.w > 0.5f) {
+        const double along = glm::dot(centre, glm::dvec3(constants.forward));
+        if (along <= radius)
+            return 1;
+        distance = std::sqrt(along * along - radius * radius);
+    }
+    const double across = glm::length(glm::dvec3(constants.ray_right)) * glm::length(glm::dvec3(constants.ray_up));
+    const double share = 0.785 * radius * radius / (across * distance * distance);
+    return std::min(share, 1.0);
+}
+
 LightGroup group_of(const PlacedLight& light, const PlacedCamera& camera,
                     const shared::FrameConstants& constants, glm::dvec3 centre, double radius) {
     const bool inside = may_touch_near_plane(camera, constants, centre, radius);
@@ -57,6 +71,10 @@ LightGroup group_of(const PlacedLight& light, const PlacedCamera& camera,
 
 bool is_cone(const Light& light) {
     return light.kind == LightKind::spot && light.outer_cone < widest_cone;
+}
+
+bool builds_lists(LightCulling culling) {
+    return culling == LightCulling::tiles || culling == LightCulling::clusters || culling == LightCulling::grid;
 }
 
 double volume_reach(const Light& light, bool spot_boxes) {
@@ -98,6 +116,7 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
     const double aspect = double(constants.size.x) / double(constants.size.y);
     std::vector<shared::LightBounds> bounds(rectangles ? lights.size() : 0);
     std::array<std::vector<uint32_t>, light_group_count> members;
+    LightGroups groups;
     const glm::dmat4 clip(constants.clip_from_world);
     for (uint32_t i = 0; i < lights.size(); ++i) {
         const PlacedLight& light = lights[i];
@@ -116,12 +135,15 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
             }
             const double radius = light.light.range * volume_reach(light.light, spot_boxes);
             const double farthest = glm::dot(centre, glm::dvec3(constants.forward)) + radius;
-            if (depth_clamp || rectangles || farthest < camera.camera.zfar)
+            if (builds_lists(culling)) {
+                group = LightGroup::listed;
+                groups.listed_pictures += screen_share(constants, centre, light.light.range);
+            } else if (depth_clamp || rectangles || farthest < camera.camera.zfar) {
                 group = group_of(light, camera, constants, centre, radius);
+            }
         }
         members[static_cast<size_t>(group)].push_back(i);
     }
-    LightGroups groups;
     for (size_t g = 0; g < light_group_count; ++g) {
         groups.first[g] = static_cast<uint32_t>(groups.order.size());
         groups.count[g] = static_cast<uint32_t>(members[g].size());

@@ -13,6 +13,9 @@ enum class LightCulling {
     rectangles, ///< the rectangle that its volume covers on the screen [V2]
     volumes,    ///< spheres and cones [V3] [V5]
     stencil,    ///< volumes that mark in stencil the pixels they hold, before they light them [V4]
+    tiles,      ///< lists for tiles of the screen, with their depth range [V6]
+    clusters,   ///< lists for depth slices of tiles [V7]
+    grid,       ///< lists for cells of the world [Z3]
 };
 
 /// The depth bounds test of rectangles: the setting `depth-bounds`.
@@ -25,9 +28,12 @@ struct VolumeOptions {
     DepthBounds depth_bounds = DepthBounds::automatic;
 };
 
-/// How one light is drawn: full screen, or a volume seen from outside or inside [V1] [V3].
-enum class LightGroup { fullscreen, sphere_outside, sphere_inside, cone_outside, cone_inside };
-inline constexpr size_t light_group_count = 5;
+/// Tiles, clusters, grid: lights with a volume are of one group, `listed`.
+bool builds_lists(LightCulling culling);
+
+/// How one light is drawn: full screen, or a volume seen from outside or inside [V1] [V3]; or listed.
+enum class LightGroup { fullscreen, sphere_outside, sphere_inside, cone_outside, cone_inside, listed };
+inline constexpr size_t light_group_count = 6;
 
 /// Indices of lights that can reach the picture, group by group; within a group in the world's order.
 struct LightGroups {
@@ -35,6 +41,7 @@ struct LightGroups {
     std::vector<shared::LightBounds> bounds; ///< beside `order`; LightCulling::rectangles only
     std::array<uint32_t, light_group_count> first{};
     std::array<uint32_t, light_group_count> count{};
+    double listed_pictures = 0; ///< how many pictures the listed lights' discs would fill, roughly
 };
 
 /// The device's record of a light; `exposure` multiplies its colour.

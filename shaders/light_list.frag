@@ -1,0 +1,24 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// All lights of a pixel's tile [V6] or cluster [V7], summed and written once.
+#include "shared/light_sums.glsl"
+#include "shared/light_lists.glsl"
+#include "shared/light_slices.glsl"
+
+layout(constant_id = CONSTANT_LIST_TILE_SIZE) const int tile_size = 16;
+
+layout(early_fragment_tests) in;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uvec2 tile = min(uvec2(pixel) / uint(tile_size), lists.cells.xy - 1u); // helper invocations lie outside
+    uint slice = sliced ? slice_of(texelFetch(depth_buffer, pixel, 0).r) : 0u;
+    LightList list = list_of(tile.y * lists.cells.x + tile.x, slice);
+    LitPixel p = read_pixel(pixel);
+    LightSums sums = no_light();
+    uint contributing = 0u;
+    for (uint i = 0u; i < list.count; ++i)
+        contributing += add_light(sums, p, lights[listed_light(list, i)]) ? 1u : 0u;
+    count_lights(pixel, list.count, contributing);
+    write_sums(sums);
+}

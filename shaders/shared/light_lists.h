@@ -1,0 +1,36 @@
+// Light lists: what building them and walking them share.
+#ifndef PRELIGHT_LIGHT_LISTS_H
+#define PRELIGHT_LIGHT_LISTS_H
+#include "shared/interop.h"
+SHARED_BEGIN
+
+#define LIST_GROUP 64        // invocations of a workgroup: the cells of one coarse cell
+#define LIST_COARSE_TILES 8  // side of a coarse cell on the screen, in tiles
+#define LIST_COARSE_CELLS 4  // side of a coarse cell in the world, in cells
+#define LIST_SLICES 32       // depth slices of a tile: the bits of LightCell::slices
+#define LIST_SCAN_GROUP 256
+
+// Push constants of every pass that builds or walks lists.
+struct LightListConstants {
+    uvec4 lights;       // x: lights that are in every list, first in light_order; y: lights with a volume,
+                        // after them; z: entries that the buffer holds; w: words of a coarse cell's mask
+    uvec4 cells;        // xyz: cells along each axis; w: all of them
+    uvec4 coarse;       // xyz: coarse cells along each axis; w: all of them
+    vec4 grid_origin;   // xyz: the grid's low corner, world space relative to the camera
+    vec4 grid_cell;     // xyz: a cell's size, metres
+};
+
+// A tile or a cell of the grid, and where its lists lie in the entries. Sliced: the entries at `first`
+// begin with one end (exclusive) for each slice in use, then the lists follow.
+struct LightCell {
+    float nearest, farthest;  // view depth of its surfaces; nearest > farthest: there are none
+    uint slices;              // slices in use; 0: nothing, or its lists did not fit and `first` is all lights
+    uint first, count;
+};
+
+struct CoarseCell {
+    float nearest, farthest;
+};
+
+SHARED_END
+#endif

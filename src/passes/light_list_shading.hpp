@@ -1,0 +1,11 @@
+#pragma once
+#include "lighting.hpp"
+
+namespace prelight::passes {
+
+/// All lights into the target by lists for tiles of the screen [V6], or for depth slices of tiles [V7]:
+/// each pixel sums its lights in registers and is written once.
+void light_list_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                     const LightingInputs& inputs);
+
+} // namespace prelight::passes

@@ -1,0 +1,212 @@
+#include "light_lists.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <gpu/compute_pipeline.hpp>
+#include <prelight/error.hpp>
+#include <shared/bindings.h>
+#include <utility>
+
+namespace prelight::passes {
+namespace {
+
+using shared::LightListConstants;
+
+uint32_t groups_of(uint64_t count, uint32_t size) { return static_cast<uint32_t>((count + size - 1) / size); }
+
+gpu::Buffer make_storage(const resident::Frame& frame, const char* name, uint64_t size,
+                         gpu::BufferPlace place = gpu::BufferPlace::device) {
+    const uint64_t limit = frame.context().limits().maxStorageBufferRange;
+    if (size > limit)
+        throw Error(fmt::format("{}: {} for {} lights and {}x{} pixels need {} bytes, and the device's limit is {}",
+                                frame.context().name(), name, frame.world().lights.size(), frame.extent().width,
+                                frame.extent().height, size, limit));
+    return gpu::Buffer(frame.context(), name, size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, place);
+}
+
+/// The buffers, and what changes from frame to frame.
+class ListBuffers {
+public:
+    ListBuffers(const resident::Frame& frame, const LightListConstants& layout, uint64_t first_room)
+        : frame_(frame), guesses_(first_room == 0), constants_(std::make_shared<LightListConstants>(layout)),
+          cells(make_storage(frame, "light cells", uint64_t(layout.cells.w) * sizeof(shared::LightCell))),
+          coarse(make_storage(frame, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::CoarseCell))),
+          masks(make_storage(frame, "light masks", uint64_t(layout.coarse.w) * layout.lights.w * sizeof(uint32_t))),
+          slices(make_storage(frame, "depth slices", (LIST_SLICES + 1) * sizeof(float))),
+          total(make_storage(frame, "light list total", sizeof(uint32_t), gpu::BufferPlace::readback)) {
+        *total.mapped<uint32_t>() = 0;
+        make_entries(world_lights() + first_room);
+    }
+
+    /// Before each frame: true when `entries` is another buffer now.
+    bool update() {
+        uint64_t needed = *total.mapped<uint32_t>();
+        if (std::exchange(guesses_, false)) // the first frame has no other to learn from
+            needed = world_lights() + static_cast<uint64_t>((1.5 * frame_.lights().listed_pictures + 2) * constants_->cells.w) +
+                     16 * world_lights();
+        const bool grows = needed > constants_->lights.z && constants_->lights.z < most_entries();
+        if (grows)
+            make_entries(needed + needed / 4);
+        const resident::LightGroups& lights = frame_.lights();
+        const auto count = [&](resident::LightGroup group) { return lights.count[static_cast<size_t>(group)]; };
+        constants_->lights.x = count(resident::LightGroup::fullscreen);
+        constants_->lights.y = count(resident::LightGroup::listed);
+        return grows;
+    }
+    std::shared_ptr<const LightListConstants> constants() const { return constants_; }
+
+private:
+    uint64_t world_lights() const { return frame_.world().lights.size(); }
+    uint64_t most_entries() const { return frame_.context().limits().maxStorageBufferRange / sizeof(uint32_t); }
+    void make_entries(uint64_t count) {
+        const uint64_t size = std::clamp<uint64_t>(count, world_lights() + 1, std::max(most_entries(), world_lights() + 1));
+        entries = make_storage(frame_, "light lists", size * sizeof(uint32_t));
+        constants_->lights.z = static_cast<uint32_t>(std::min<uint64_t>(size, 0xffffffffu));
+    }
+
+    const resident::Frame& frame_;
+    bool guesses_;
+    std::shared_ptr<LightListConstants> constants_;
+
+public:
+    gpu::Buffer cells, coarse, masks, slices, total, entries;
+};
+
+/// All compute passes of one kind of list.
+class Builder {
+public:
+    Builder(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+            const LightListInputs& inputs, const LightListConstants& layout)
+        : graph_(graph), frame_(frame), name_(name), inputs_(inputs),
+          buffers_(std::make_shared<ListBuffers>(frame, layout, inputs.first_room)) {
+        cells_ = graph.buffer("light cells", buffers_->cells);
+        coarse_ = graph.buffer("coarse light cells", buffers_->coarse);
+        masks_ = graph.buffer("light masks", buffers_->masks);
+        entries_ = graph.buffer("light lists", buffers_->entries);
+        slices_ = graph.buffer("depth slices", buffers_->slices);
+        total_ = graph.buffer("light list total", buffers_->total);
+        graph.before_frame([&graph, buffers = buffers_, entries = entries_] {
+            if (buffers->update())
+                graph.rebind(entries, buffers->entries);
+        });
+        if (inputs.surface)
+            constants_ = inputs.surface->format.constants();
+        const auto& lights = frame.world().lights;
+        const bool cones = std::any_of(lights.begin(), lights.end(),
+                                       [](const PlacedLight& l) { return l.light.kind == LightKind::spot; });
+        constants_.insert(constants_.end(), {{CONSTANT_LIST_TILE_SIZE, inputs.tile_size},
+                                             {CONSTANT_LIST_SLICED, inputs.sliced},
+                                             {CONSTANT_LIST_CONES, cones}});
+    }
+
+    LightLists build() {
+        const auto whole = [](const LightListConstants& c) { return VkExtent3D{c.coarse.x, c.coarse.y, c.coarse.z}; };
+        const auto each_coarse = [](const LightListConstants& c) { return VkExtent3D{groups_of(c.coarse.w, LIST_GROUP), 1, 1}; };
+        const auto each_light = [](const LightListConstants& c) {
+            return VkExtent3D{groups_of(c.lights.x + c.lights.y, LIST_GROUP), 1, 1};
+        };
+        const auto once = [](const LightListConstants&) { return VkExtent3D{1, 1, 1}; };
+
+        graph::Pass& range = add("depth-range", "depth_range.comp", whole);
+        range.storage(INPUT_LIGHT_CELLS, cells_, true);
+        read_depth(range);
+
+        add(name_ + "-lists coarse", "light_lists_coarse.comp", each_coarse)
+            .storage(INPUT_LIGHT_CELLS, cells_, false)
+            .storage(INPUT_COARSE_CELLS, coarse_, true)
+            .storage(INPUT_LIGHT_MASKS, masks_, true);
+
+        if (inputs_.sliced)
+            add(name_ + "-lists slices", "light_lists_slices.comp", once)
+                .storage(INPUT_COARSE_CELLS, coarse_, false)
+                .storage(INPUT_DEPTH_SLICES, slices_, true);
+
+        add(name_ + "-lists scatter", "light_lists_scatter.comp", each_light)
+            .storage(INPUT_COARSE_CELLS, coarse_, false)
+            .storage(INPUT_LIGHT_MASKS, masks_, true)
+            .storage(INPUT_LIGHT_ENTRIES, entries_, true);
+
+        for (const bool fill : {false, true}) {
+            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), "light_lists_cells.comp", whole,
+                                    {{CONSTANT_LIST_FILL, fill}});
+            // Counting writes the cells and filling the entries; both stand in the one shader.
+            pass.storage(INPUT_LIGHT_CELLS, cells_, true)
+                .storage(INPUT_LIGHT_MASKS, masks_, false)
+                .storage(INPUT_LIGHT_ENTRIES, entries_, true)
+                .storage(INPUT_DEPTH_SLICES, slices_, false);
+            read_depth(pass);
+            if (!fill)
+                add(name_ + "-lists offsets", "light_lists_offsets.comp", once)
+                    .storage(INPUT_LIGHT_CELLS, cells_, true)
+                    .storage(INPUT_LIST_TOTAL, total_, true);
+        }
+        return {.cells = cells_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
+                .tile_size = inputs_.tile_size, .sliced = inputs_.sliced};
+    }
+
+private:
+    using Groups = VkExtent3D (*)(const LightListConstants&);
+
+    graph::Pass& add(const std::string& name, const std::string& shader, Groups groups, gpu::Constants own = {}) {
+        graph::Pass& pass = graph_.pass(name);
+        own.insert(own.end(), constants_.begin(), constants_.end());
+        auto pipeline = std::make_shared<gpu::ComputePipeline>();
+        pass.prepare([pipeline, name, shader, own, &frame = frame_](const graph::PassInterface& interface) {
+            *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
+                                                               .shader = shader,
+                                                               .constants = own,
+                                                               .sets = {frame.layout(), interface.inputs},
+                                                               .push_bytes = sizeof(LightListConstants)});
+        });
+        pass.record([pipeline, groups, buffers = buffers_, &frame = frame_](const graph::PassContext& context) {
+            const LightListConstants& constants = *buffers->constants();
+            pipeline->bind(context.commands);
+            pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+            pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
+            pipeline->push(context.commands, std::as_bytes(std::span(&constants, 1)));
+            const VkExtent3D count = groups(constants);
+            vkCmdDispatch(context.commands, count.width, count.height, count.depth);
+        });
+        return pass;
+    }
+    void read_depth(graph::Pass& pass) const { pass.sample(INPUT_DEPTH, inputs_.surface->depth_source); }
+
+    graph::FrameGraph& graph_;
+    const resident::Frame& frame_;
+    std::string name_;
+    LightListInputs inputs_;
+    gpu::Constants constants_;
+    std::shared_ptr<ListBuffers> buffers_;
+    graph::BufferId cells_, coarse_, masks_, entries_, slices_, total_;
+};
+
+/// Words of a coarse cell's mask: a bit a light, and a bit a word.
+uint32_t mask_words(uint64_t lights) {
+    const uint32_t words = groups_of(lights, 32);
+    return std::max(1u, words + groups_of(words, 32));
+}
+
+} // namespace
+
+LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                             const LightListInputs& inputs) {
+    LightListConstants layout{};
+    layout.lights.w = mask_words(frame.world().lights.size());
+    const uint32_t across = groups_of(frame.extent().width, inputs.tile_size);
+    const uint32_t down = groups_of(frame.extent().height, inputs.tile_size);
+    layout.cells = {across, down, 1, across * down};
+    layout.coarse = {groups_of(across, LIST_COARSE_TILES), groups_of(down, LIST_COARSE_TILES), 1, 0};
+    layout.coarse.w = layout.coarse.x * layout.coarse.y;
+    return Builder(graph, frame, name, inputs, layout).build();
+}
+
+void declare_light_lists(graph::Pass& pass, const LightLists& lists) {
+    pass.storage(INPUT_LIGHT_CELLS, lists.cells, false).storage(INPUT_LIGHT_ENTRIES, lists.entries, false);
+    if (lists.tile_size > 0)
+        pass.storage(INPUT_DEPTH_SLICES, lists.slices, false);
+}
+
+gpu::Constants light_list_constants(const LightLists& lists) {
+    return {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_LIST_SLICED, lists.sliced}};
+}
+
+} // namespace prelight::passes

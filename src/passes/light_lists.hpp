@@ -1,0 +1,38 @@
+#pragma once
+#include "depth_normal.hpp"
+#include <shared/light_lists.h>
+
+namespace prelight::passes {
+
+/// What a pass that walks light lists needs (shaders/shared/light_lists.glsl).
+struct LightLists {
+    graph::BufferId cells;
+    graph::BufferId entries;
+    graph::BufferId slices;
+    /// Push constants of this frame; set before its first pass records.
+    std::shared_ptr<const shared::LightListConstants> constants;
+    uint32_t tile_size = 0; ///< screen: pixels
+    bool sliced = false;
+};
+
+/// Where the lists' cells lie.
+struct LightListInputs {
+    const SurfaceBuffers* surface = nullptr; ///< tiles and clusters
+    uint32_t tile_size = 8;                  ///< tiles and clusters: 8, 16 or 32 pixels
+    bool sliced = false;                     ///< clusters
+    /// Room for lists in the first frame, in lights; 0: a guess. It grows by itself.
+    uint64_t first_room = 0;
+};
+
+/// Builds lists of the lights that may reach each cell, in the order of Frame::lights(), on the device:
+/// count, make room, fill. There is no cap: a list that does not fit makes its cell walk all lights
+/// in that frame, and the buffer grows before the next. `name` begins the passes' names.
+/// Throws Error when a buffer of a fixed size would be larger than the device allows.
+LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                             const LightListInputs& inputs);
+
+/// The lists as bindings of a pass that walks them, and its constants.
+void declare_light_lists(graph::Pass& pass, const LightLists& lists);
+gpu::Constants light_list_constants(const LightLists& lists);
+
+} // namespace prelight::passes
