@@ -61,7 +61,8 @@ void light_list_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
         light_list_passes(graph, frame, name,
                           {.surface = &inputs.surface,
                            .tile_size = inputs.tile_size,
-                           .sliced = frame.culling() == resident::LightCulling::clusters});
+                           .sliced = frame.culling() == resident::LightCulling::clusters,
+                           .first_room = inputs.list_room});
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
     declare_light_lists(pass, lists);

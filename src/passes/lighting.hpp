@@ -20,6 +20,7 @@ struct LightingInputs {
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound
     bool count_pairs = false;
     uint32_t tile_size = 8;     ///< light lists: pixels of a tile's side, 8, 16 or 32
+    uint64_t list_room = 0;     ///< light lists: LightListInputs::first_room
 };
 
 /// The light buffer [L4]; `specular` is the diffuse image itself when packed.

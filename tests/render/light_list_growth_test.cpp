@@ -1,0 +1,83 @@
+// [V6] [V7]: lists that do not fit walk all lights in that frame, and have room in the next.
+#include "garden.hpp"
+#include <gpu/context.hpp>
+#include <passes/light_pass.hpp>
+#include <resident/frame.hpp>
+
+namespace prelight {
+namespace {
+
+/// Depth, normals and a light pass by lists whose buffer begins with room for `room` entries.
+class ListedGarden {
+public:
+    ListedGarden(const Garden& garden, resident::LightCulling culling, uint64_t room)
+        : context_(dynamic_cast<gpu::Context&>(test_device())),
+          counters_(context_, "pair counters", 90 * 2 * sizeof(uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                    gpu::BufferPlace::readback),
+          frame_(context_, garden.world, {.width = 160, .height = 90, .culling = culling}), graph_(context_) {
+        const passes::LightModel model;
+        const auto surface = passes::depth_normal_pass(graph_, frame_, {});
+        light_ = passes::make_light_buffer(graph_, frame_, model);
+        passes::light_pass(graph_, frame_, "light",
+                           {.surface = surface, .model = model, .target = light_.target,
+                            .pair_counters = &counters_, .count_pairs = true, .tile_size = 8, .list_room = room});
+        graph_.keep(light_.diffuse);
+        graph_.keep(light_.specular);
+        graph_.compile();
+        frame_.update(garden.camera);
+    }
+    struct Result {
+        std::vector<std::byte> diffuse, specular;
+        uint64_t evaluated = 0, contributing = 0, bytes = 0;
+    };
+    Result render() {
+        uint32_t* rows = counters_.mapped<uint32_t>();
+        std::fill_n(rows, 180, 0u);
+        context_.run("frame", [&](VkCommandBuffer commands) { graph_.record(commands); });
+        Result result{graph_.read_back(light_.diffuse), graph_.read_back(light_.specular), 0, 0, context_.device_bytes()};
+        for (int y = 0; y < 90; ++y) {
+            result.evaluated += rows[2 * y];
+            result.contributing += rows[2 * y + 1];
+        }
+        return result;
+    }
+
+private:
+    const gpu::Context& context_;
+    gpu::Buffer counters_;
+    resident::Frame frame_;
+    graph::FrameGraph graph_;
+    passes::LightBuffer light_;
+};
+
+class ListGrowth : public testing::TestWithParam<resident::LightCulling> {};
+INSTANTIATE_TEST_SUITE_P(V6, ListGrowth, testing::Values(resident::LightCulling::tiles),
+                         [](const auto&) { return std::string("tiles"); });
+INSTANTIATE_TEST_SUITE_P(V7, ListGrowth, testing::Values(resident::LightCulling::clusters),
+                         [](const auto&) { return std::string("clusters"); });
+
+TEST_P(ListGrowth, ListsThatDoNotFitWalkAllLightsAndFitInTheNextFrame) {
+    Garden garden;
+    garden.add_lights(200, 2, 3);
+    garden.add_light({.kind = LightKind::directional, .intensity = 0.4f}, {0, 0, 0}, {-0.3, -1, -0.5});
+    ListedGarden ample(garden, GetParam(), 1 << 20), tiny(garden, GetParam(), 1), half(garden, GetParam(), 1000);
+    const auto right = ample.render();
+    const auto first = tiny.render(), second = tiny.render(), third = tiny.render();
+    const auto partly = half.render();
+    for (const auto* result : {&first, &second, &third, &partly}) {
+        EXPECT_TRUE(result->diffuse == right.diffuse); // all lights stand in the same order as listed ones
+        EXPECT_TRUE(result->specular == right.specular);
+        EXPECT_EQ(result->contributing, right.contributing);
+    }
+    EXPECT_GT(first.evaluated, 2 * second.evaluated);
+    EXPECT_LT(partly.evaluated, first.evaluated);
+    EXPECT_GT(partly.evaluated, right.evaluated);
+    EXPECT_EQ(second.evaluated, right.evaluated);
+    EXPECT_EQ(third.evaluated, right.evaluated);
+    EXPECT_GT(second.bytes, first.bytes);
+    EXPECT_EQ(third.bytes, second.bytes) << "a steady frame allocates nothing";
+    expect_validation_clean(test_device());
+}
+
+} // namespace
+} // namespace prelight
