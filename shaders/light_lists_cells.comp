@@ -47,7 +47,7 @@ void main() {
     uint used = sliced ? uint(bitCount(slices)) : 0u; // places for the ends of lists
     uint count = used, end = 0u;
     for (uint left = slices; left != 0u; left &= left - 1u) {
-        Piece piece = cell_piece(at, cell, min(uint(findLSB(left)), LIST_SLICES - 1u), lists);
+        Piece piece = cell_piece(at, cell, min(uint(findLSB(left)), LIST_SLICES - 1u));
         count += visit(coarse, piece, cell.first + count);
         if (fill && sliced)
             light_entries[cell.first + end] = count;

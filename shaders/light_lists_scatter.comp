@@ -19,7 +19,7 @@ void main() {
     uint bit = index - min(index, lists.lights.x);
     LightBounds light = bounds_of(lights[light_index]);
     ivec3 low, high;
-    light_extent(light, lists, low, high);
+    light_extent(light, low, high);
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x) {

@@ -9,4 +9,8 @@ set(PRELIGHT_SHADER_VARIANTS
     "light+count.frag|light.frag|-DCOUNT_TARGET"
     "light_ambient+packed.frag|light_ambient.frag|-DONE_TARGET"
     "light_list+packed.frag|light_list.frag|-DONE_TARGET"
-    "light_list+count.frag|light_list.frag|-DCOUNT_TARGET")
+    "light_list+count.frag|light_list.frag|-DCOUNT_TARGET"
+    # Cells in the world instead of on the screen: no depth buffer is bound.
+    "light_lists_coarse+grid.comp|light_lists_coarse.comp|-DGRID_CELLS"
+    "light_lists_scatter+grid.comp|light_lists_scatter.comp|-DGRID_CELLS"
+    "light_lists_cells+grid.comp|light_lists_cells.comp|-DGRID_CELLS")

@@ -2,13 +2,16 @@
 // light_cells_screen.glsl or light_cells_grid.glsl.
 #ifndef PRELIGHT_LIGHT_CELLS_GLSL
 #define PRELIGHT_LIGHT_CELLS_GLSL
+#include "shared/bindings.h"
+#include "shared/light_lists.h"
+
+layout(push_constant) uniform ListBlock { LightListConstants lists; };
 #ifdef GRID_CELLS
 #include "shared/light_cells_grid.glsl"
 #else
 #include "shared/light_cells_screen.glsl"
 #endif
 
-layout(push_constant) uniform ListBlock { LightListConstants lists; };
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_CELLS, std430) buffer CellBlock { LightCell light_cells[]; };
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_ENTRIES, std430) buffer EntryBlock { uint light_entries[]; };
 layout(set = SET_INPUTS, binding = INPUT_COARSE_CELLS, std430) buffer CoarseBlock { CoarseCell coarse_cells[]; };

@@ -62,7 +62,7 @@ Piece screen_piece(vec2 low, vec2 high, float nearest, float farthest) {
 
 // Where the light's sphere may lie on the screen, in coarse cells: a box around it, projected. No cell
 // when high < low.
-void light_extent(LightBounds light, LightListConstants lists, out ivec3 low, out ivec3 high) {
+void light_extent(LightBounds light, out ivec3 low, out ivec3 high) {
     float z = dot(light.centre, frame.forward.xyz);
     vec2 scale = vec2(dot(frame.ray_right.xyz, frame.ray_right.xyz), dot(frame.ray_up.xyz, frame.ray_up.xyz));
     vec2 centre = vec2(dot(light.centre, frame.ray_right.xyz), dot(light.centre, frame.ray_up.xyz)) / scale;
@@ -109,7 +109,7 @@ uint slices_in_use(uvec3 at, LightCell cell) {
     return slices;
 }
 
-Piece cell_piece(uvec3 at, LightCell cell, uint slice, LightListConstants lists) {
+Piece cell_piece(uvec3 at, LightCell cell, uint slice) {
     vec2 low = vec2(at.xy) * float(tile_size);
     float nearest = cell.nearest, farthest = cell.farthest;
     if (sliced) {

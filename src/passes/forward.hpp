@@ -24,6 +24,10 @@ struct ForwardInputs {
 };
 void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);
 
+/// [Z3] Every object once, with the lights that a grid over the world's bounds lists for the pixel's
+/// place; replaces, depth test EQUAL. `kinds` and `plan` are not used.
+void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);
+
 /// The base colour of what is seen, for --view albedo.
 graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth);
 

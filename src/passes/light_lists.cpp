@@ -1,4 +1,5 @@
 #include "light_lists.hpp"
+#include "light_grid.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <gpu/compute_pipeline.hpp>
@@ -26,8 +27,9 @@ gpu::Buffer make_storage(const resident::Frame& frame, const char* name, uint64_
 /// The buffers, and what changes from frame to frame.
 class ListBuffers {
 public:
-    ListBuffers(const resident::Frame& frame, const LightListConstants& layout, uint64_t first_room)
-        : frame_(frame), guesses_(first_room == 0), constants_(std::make_shared<LightListConstants>(layout)),
+    ListBuffers(const resident::Frame& frame, const LightListConstants& layout, const LightGrid& grid,
+                uint64_t first_room)
+        : frame_(frame), grid_(grid), guesses_(first_room == 0), constants_(std::make_shared<LightListConstants>(layout)),
           cells(make_storage(frame, "light cells", uint64_t(layout.cells.w) * sizeof(shared::LightCell))),
           coarse(make_storage(frame, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::CoarseCell))),
           masks(make_storage(frame, "light masks", uint64_t(layout.coarse.w) * layout.lights.w * sizeof(uint32_t))),
@@ -41,13 +43,14 @@ public:
     bool update() {
         uint64_t needed = *total.mapped<uint32_t>();
         if (std::exchange(guesses_, false)) // the first frame has no other to learn from
-            needed = world_lights() + static_cast<uint64_t>((1.5 * frame_.lights().listed_pictures + 2) * constants_->cells.w) +
-                     16 * world_lights();
+            needed = std::min<uint64_t>(first_guess(), most_entries());
         const bool grows = needed > constants_->lights.z && constants_->lights.z < most_entries();
         if (grows)
             make_entries(needed + needed / 4);
         const resident::LightGroups& lights = frame_.lights();
         const auto count = [&](resident::LightGroup group) { return lights.count[static_cast<size_t>(group)]; };
+        const glm::dvec3 origin = grid_.low - frame_.eye();
+        constants_->grid_origin = glm::vec4(origin, 0);
         constants_->lights.x = count(resident::LightGroup::fullscreen);
         constants_->lights.y = count(resident::LightGroup::listed);
         return grows;
@@ -55,6 +58,11 @@ public:
     std::shared_ptr<const LightListConstants> constants() const { return constants_; }
 
 private:
+    uint64_t first_guess() const {
+        const double overlap = grid_.cells.x > 0 ? grid_overlap(grid_, frame_.world().lights)
+                                                 : 1.5 * frame_.lights().listed_pictures * constants_->cells.w;
+        return static_cast<uint64_t>(std::min(overlap, 1e12)) + 2 * uint64_t(constants_->cells.w) + 16 * world_lights();
+    }
     uint64_t world_lights() const { return frame_.world().lights.size(); }
     uint64_t most_entries() const { return frame_.context().limits().maxStorageBufferRange / sizeof(uint32_t); }
     void make_entries(uint64_t count) {
@@ -64,6 +72,7 @@ private:
     }
 
     const resident::Frame& frame_;
+    LightGrid grid_;
     bool guesses_;
     std::shared_ptr<LightListConstants> constants_;
 
@@ -75,9 +84,9 @@ public:
 class Builder {
 public:
     Builder(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-            const LightListInputs& inputs, const LightListConstants& layout)
+            const LightListInputs& inputs, const LightListConstants& layout, const LightGrid& grid)
         : graph_(graph), frame_(frame), name_(name), inputs_(inputs),
-          buffers_(std::make_shared<ListBuffers>(frame, layout, inputs.first_room)) {
+          buffers_(std::make_shared<ListBuffers>(frame, layout, grid, inputs.first_room)) {
         cells_ = graph.buffer("light cells", buffers_->cells);
         coarse_ = graph.buffer("coarse light cells", buffers_->coarse);
         masks_ = graph.buffer("light masks", buffers_->masks);
@@ -106,11 +115,14 @@ public:
         };
         const auto once = [](const LightListConstants&) { return VkExtent3D{1, 1, 1}; };
 
-        graph::Pass& range = add("depth-range", "depth_range.comp", whole);
-        range.storage(INPUT_LIGHT_CELLS, cells_, true);
-        read_depth(range);
+        const std::string kind = inputs_.surface ? ".comp" : "+grid.comp";
+        if (inputs_.surface) {
+            graph::Pass& range = add("depth-range", "depth_range.comp", whole);
+            range.storage(INPUT_LIGHT_CELLS, cells_, true);
+            read_depth(range);
+        }
 
-        add(name_ + "-lists coarse", "light_lists_coarse.comp", each_coarse)
+        add(name_ + "-lists coarse", "light_lists_coarse" + kind, each_coarse)
             .storage(INPUT_LIGHT_CELLS, cells_, false)
             .storage(INPUT_COARSE_CELLS, coarse_, true)
             .storage(INPUT_LIGHT_MASKS, masks_, true);
@@ -120,20 +132,21 @@ public:
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
                 .storage(INPUT_DEPTH_SLICES, slices_, true);
 
-        add(name_ + "-lists scatter", "light_lists_scatter.comp", each_light)
+        add(name_ + "-lists scatter", "light_lists_scatter" + kind, each_light)
             .storage(INPUT_COARSE_CELLS, coarse_, false)
             .storage(INPUT_LIGHT_MASKS, masks_, true)
             .storage(INPUT_LIGHT_ENTRIES, entries_, true);
 
         for (const bool fill : {false, true}) {
-            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), "light_lists_cells.comp", whole,
-                                    {{CONSTANT_LIST_FILL, fill}});
+            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), "light_lists_cells" + kind,
+                                     whole, {{CONSTANT_LIST_FILL, fill}});
             // Counting writes the cells and filling the entries; both stand in the one shader.
             pass.storage(INPUT_LIGHT_CELLS, cells_, true)
                 .storage(INPUT_LIGHT_MASKS, masks_, false)
                 .storage(INPUT_LIGHT_ENTRIES, entries_, true)
                 .storage(INPUT_DEPTH_SLICES, slices_, false);
-            read_depth(pass);
+            if (inputs_.surface)
+                read_depth(pass);
             if (!fill)
                 add(name_ + "-lists offsets", "light_lists_offsets.comp", once)
                     .storage(INPUT_LIGHT_CELLS, cells_, true)
@@ -191,12 +204,21 @@ LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& fr
                              const LightListInputs& inputs) {
     LightListConstants layout{};
     layout.lights.w = mask_words(frame.world().lights.size());
-    const uint32_t across = groups_of(frame.extent().width, inputs.tile_size);
-    const uint32_t down = groups_of(frame.extent().height, inputs.tile_size);
-    layout.cells = {across, down, 1, across * down};
-    layout.coarse = {groups_of(across, LIST_COARSE_TILES), groups_of(down, LIST_COARSE_TILES), 1, 0};
-    layout.coarse.w = layout.coarse.x * layout.coarse.y;
-    return Builder(graph, frame, name, inputs, layout).build();
+    LightGrid grid;
+    if (inputs.surface) {
+        const uint32_t across = groups_of(frame.extent().width, inputs.tile_size);
+        const uint32_t down = groups_of(frame.extent().height, inputs.tile_size);
+        layout.cells = {across, down, 1, 0};
+        layout.coarse = {groups_of(across, LIST_COARSE_TILES), groups_of(down, LIST_COARSE_TILES), 1, 0};
+    } else {
+        grid = light_grid(frame.geometry().draws);
+        layout.cells = glm::uvec4(grid.cells, 0);
+        layout.coarse = glm::uvec4((grid.cells + glm::uvec3(LIST_COARSE_CELLS - 1)) / glm::uvec3(LIST_COARSE_CELLS), 0);
+        layout.grid_cell = glm::vec4(grid.cell, 0);
+    }
+    layout.cells.w = layout.cells.x * layout.cells.y * layout.cells.z;
+    layout.coarse.w = layout.coarse.x * layout.coarse.y * layout.coarse.z;
+    return Builder(graph, frame, name, inputs, layout, grid).build();
 }
 
 void declare_light_lists(graph::Pass& pass, const LightLists& lists) {

@@ -19,7 +19,7 @@ struct LightLists {
 struct LightListInputs {
     const SurfaceBuffers* surface = nullptr; ///< tiles and clusters
     uint32_t tile_size = 8;                  ///< tiles and clusters: 8, 16 or 32 pixels
-    bool sliced = false;                     ///< clusters
+    bool sliced = false;                     ///< clusters; without `surface`: a grid over the world
     /// Room for lists in the first frame, in lights; 0: a guess. It grows by itself.
     uint64_t first_room = 0;
 };

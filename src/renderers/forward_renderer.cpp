@@ -55,7 +55,7 @@ DeviceRenderer::Views ForwardRenderer::views(graph::FrameGraph& graph, const res
                                      .model = model_};
         counts.pair_counters = &pair_counters();
         counts.counts_lights = true;
-        passes::forward_pass(graph, frame, counts);
+        light_count_pass(graph, frame, counts);
         show("light-count", passes::ViewKind::count, counts.colour);
     }
     return views;

@@ -10,9 +10,14 @@ class ForwardRenderer : public DeviceRenderer {
 protected:
     ForwardRenderer(Device& device, const RenderOptions& options, Settings settings,
                     resident::ObjectLights order);
-    resident::FrameSettings frame_settings() const final;
+    resident::FrameSettings frame_settings() const override;
     uint64_t draws(const resident::Frame&) const override { return draws_; }
 
+    /// What counts lights for --view light-count: each pixel's, as the renderer finds them.
+    virtual void light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+                                  const passes::ForwardInputs& counts) const {
+        passes::forward_pass(graph, frame, counts);
+    }
     /// A pass that draws into `colour`; the caller adds kinds and plan. Its draws are counted.
     passes::ForwardInputs shading(const char* name, graph::ImageId depth, graph::ImageId colour);
     static graph::ImageId linear_image(graph::FrameGraph& graph, const resident::Frame& frame);

@@ -10,9 +10,27 @@ namespace {
 class ZPrepass final : public ForwardRenderer {
 public:
     ZPrepass(Device& device, const RenderOptions& options, Settings settings)
-        : ForwardRenderer(device, options, std::move(settings), resident::ObjectLights::strongest_first) {}
+        : ForwardRenderer(device, options, settings,
+                          settings.is("lights", "grid") ? resident::ObjectLights::none
+                                                        : resident::ObjectLights::strongest_first),
+          grid_(settings.is("lights", "grid")) {}
 
 private:
+    resident::FrameSettings frame_settings() const override {
+        resident::FrameSettings frame = ForwardRenderer::frame_settings();
+        if (grid_)
+            frame.culling = resident::LightCulling::grid;
+        return frame;
+    }
+
+    void light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+                          const passes::ForwardInputs& counts) const override {
+        if (grid_)
+            passes::forward_grid_pass(graph, frame, counts);
+        else
+            ForwardRenderer::light_count_pass(graph, frame, counts);
+    }
+
     uint64_t draws(const resident::Frame& frame) const override {
         return ForwardRenderer::draws(frame) + frame.geometry().draws.size();
     }
@@ -20,7 +38,12 @@ private:
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto depth = passes::depth_only_pass(graph, frame); // [Z1]
         const auto linear = linear_image(graph, frame);
-        passes::ForwardInputs opaque = shading("opaque", depth, linear); // [Z2]
+        passes::ForwardInputs opaque = shading("opaque", depth, linear);
+        if (grid_) { // [Z3]
+            passes::forward_grid_pass(graph, frame, opaque);
+            return views(graph, frame, depth, linear);
+        }
+        // [Z2]
         opaque.kinds = {passes::StepKind::base_and_lights, passes::StepKind::lights};
         opaque.plan = [](const resident::LightReach& reach) {
             return passes::plan_shaded_once(reach, FORWARD_MOST_LIGHTS);
@@ -28,6 +51,8 @@ private:
         passes::forward_pass(graph, frame, opaque);
         return views(graph, frame, depth, linear);
     }
+
+    bool grid_;
 };
 
 } // namespace
@@ -36,7 +61,8 @@ RendererInfo z_prepass_info() {
     return {.name = "z-prepass",
             .description = "depth alone, then every visible pixel shaded with the lights of its object",
             .settings = forward_settings(
-                {{"lights", {"per-draw"}, "per-draw", "how a pixel finds its lights: eight a draw, strongest first"}}),
+                {{"lights", {"per-draw", "grid"}, "per-draw",
+                  "how a pixel finds its lights: eight a draw, strongest first; or by a grid over the world"}}),
             .views = forward_views(),
             .presets = {}};
 }

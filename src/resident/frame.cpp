@@ -67,6 +67,7 @@ bool Frame::set_lights(std::span<const PlacedLight> lights) {
 void Frame::update(const PlacedCamera& camera) {
     shared::FrameConstants& constants = *constants_.mapped<shared::FrameConstants>();
     shared::FrameConstants next{};
+    eye_ = camera.position;
     fill_camera(next, camera, settings_.width, settings_.height);
     // One light is clamped at the largest half float, and what is stored is divided by light_scale, so
     // that blended sums of that many such lights stay finite.

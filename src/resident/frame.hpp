@@ -38,6 +38,8 @@ public:
     const LightGroups& lights() const { return groups_; }
     /// Lights of each object; empty lists with ObjectLights::none.
     const LightReach& reach() const { return reach_; }
+    /// The camera's position of the last update(), world space: the origin of what shaders call world.
+    glm::dvec3 eye() const { return eye_; }
     LightCulling culling() const { return settings_.culling; }
     const VolumeOptions& volumes() const { return settings_.volumes; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
@@ -61,6 +63,7 @@ private:
     gpu::DescriptorSets sets_;
     LightGroups groups_;
     LightReach reach_;
+    glm::dvec3 eye_{0};
 };
 
 } // namespace prelight::resident

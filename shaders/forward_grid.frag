@@ -1,0 +1,36 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Forward shading with the lights of the pixel's cell in a grid over the world [Z3]. It needs nothing of
+// the screen, so that transparent surfaces can take the same path.
+#include "shared/forward_light.glsl"
+#include "shared/light_lists.glsl"
+
+layout(early_fragment_tests) in;
+layout(location = 0) out vec4 out_colour;
+
+uint cell_of(vec3 world) {
+    vec3 cell = (world - lists.grid_origin.xyz) / lists.grid_cell.xyz;
+    uvec3 at = uvec3(clamp(cell, vec3(0.0), vec3(lists.cells.xyz) - 0.5));
+    return (at.z * lists.cells.y + at.y) * lists.cells.x + at.x;
+}
+
+void main() {
+    ForwardSurface surface = forward_surface();
+    LightList list = list_of(cell_of(in_world), 0u);
+    if (has(FEATURE_UNLIT))
+        list.count = 0u;
+    vec3 sum = vec3(0.0);
+    uint contributing = 0u;
+    for (uint i = 0u; i < list.count; ++i) {
+        bool contributes;
+        sum += forward_light(surface, lights[listed_light(list, i)], contributes);
+        contributing += contributes ? 1u : 0u;
+    }
+    count_lights(list.count, contributing);
+    if (light_output == LIGHT_OUTPUT_COUNT) {
+        out_colour = vec4(float(list.count), float(contributing), 0.0, 0.0);
+        return;
+    }
+    // Each half of what a half float holds.
+    out_colour = vec4(min(sum, vec3(32752.0)) + min(base_light(surface.base), vec3(32752.0)), 1.0);
+}

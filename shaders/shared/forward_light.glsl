@@ -1,0 +1,54 @@
+// Forward shading: a surface, and what one light adds to it. Fresnel of each light at V·H (model=full), or
+// at N·V (nv).
+#ifndef PRELIGHT_FORWARD_LIGHT_GLSL
+#define PRELIGHT_FORWARD_LIGHT_GLSL
+#include "shared/lighting.glsl"
+#include "shared/surface.glsl"
+
+layout(constant_id = CONSTANT_MODEL) const int model = MODEL_FULL;
+layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
+layout(constant_id = CONSTANT_LIGHT_OUTPUT) const int light_output = LIGHT_OUTPUT_LIGHT;
+
+// Two counters a row of pixels, so that no sum overflows 32 bits: evaluated, contributing.
+layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCounters { uint pair_counters[]; };
+
+struct ForwardSurface {
+    vec3 base;
+    Reflectance reflectance;
+    float roughness, schlick_nv;
+    vec3 n, v;
+};
+
+ForwardSurface forward_surface() {
+    ForwardSurface s;
+    s.base = base_colour().rgb;
+    vec2 factors = metallic_roughness();
+    s.reflectance = reflectance(s.base, factors.x);
+    s.roughness = max(factors.y, 0.089);
+    s.n = shading_normal();
+    s.v = to_viewer(in_world);
+    s.schlick_nv = schlick_weight(dot(s.n, s.v));
+    return s;
+}
+
+vec3 reflected(LightTerms terms, Reflectance r, float schlick) {
+    if (shading == SHADING_PHONG)
+        return r.diffuse * terms.diffuse + r.f0 * terms.specular;
+    vec3 fresnel = r.f0 + (1.0 - r.f0) * schlick;
+    return r.diffuse / 3.14159265 * (1.0 - fresnel) * terms.diffuse + fresnel * terms.specular;
+}
+
+vec3 forward_light(ForwardSurface s, LightData light, out bool contributes) {
+    LightTerms terms = light_terms(light, true, in_world, s.n, s.v, s.roughness);
+    contributes = terms.contributes;
+    return reflected(terms, s.reflectance, model == MODEL_FULL ? schlick_weight(dot(s.v, terms.h)) : s.schlick_nv);
+}
+
+void count_lights(uint evaluated, uint contributing) {
+    if (!count_pairs)
+        return;
+    int row = 2 * int(gl_FragCoord.y);
+    atomicAdd(pair_counters[row], evaluated);
+    atomicAdd(pair_counters[row + 1], contributing);
+}
+#endif

@@ -1,0 +1,39 @@
+#include "forward.hpp"
+#include "light_lists.hpp"
+#include "surface_draws.hpp"
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+
+void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs) {
+    const LightLists lists = light_list_passes(graph, frame, inputs.name, {});
+    SurfaceDraws::Desc desc{.name = "forward grid",
+                            .fragment = "forward_grid.frag",
+                            .constants = inputs.model.constants(),
+                            .depth = gpu::DepthTest::equal, // exact: vertex_position() is invariant
+                            .keeps_alpha_mask = false,
+                            .push_bytes = sizeof(shared::LightListConstants)};
+    desc.constants.insert(desc.constants.end(),
+                          {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
+                           {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
+                           {CONSTANT_SEED_FALLOFF, frame.seed_falloff()}});
+    graph::Pass& pass = graph.pass(inputs.name);
+    pass.colour(inputs.colour, inputs.load)
+        .depth_test(inputs.depth)
+        .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    declare_light_lists(pass, lists);
+    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, desc); });
+    pass.record([=, &frame](const graph::PassContext& context) {
+        const std::vector<resident::Draw>& all = frame.geometry().draws;
+        if (inputs.draws)
+            *inputs.draws = all.size();
+        SurfaceDraws::Bound bound;
+        if (!all.empty())
+            (*draws)->bind_geometry(context);
+        for (const resident::Draw& draw : all)
+            (*draws)->draw(context, bound, draw, std::as_bytes(std::span(lists.constants.get(), 1)));
+    });
+}
+
+} // namespace prelight::passes

@@ -1,0 +1,21 @@
+#pragma once
+#include <prelight/scene.hpp>
+#include <resident/scene.hpp>
+#include <span>
+
+namespace prelight::passes {
+
+/// A uniform grid over the world's bounds [Z3]; no cells: none.
+struct LightGrid {
+    glm::dvec3 low{0};  ///< world space
+    glm::dvec3 cell{1}; ///< size of a cell, metres
+    glm::uvec3 cells{0};
+};
+
+/// Cells as nearly cubic as can be, at most `most_cells`; flat worlds get few layers.
+LightGrid light_grid(std::span<const resident::Draw> draws, uint32_t most_cells = 32768);
+
+/// How many cells all lights reach together, roughly and rather too many.
+double grid_overlap(const LightGrid& grid, std::span<const PlacedLight> lights);
+
+} // namespace prelight::passes
