@@ -15,7 +15,7 @@ void main() {
     float least = 3e38, most = 0.0; // stored depth
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x) {
-            float stored = texelFetch(depth_buffer, ivec2(x, y), 0).r;
+            float stored = read_depth(ivec2(x, y));
             least = min(least, stored > 0.0 ? stored : 3e38);
             most = max(most, stored);
         }

@@ -12,7 +12,7 @@ layout(early_fragment_tests) in;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec2 tile = min(uvec2(pixel) / uint(tile_size), lists.cells.xy - 1u); // helper invocations lie outside
-    uint slice = sliced ? slice_of(texelFetch(depth_buffer, pixel, 0).r) : 0u;
+    uint slice = sliced ? slice_of(read_depth(pixel)) : 0u;
     LightList list = list_of(tile.y * lists.cells.x + tile.x, slice);
     LitPixel p = read_pixel(pixel);
     LightSums sums = no_light();

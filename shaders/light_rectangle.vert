@@ -9,7 +9,7 @@ layout(location = 0) flat out uint out_light;
 
 void main() {
     out_light = light_order[gl_InstanceIndex];
-    LightBounds bounds = light_bounds[gl_InstanceIndex];
+    LightScreenBounds bounds = light_bounds[gl_InstanceIndex];
     // Two triangles: corners 0 1 2, 2 1 3.
     int corner = gl_VertexIndex < 3 ? gl_VertexIndex : gl_VertexIndex == 3 ? 2 : gl_VertexIndex == 4 ? 1 : 3;
     vec2 place = mix(bounds.rectangle.xy, bounds.rectangle.zw, vec2(corner & 1, corner >> 1));

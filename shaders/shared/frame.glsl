@@ -8,7 +8,7 @@ layout(set = SET_FRAME, binding = FRAME_CONSTANTS, std140) uniform FrameBlock { 
 layout(set = SET_FRAME, binding = FRAME_LIGHTS, std430) readonly buffer LightBlock { LightData lights[]; };
 layout(set = SET_FRAME, binding = FRAME_OBJECTS, std430) readonly buffer ObjectBlock { ObjectData objects[]; };
 layout(set = SET_FRAME, binding = FRAME_LIGHT_ORDER, std430) readonly buffer OrderBlock { uint light_order[]; };
-layout(set = SET_FRAME, binding = FRAME_LIGHT_BOUNDS, std430) readonly buffer BoundsBlock { LightBounds light_bounds[]; };
+layout(set = SET_FRAME, binding = FRAME_LIGHT_BOUNDS, std430) readonly buffer BoundsBlock { LightScreenBounds light_bounds[]; };
 
 float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }
 

@@ -32,7 +32,7 @@ struct LightData {
 };
 
 // What a light covers of the screen, in the order of the lights: light-culling=rectangles.
-struct LightBounds {
+struct LightScreenBounds {
     vec4 rectangle;  // clip space: low x, low y, high x, high y
     vec4 depth;      // x, y: device depth of the nearest and the farthest point; reversed, so x ≥ y
 };

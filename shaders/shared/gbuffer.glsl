@@ -37,10 +37,13 @@ float read_roughness(ivec2 pixel) {
                                                    : texelFetch(roughness_buffer, pixel, 0).r;
 }
 
+// Stored depth is reversed device depth, or view depth (linear_depth); 0 where no surface is.
+const bool linear_depth = depth_source != DEPTH_ATTACHMENT;
+float read_depth(ivec2 pixel) { return linear_depth_decode(depth_source, texelFetch(depth_buffer, pixel, 0)); }
+
 // False where no surface is.
 bool read_position(ivec2 pixel, out vec3 world) {
-    const bool linear_depth = depth_source != DEPTH_ATTACHMENT;
-    float stored = linear_depth_decode(depth_source, texelFetch(depth_buffer, pixel, 0));
+    float stored = read_depth(pixel);
     bool surface = stored > 0.0;
     vec2 clip = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
     if (position_from_ray) {

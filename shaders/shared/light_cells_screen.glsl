@@ -103,7 +103,7 @@ uint slices_in_use(uvec3 at, LightCell cell) {
     uint slices = 0u;
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x) {
-            float stored = texelFetch(depth_buffer, ivec2(x, y), 0).r;
+            float stored = read_depth(ivec2(x, y));
             slices |= stored > 0.0 ? 1u << slice_of(stored) : 0u;
         }
     return slices;

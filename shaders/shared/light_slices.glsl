@@ -12,7 +12,7 @@
 // Stored depth where each slice begins, the nearest first; one more for the last one's end.
 layout(set = SET_INPUTS, binding = INPUT_DEPTH_SLICES, std430) SLICES_ACCESS buffer SliceBlock { float slice_bounds[]; };
 
-// Stored depth is reversed device depth, or view depth.
+// Of depths as read_depth() gives them.
 bool not_before(float stored, float bound) { return linear_depth ? stored >= bound : stored <= bound; }
 
 uint slice_of(float stored) {

@@ -39,7 +39,7 @@ void Frame::make_light_buffers(size_t lights) {
     gpu::Buffer data = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
     gpu::Buffer order = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
     gpu::Buffer bounds = make_upload(context_, "light bounds", culling() == LightCulling::rectangles ? lights : 1,
-                                     sizeof(shared::LightBounds), storage);
+                                     sizeof(shared::LightScreenBounds), storage);
     const std::vector<gpu::Binding> bindings{gpu::Binding::uniform(FRAME_CONSTANTS, constants_.handle()),
                                              gpu::Binding::storage(FRAME_LIGHTS, data.handle()),
                                              gpu::Binding::storage(FRAME_OBJECTS, objects_.handle()),
@@ -85,7 +85,7 @@ void Frame::update(const PlacedCamera& camera) {
     groups_ = group_lights(placed_, camera, next, settings_.culling,
                            context_.features().depth_clamp, settings_.volumes.spot_boxes);
     std::copy(groups_.order.begin(), groups_.order.end(), order_.mapped<uint32_t>());
-    std::copy(groups_.bounds.begin(), groups_.bounds.end(), bounds_.mapped<shared::LightBounds>());
+    std::copy(groups_.bounds.begin(), groups_.bounds.end(), bounds_.mapped<shared::LightScreenBounds>());
     reach_ = find_reach(geometry_.draws, placed_, groups_.order, settings_.object_lights);
 }
 

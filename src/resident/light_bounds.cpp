@@ -208,7 +208,7 @@ ScreenBounds screen_bounds(const PlacedLight& placed, const PlacedCamera& camera
     return out;
 }
 
-shared::LightBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants) {
+shared::LightScreenBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants) {
     // Vertices snap to a sixteenth of a pixel or finer, and float clip space is as coarse in pictures
     // of thousands of pixels.
     const double pad_x = 0.125 * double(constants.size.z), pad_y = 0.125 * double(constants.size.w);
@@ -219,7 +219,7 @@ shared::LightBounds light_bounds(const ScreenBounds& bounds, const shared::Frame
         const double rounding = std::isinf(z) ? 0.0 : 1e-6 * (offset + slope * z) / w;
         return std::clamp(limit + sign * rounding, 0.0, 1.0);
     };
-    shared::LightBounds out{};
+    shared::LightScreenBounds out{};
     out.rectangle = glm::vec4(std::max(-1.0, bounds.x.low - pad_x), std::max(-1.0, bounds.y.low - pad_y),
                               std::min(1.0, bounds.x.high + pad_x), std::min(1.0, bounds.y.high + pad_y));
     out.depth = glm::vec4(device_depth(bounds.depth.low, 1), device_depth(bounds.depth.high, -1), 0, 0);

@@ -31,6 +31,6 @@ struct ScreenBounds {
 ScreenBounds screen_bounds(const PlacedLight& light, const PlacedCamera& camera, double aspect);
 
 /// The device's record: cut to the picture, with room for what rounding does to pixels and depth.
-shared::LightBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants);
+shared::LightScreenBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants);
 
 } // namespace prelight::resident

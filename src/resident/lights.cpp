@@ -114,7 +114,7 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
                          bool depth_clamp, bool spot_boxes) {
     const bool rectangles = culling == LightCulling::rectangles;
     const double aspect = double(constants.size.x) / double(constants.size.y);
-    std::vector<shared::LightBounds> bounds(rectangles ? lights.size() : 0);
+    std::vector<shared::LightScreenBounds> bounds(rectangles ? lights.size() : 0);
     std::array<std::vector<uint32_t>, light_group_count> members;
     LightGroups groups;
     const glm::dmat4 clip(constants.clip_from_world);

@@ -38,7 +38,7 @@ inline constexpr size_t light_group_count = 6;
 /// Indices of lights that can reach the picture, group by group; within a group in the world's order.
 struct LightGroups {
     std::vector<uint32_t> order;
-    std::vector<shared::LightBounds> bounds; ///< beside `order`; LightCulling::rectangles only
+    std::vector<shared::LightScreenBounds> bounds; ///< beside `order`; LightCulling::rectangles only
     std::array<uint32_t, light_group_count> first{};
     std::array<uint32_t, light_group_count> count{};
     double listed_pictures = 0; ///< how many pictures the listed lights' discs would fill, roughly
