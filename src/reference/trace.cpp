@@ -48,6 +48,8 @@ private:
 /// origin.
 glm::dvec3 previous_position(const Draw& draw, const Hit& hit) {
     const Primitive& primitive = *draw.primitive;
+    if (primitive.previous_positions.empty() && draw.previous_to_world == draw.to_world)
+        return hit.position; // exactly: what stands still has no motion, not even by rounding
     const auto& places = primitive.previous_positions.empty() ? primitive.positions
                                                               : primitive.previous_positions;
     const glm::dvec3 place = interpolate(places, draw, hit.triangle, hit.weights);
