@@ -23,6 +23,7 @@ constexpr const char* render_footer = R"(Examples:
   prelight render city --lights 4096 --seed 7 -o city.png --stats city.json
   prelight render helmet.glb --set normals=oct32 --shading phong -o helmet.png
   prelight render city -o city.png --view normal=normal.png --view depth=depth.png
+  prelight render fox.glb --animation Run --time 0.4 -o fox.png
   prelight render city --view diffuse-light -o light.png
   prelight render city --renderer reference --size 320x180 -o truth.exr
 A name ending in .exr receives exposed scene-linear values, without tone mapping.
@@ -39,7 +40,7 @@ report in FOLDER is replaced; a folder with other files is refused.)";
 /// Everything `render` is given as text, before it is checked.
 struct RenderText {
     std::string size = "1280x720", shading = "ggx", tonemap = "pbr-neutral", output, stats;
-    std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0";
+    std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0", time;
     std::vector<std::string> settings, views;
 };
 
@@ -68,6 +69,9 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--set", text.settings, "KEY=VALUE", "One setting of the renderer; repeatable");
     option("--size", text.size, "WxH", "Picture size in pixels (default 1280x720)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
+    option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
+    option("--animation", command.animation, "NAME|INDEX",
+           "Only this animation of the scene (default all), at --time or else at 0 s");
     option("--frames", text.frames, "N", "Frames to render and time (default 1)");
     option("--lights", text.lights, "N",
            "Light count of a built-in scene; adds N random point lights to any other");
@@ -166,6 +170,10 @@ void finish(RenderCommand& command, const RenderText& text) {
     command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
     command.options.msaa = parse_count("--msaa", text.msaa, 1);
     command.frames = parse_count("--frames", text.frames, 1);
+    if (!text.time.empty() || !command.animation.empty())
+        command.moment = Moment{};
+    if (!text.time.empty())
+        command.moment->time = parse_number("--time", text.time, 0, 1e6);
     command.seed = parse_seed("--seed", text.seed);
     if (!text.lights.empty())
         command.lights = parse_count("--lights", text.lights, 1);

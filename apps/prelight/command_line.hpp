@@ -27,6 +27,8 @@ struct RenderCommand {
     std::string renderer = "light-prepass";
     RenderOptions options;
     std::string camera; ///< name or index; empty: the scene's first
+    std::optional<Moment> moment; ///< absent: the scene at rest
+    std::string animation; ///< name or index; empty: all
     uint32_t frames = 1;
     std::optional<uint32_t> lights;
     uint64_t seed = 1;

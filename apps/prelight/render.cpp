@@ -98,15 +98,18 @@ void run(const RenderCommand& command) {
         session.device = Device::create({.select = command.device, .validate = command.validate});
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
     FileWatch watch(command.scene);
-    std::unique_ptr<LoadedScene> loaded = load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights());
+    const auto load = [&] {
+        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(),
+                          {command.moment, command.animation});
+    };
+    std::unique_ptr<LoadedScene> loaded = load();
     render_once(session, command, *loaded);
 
     while (command.watch) {
         watch.wait();
         std::unique_ptr<LoadedScene> changed;
         try {
-            changed = load_scene(command.scene, command.lights, command.seed,
-                                 session.renderer->max_lights());
+            changed = load();
             render_once(session, command, *changed);
         } catch (const Error& error) {
             // Mostly a file caught half written: the next change sets it right.

@@ -32,14 +32,17 @@ Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint
 }
 
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
-                                        uint64_t seed, uint64_t max_lights) {
+                                        uint64_t seed, uint64_t max_lights, const SceneTime& time) {
     auto loaded = std::make_unique<LoadedScene>();
     const bool file = names_file(name);
     if (!file && !find_builtin(builtin_scenes(), name))
         throw Error(
             fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
     loaded->scene = file ? load_gltf(name) : make_builtin(name, lights, seed);
-    loaded->world = resolve(loaded->scene);
+    std::optional<uint32_t> animation;
+    if (!time.animation.empty())
+        animation = find_animation(loaded->scene, time.animation);
+    loaded->world = resolve(loaded->scene, {}, time.moment, animation);
     if (file && lights) {
         if (*lights > max_lights)
             throw Error(fmt::format("{}: --lights {}: the renderer holds {}", name, *lights, max_lights));

@@ -21,10 +21,16 @@ bool names_file(const std::string& name);
 /// Makes a built-in scene with `lights` or its own default count. Throws UsageError.
 Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed);
 
-/// Loads a file or makes a built-in scene, resolves it, and adds lights to it as `--lights` says,
-/// `max_lights` at most.
-/// Warnings of the loader go to stderr. Throws Error.
+/// When in a scene's animations.
+struct SceneTime {
+    std::optional<Moment> moment; ///< absent: the scene at rest
+    std::string animation;        ///< name or index; empty: all
+};
+
+/// Loads a file or makes a built-in scene, resolves it at that time, and adds lights to it as
+/// `--lights` says, `max_lights` at most.
+/// Warnings of the loader go to stderr. Throws Error; UsageError for an animation that is not there.
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
-                                        uint64_t seed, uint64_t max_lights);
+                                        uint64_t seed, uint64_t max_lights, const SceneTime& time = {});
 
 } // namespace prelight::app

@@ -68,6 +68,26 @@ TEST(Render, TwoRunsGiveTheSameBytes) {
     }
 }
 
+TEST(Render, TimeAndAnimationPickThePose) {
+    const TemporaryFolder folder;
+    const auto picture = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"render", "motion",      "--size",    "64x36", "-o",
+                                              "a.png",  "--renderer", "reference"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_TRUE(succeeded(run(arguments, folder.path)));
+        return bytes_of(folder.path / "a.png");
+    };
+    const std::string rest = picture({}), half = picture({"--time", "0.5"});
+    EXPECT_TRUE(rest != half);
+    EXPECT_TRUE(half == picture({"--time", "0.5"}));
+    EXPECT_TRUE(half != picture({"--time", "0.75"}));
+    EXPECT_TRUE(picture({"--time", "9"}) == picture({"--time", "4"})) << "it stops at its end";
+    const std::string bend = picture({"--time", "0.5", "--animation", "bend"});
+    EXPECT_TRUE(bend != half && bend != rest);
+    EXPECT_TRUE(bend == picture({"--time", "0.5", "--animation", "1"}));
+    EXPECT_TRUE(picture({"--animation", "bend"}) == picture({"--animation", "bend", "--time", "0"}));
+}
+
 TEST(Render, ExrStaysLinear) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run(small({"-o", "a.exr"}), folder.path)));
