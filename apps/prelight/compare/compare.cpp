@@ -81,7 +81,7 @@ void make_report(Report& report, ReportFolder& folder) {
         report.triangles = scene->world.triangles;
         take_all_pictures(report, *device, scene->world, folder, progress);
         check_any(report);
-        take_times(report, *device, scenes, progress, share_of_pictures);
+        take_times(report, *device, scenes, scene->world, progress, share_of_pictures);
         check_any(report);
     }
     check_validation(*device);

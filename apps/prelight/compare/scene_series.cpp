@@ -13,14 +13,22 @@ SceneSeries::SceneSeries(std::string name, std::optional<uint32_t> lights, uint6
         lights_ = default_lights;
 }
 
-std::unique_ptr<LoadedScene> SceneSeries::make(std::optional<uint32_t> lights) const {
+std::unique_ptr<LoadedScene> SceneSeries::make() const {
     if (!file_)
-        return load_scene(name_, lights, seed_, std::numeric_limits<uint64_t>::max());
+        return load_scene(name_, lights_, seed_, std::numeric_limits<uint64_t>::max());
     auto copy = std::make_unique<LoadedScene>(); // its world refers to the file's meshes and images
     copy->world = file_->world;
-    if (lights)
-        scatter_lights(copy->world, *lights, seed_);
+    if (lights_)
+        scatter_lights(copy->world, *lights_, seed_);
     return copy;
+}
+
+std::vector<PlacedLight> SceneSeries::lights(uint32_t count) const {
+    if (!file_)
+        return load_scene(name_, count, seed_, std::numeric_limits<uint64_t>::max())->world.lights;
+    World world = file_->world;
+    scatter_lights(world, count, seed_);
+    return world.lights;
 }
 
 } // namespace prelight::app

@@ -3,7 +3,8 @@
 
 namespace prelight::app {
 
-/// One scene with different numbers of lights. A file is read once.
+/// One scene with different numbers of lights; its geometry is the same with all of them. A file is
+/// read once.
 class SceneSeries {
 public:
     /// As `--lights` and `--seed` say. A file that has no lights and is given no number gets
@@ -12,12 +13,13 @@ public:
 
     static constexpr uint32_t default_lights = 256;
 
-    /// The scene with the number of lights that the command asks for; or with `lights` of them: all
-    /// that a built-in scene has, added to those of a file. Must not outlive this object. Throws Error.
-    std::unique_ptr<LoadedScene> make() const { return make(lights_); }
-    std::unique_ptr<LoadedScene> make(std::optional<uint32_t> lights) const;
-    /// How many lights such a world has.
-    uint64_t total(uint32_t lights) const { return lights + (file_ ? file_->world.lights.size() : 0); }
+    /// The scene with the number of lights that the command asks for. Must not outlive this object.
+    /// Throws Error.
+    std::unique_ptr<LoadedScene> make() const;
+    /// Its lights when a built-in scene has `count` of them, or a file's has so many more.
+    std::vector<PlacedLight> lights(uint32_t count) const;
+    /// How many that is.
+    uint64_t total(uint32_t count) const { return count + (file_ ? file_->world.lights.size() : 0); }
     /// Lights that make() adds to a file's.
     uint64_t added() const { return file_ ? lights_.value_or(0) : 0; }
 

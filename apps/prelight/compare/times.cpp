@@ -43,12 +43,15 @@ struct Timed {
         return run.error.empty() && (stop.own() || (run.in_series && run.stopped.empty()));
     }
 
-    /// False when the renderer cannot take the world; the run then says why.
-    bool take(const World& world, Device& device, const Stop& stop) {
+    /// False when the renderer cannot take the world or the lights; the run then says why.
+    bool take(const World& world, const std::vector<PlacedLight>& lights, Device& device,
+              const Stop& stop) {
         try {
-            if (!renderer)
+            if (!renderer) {
                 renderer = create_renderer(run.variant.renderer, &device, run.options);
-            renderer->set_world(world);
+                renderer->set_world(world);
+            }
+            renderer->set_lights(lights);
             return true;
         } catch (const Error& error) {
             fail(error.what(), stop);
@@ -77,14 +80,15 @@ struct Timed {
     }
 };
 
-void time_at(const Stop& stop, const World& world, const Report& report, std::vector<Timed>& all,
-             Device& device, const std::function<void(double, const std::string&)>& show) {
+void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight>& lights,
+             const Report& report, std::vector<Timed>& all, Device& device,
+             const std::function<void(double, const std::string&)>& show) {
     std::vector<Contender> contenders;
     std::vector<Timed*> owners;
     for (Timed& timed : all)
         if (timed.wanted_at(stop)) {
             show(0, "upload for " + timed.run.variant.name());
-            if (timed.take(world, device, stop)) {
+            if (timed.take(world, lights, device, stop)) {
                 contenders.push_back({.renderer = timed.renderer.get()});
                 owners.push_back(&timed);
             }
@@ -112,32 +116,25 @@ const PlacedCamera& camera_of(const World& world, const std::string& name) {
     return name.empty() ? world.cameras.at(0) : find_camera(world, name);
 }
 
-void take_times(Report& report, Device& device, const SceneSeries& scenes, Progress& progress,
-                double share) {
+void take_times(Report& report, Device& device, const SceneSeries& scenes, const World& world,
+                Progress& progress, double share) {
     const std::vector<Stop> stops = make_stops(report, scenes);
-    // The renderers go first: they refer to the world.
-    std::unique_ptr<LoadedScene> scene;
     std::vector<Timed> all;
     for (RunReport& run : report.runs)
         all.push_back({run, nullptr});
     bool own_done = false;
     for (size_t i = 0; i < stops.size(); ++i) {
-        std::unique_ptr<LoadedScene> next =
-            stops[i].own() ? scenes.make() : scenes.make(stops[i].lights);
-        time_at(stops[i], next->world, report, all, device, [&](double part, const std::string& what) {
+        const auto lights = stops[i].own() ? world.lights : scenes.lights(*stops[i].lights);
+        const auto show = [&](double part, const std::string& what) {
             const double done = (static_cast<double>(i) + part) / static_cast<double>(stops.size());
             progress.show(share + (1 - share) * done,
                           fmt::format("{} lights: {}", stops[i].total, what));
-        });
+        };
+        time_at(stops[i], world, lights, report, all, device, show);
         own_done = own_done || stops[i].own();
         for (Timed& timed : all) // those that will not be asked again free their memory
             if (own_done && !(timed.run.in_series && timed.run.stopped.empty()))
                 timed.renderer.reset();
-        // A renderer that sat this number out still refers to the scene before: it goes as well.
-        for (Timed& timed : all)
-            if (!timed.wanted_at(stops[i]))
-                timed.renderer.reset();
-        scene = std::move(next);
     }
 }
 
