@@ -27,9 +27,10 @@ function showBars(runs) {
   draw();
 }
 
-/** Powers of ten, with 2 and 5 between them when the range is small. */
+/** Powers of ten, with more between them the smaller the range is. */
 function logTicks(low, high) {
-  const steps = Math.log10(high / low) > 2.2 ? [1] : [1, 2, 5], ticks = [];
+  const decades = Math.log10(high / low), ticks = [];
+  const steps = decades > 2.2 ? [1] : decades > 0.8 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 8];
   for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power)
     for (const step of steps) {
       const tick = step * 10 ** power;

@@ -6,7 +6,7 @@ class Viewer {
     [this.width, this.height] = report.size;
     this.choices = [{ variant: "reference", pictures: report.reference.pictures, about: `Rays cast with Embree, ${milliseconds(report.reference.wall_ms)} for its picture.` },
       ...runs.map((run) => ({ variant: run.variant, pictures: run.pictures,
-        about: `${milliseconds(run.gpu_ms.median)} a frame · PSNR ${decibels(run.difference.psnr)} dB · FLIP ${run.difference.flip.toFixed(4)}` }))];
+        about: `${milliseconds(steadyTime(report)(run))} ${timeNames[report.steady_time]} a frame · PSNR ${decibels(run.difference.psnr)} dB · FLIP ${run.difference.flip.toFixed(4)}` }))];
     this.sides = {
       left: { choice: this.choices[Math.min(1, this.choices.length - 1)], view: "final" },
       right: { choice: this.choices[0], view: "final" },
