@@ -83,8 +83,9 @@ void FrameGraph::record(VkCommandBuffer commands, bool one_pixel) {
     for (uint32_t p = 0; p < passes_.size(); ++p) {
         const Pass& pass = *passes_[p];
         context_.begin_label(commands, pass.name_);
-        pipeline_barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
+        // Before the barrier: lavapipe notes the time when it next waits, and a dispatch waits for nothing.
         vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * p);
+        pipeline_barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
         const bool renders = !pass.colours_.empty() || pass.depth_;
         PassContext pass_context{commands, pass.sets_[0], {}};
         if (renders) {
