@@ -1,13 +1,13 @@
 #pragma once
 #include <prelight/scene.hpp>
+#include <span>
 
 namespace prelight {
 
 /// What shapes a mesh at one time.
 struct Shape {
-    std::vector<double> weights;    ///< of the morph targets; missing ones are 0
-    std::vector<glm::dmat4> joints; ///< mesh space → world, by Skin::joints; empty: no skin
-    bool operator==(const Shape&) const = default;
+    std::vector<double> weights;          ///< of the morph targets; missing ones are 0
+    std::span<const glm::dmat4> joints{}; ///< mesh space → world, by Skin::joints; empty: no skin
 };
 
 /// True where every primitive with triangles has joints to follow.

@@ -185,7 +185,10 @@ private:
     }
 
     Shape shape_of(NodeTree& tree, const Node& node, uint32_t index, bool skinned) const {
-        return {tree.weights(index), skinned ? tree.joints(*node.skin) : std::vector<glm::dmat4>{}};
+        Shape shape{.weights = tree.weights(index)};
+        if (skinned)
+            shape.joints = tree.joints(*node.skin);
+        return shape;
     }
 
     /// Index into World::deformed and the origin of its vertices; equal ones are made once.
@@ -205,7 +208,7 @@ private:
                                     object, max_deformed_vertices >> 20, max_deform_work >> 20));
         deformed_vertices_ += vertices;
         deform_work_ += work;
-        Deformed made = deform(mesh, shape, previous == shape ? nullptr : &previous, object);
+        Deformed made = deform(mesh, shape, before_ ? &previous : nullptr, object);
         world_.deformed.push_back(std::move(made.mesh));
         found->second = {static_cast<uint32_t>(world_.deformed.size() - 1), made.origin};
         return found->second;

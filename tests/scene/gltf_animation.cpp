@@ -338,7 +338,20 @@ std::vector<Bad> kinds() {
 INSTANTIATE_TEST_SUITE_P(Kinds, GltfAnimationErrors, testing::ValuesIn(kinds()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
-/// The error that a file gives that is good but for the memory it wants.
+TEST(GltfAnimation, EveryDamagedByteEndsInASceneOrOneLine) {
+    const Bytes good = animated().glb();
+    size_t errors = 0;
+    for (size_t i = 20; i < good.size(); ++i)
+        for (const uint8_t flip : {0xff, 0x01, 0x10}) {
+            Bytes bytes = good;
+            bytes[i] ^= flip;
+            const std::string line = error_of(bytes);
+            ASSERT_EQ(line.find('\n'), std::string::npos);
+            errors += !line.empty();
+        }
+    EXPECT_GT(errors, good.size()) << "most of the file is JSON, and each byte of it counts";
+}
+
 TEST(GltfAnimation, MemoryIsBounded) {
     GltfBuilder targets = animated(); // 100,000 nodes with 2,000 morph targets each: weights alone
     targets.json["meshes"][0]["primitives"][0]["targets"] = Json(2'000, targets.primitive()["targets"][0]);

@@ -173,6 +173,7 @@ std::string error_of(const Bytes& bytes) {
     try {
         const Scene scene = load_bytes(bytes);
         resolve(scene);
+        resolve(scene, {}, Moment{0.5});
     } catch (const Error& error) {
         return error.what();
     }

@@ -76,7 +76,7 @@ Bytes solid(uint32_t width, uint32_t height, std::vector<uint8_t> colour);
 GltfBuilder draco_grid(bool edgebreaker, Bytes* draco = nullptr, bool joints = false);
 GltfBuilder meshopt_grid(bool joints = false);
 
-/// The one line of the Error that loading and resolving gives; empty when there is none.
+/// The one line of the Error that loading and resolving (at rest and at 0.5 s) gives; empty when there is none.
 std::string error_of(const Bytes& bytes);
 std::string error_of(const GltfBuilder& builder);
 std::string error_of_text(const std::string& json);

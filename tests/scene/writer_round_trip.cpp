@@ -276,10 +276,13 @@ TEST_F(RoundTrip, WhatTheBuiltinScenesDoNotMove) {
     a.nodes.back().trs->rotation = {1, 0, 0, 1e-4};
     a.nodes.back().local = a.nodes.back().trs->matrix();
     Primitive& primitive = a.meshes[column].primitives[0];
-    primitive.joint_sets.push_back(primitive.joint_sets[0]);
-    for (JointSet& set : primitive.joint_sets)
-        for (glm::vec4& weights : set.weights)
-            weights *= 0.5f;
+    JointSet more = primitive.joint_sets[0]; // half of each vertex's weight to a joint far from its own
+    for (size_t v = 0; v < more.joints.size(); ++v) {
+        more.joints[v] = {(primitive.joint_sets[0].joints[v].x + 3) % 5, 0, 0, 0};
+        more.weights[v] = {0.5f, 0, 0, 0};
+        primitive.joint_sets[0].weights[v] *= 0.5f;
+    }
+    primitive.joint_sets.push_back(more);
     primitive.morph_targets.resize(1);
     make_flat_normals(primitive);
     Animation& animation = a.animations.emplace_back(Animation{.name = "two"});

@@ -105,8 +105,8 @@ void check_forest(const Document& document, const std::vector<Node>& nodes) {
 
 void read_nodes(Document& document, Accessors& accessors, Scene& scene) {
     const size_t count = document.count(Table::nodes);
-    // The node here, and what resolving it takes: its place now and before, and its instance.
-    document.charge("nodes", count, sizeof(Node) + sizeof(Instance) + 2 * sizeof(glm::dmat4) + 16);
+    // The node here, and its place now and before while it is resolved.
+    document.charge("nodes", count, sizeof(Node) + 2 * sizeof(glm::dmat4) + 16);
     scene.nodes.resize(count);
     for (size_t i = 0; i < count; ++i) {
         const Item item = document.item(Table::nodes, i);
@@ -121,7 +121,8 @@ void read_nodes(Document& document, Accessors& accessors, Scene& scene) {
         node.skin = item.index("skin", document.count(Table::skins));
         if (node.mesh) {
             node.weights = read_weights(document, item, scene.meshes[*node.mesh]);
-            // Its weights now and before, while it is resolved.
+            // The instance that the world makes of it, and weights now and before.
+            document.charge(item.label(), 1, sizeof(Instance));
             document.charge(item.label(), morph_targets(scene.meshes[*node.mesh]), 4 * sizeof(double));
         }
         if (const auto instancing = item.extension("EXT_mesh_gpu_instancing");
