@@ -19,7 +19,7 @@ gpu::Buffer make_storage(const resident::Frame& frame, const char* name, uint64_
     const uint64_t limit = frame.context().limits().maxStorageBufferRange;
     if (size > limit)
         throw Error(fmt::format("{}: {} for {} lights and {}x{} pixels need {} bytes, and the device's limit is {}",
-                                frame.context().name(), name, frame.world().lights.size(), frame.extent().width,
+                                frame.context().name(), name, frame.light_capacity(), frame.extent().width,
                                 frame.extent().height, size, limit));
     return gpu::Buffer(frame.context(), name, size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, place);
 }
@@ -36,7 +36,7 @@ public:
           slices(make_storage(frame, "depth slices", (LIST_SLICES + 1) * sizeof(float))),
           total(make_storage(frame, "light list total", sizeof(uint32_t), gpu::BufferPlace::readback)) {
         *total.mapped<uint32_t>() = 0;
-        make_entries(world_lights() + first_room);
+        make_entries(all_lights() + first_room);
     }
 
     /// Before each frame: true when `entries` is another buffer now.
@@ -59,14 +59,14 @@ public:
 
 private:
     uint64_t first_guess() const {
-        const double overlap = grid_.cells.x > 0 ? grid_overlap(grid_, frame_.world().lights)
+        const double overlap = grid_.cells.x > 0 ? grid_overlap(grid_, frame_.placed_lights())
                                                  : 1.5 * frame_.lights().listed_pictures * constants_->cells.w;
-        return static_cast<uint64_t>(std::min(overlap, 1e12)) + 2 * uint64_t(constants_->cells.w) + 16 * world_lights();
+        return static_cast<uint64_t>(std::min(overlap, 1e12)) + 2 * uint64_t(constants_->cells.w) + 16 * all_lights();
     }
-    uint64_t world_lights() const { return frame_.world().lights.size(); }
+    uint64_t all_lights() const { return frame_.light_capacity(); }
     uint64_t most_entries() const { return frame_.context().limits().maxStorageBufferRange / sizeof(uint32_t); }
     void make_entries(uint64_t count) {
-        const uint64_t size = std::clamp<uint64_t>(count, world_lights() + 1, std::max(most_entries(), world_lights() + 1));
+        const uint64_t size = std::clamp<uint64_t>(count, all_lights() + 1, std::max(most_entries(), all_lights() + 1));
         entries = make_storage(frame_, "light lists", size * sizeof(uint32_t));
         constants_->lights.z = static_cast<uint32_t>(std::min<uint64_t>(size, 0xffffffffu));
     }
@@ -99,12 +99,9 @@ public:
         });
         if (inputs.surface)
             constants_ = inputs.surface->format.constants();
-        const auto& lights = frame.world().lights;
-        const bool cones = std::any_of(lights.begin(), lights.end(),
-                                       [](const PlacedLight& l) { return l.light.kind == LightKind::spot; });
         constants_.insert(constants_.end(), {{CONSTANT_LIST_TILE_SIZE, inputs.tile_size},
                                              {CONSTANT_LIST_SLICED, inputs.sliced},
-                                             {CONSTANT_LIST_CONES, cones}});
+                                             {CONSTANT_LIST_CONES, frame.has_spots()}});
     }
 
     LightLists build() {
@@ -203,7 +200,7 @@ uint32_t mask_words(uint64_t lights) {
 LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                              const LightListInputs& inputs) {
     LightListConstants layout{};
-    layout.lights.w = mask_words(frame.world().lights.size());
+    layout.lights.w = mask_words(frame.light_capacity());
     LightGrid grid;
     if (inputs.surface) {
         const uint32_t across = groups_of(frame.extent().width, inputs.tile_size);

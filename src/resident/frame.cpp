@@ -55,13 +55,13 @@ void Frame::make_light_buffers(size_t lights) {
 }
 
 bool Frame::set_lights(std::span<const PlacedLight> lights) {
-    const bool falloff = seed_falloff(), fits = lights.size() <= capacity_;
+    const bool falloff = seed_falloff(), spots = has_spots(), fits = lights.size() <= capacity_;
     if (!fits) { // with room for as many again, so that adding one at a time is cheap
         const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
         make_light_buffers(std::max(lights.size(), std::min(2 * capacity_, most)));
     }
     placed_.assign(lights.begin(), lights.end());
-    return fits && (falloff || !seed_falloff());
+    return fits && (falloff || !seed_falloff()) && (spots || !has_spots());
 }
 
 void Frame::update(const PlacedCamera& camera) {
@@ -92,6 +92,11 @@ void Frame::update(const PlacedCamera& camera) {
 bool Frame::seed_falloff() const {
     return std::any_of(placed_.begin(), placed_.end(),
                        [](const PlacedLight& l) { return l.light.falloff != Falloff::gltf; });
+}
+
+bool Frame::has_spots() const {
+    return std::any_of(placed_.begin(), placed_.end(),
+                       [](const PlacedLight& l) { return l.light.kind == LightKind::spot; });
 }
 
 } // namespace prelight::resident

@@ -24,7 +24,7 @@ public:
     /// Throws Error when the world does not fit the device; no light is ever dropped.
     Frame(const gpu::Context& context, const World& world, const FrameSettings& settings);
     /// Takes other lights in place of the world's. False when what draws them must be built anew: their
-    /// buffers grew, or a falloff came in that shaders leave out. The device must be idle.
+    /// buffers grew, or a kind or falloff came in that shaders leave out. The device must be idle.
     bool set_lights(std::span<const PlacedLight> lights);
     /// Writes constants, lights and objects for one picture; the device must be idle.
     void update(const PlacedCamera& camera);
@@ -45,8 +45,11 @@ public:
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
     VkDescriptorSetLayout layout() const { return layout_; }
     VkDescriptorSet set() const { return sets_[0]; }
+    /// The most lights that set_lights() takes without anything being built anew.
+    size_t light_capacity() const { return capacity_; }
     /// Some light has a falloff of the source texts' own.
     bool seed_falloff() const;
+    bool has_spots() const;
 
 private:
     /// Buffers for `lights` lights, and set 0 over all buffers.
