@@ -3,7 +3,7 @@
 
 namespace prelight::app {
 
-/// One scene with different numbers of lights; its geometry is the same with all of them. A file is
+/// One scene with different numbers of lights; its geometry stays what it is with its own. A file is
 /// read once.
 class SceneSeries {
 public:
