@@ -45,7 +45,7 @@ struct RenderText {
 };
 
 struct CompareText {
-    std::string size = "960x540", shading = "ggx", output, lights, seed = "1", frames = "5";
+    std::string size = "960x540", shading = "ggx", output, lights, time, seed = "1", frames = "5";
     std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
 };
 
@@ -110,6 +110,9 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
     option("--frames", text.frames, "N", "Frames of each variant to time, interleaved (default 5)");
     option("--size", text.size, "WxH", "Picture size in pixels (default 960x540)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
+    option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
+    option("--animation", command.animation, "NAME|INDEX",
+           "Only this animation of the scene (default all), at --time or else at 0 s");
     option("--lights", text.lights, "N",
            "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
@@ -161,6 +164,16 @@ void add_bench(CLI::App& app, BenchCommand& command, BenchText& text) {
                  "Run with Vulkan validation; any message is a failure");
 }
 
+/// Any animation that is named moves the scene off its rest, at 0 s when no time is given.
+std::optional<Moment> parse_moment(const std::string& time, const std::string& animation) {
+    if (time.empty() && animation.empty())
+        return {};
+    Moment moment;
+    if (!time.empty())
+        moment.time = parse_number("--time", time, 0, 1e6);
+    return moment;
+}
+
 void finish(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
     command.options.shading = parse_shading(text.shading);
@@ -170,10 +183,7 @@ void finish(RenderCommand& command, const RenderText& text) {
     command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
     command.options.msaa = parse_count("--msaa", text.msaa, 1);
     command.frames = parse_count("--frames", text.frames, 1);
-    if (!text.time.empty() || !command.animation.empty())
-        command.moment = Moment{};
-    if (!text.time.empty())
-        command.moment->time = parse_number("--time", text.time, 0, 1e6);
+    command.moment = parse_moment(text.time, command.animation);
     command.seed = parse_seed("--seed", text.seed);
     if (!text.lights.empty())
         command.lights = parse_count("--lights", text.lights, 1);
@@ -193,6 +203,7 @@ void finish(CompareCommand& command, const CompareText& text) {
     command.options.shading = parse_shading(text.shading);
     command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
     command.frames = parse_count("--frames", text.frames, 1);
+    command.moment = parse_moment(text.time, command.animation);
     command.seed = parse_seed("--seed", text.seed);
     if (!text.lights.empty())
         command.lights = parse_count("--lights", text.lights, 1);

@@ -44,6 +44,8 @@ struct CompareCommand {
     std::filesystem::path folder;
     RenderOptions options; ///< what all variants share
     std::string camera;    ///< name or index; empty: the scene's first
+    std::optional<Moment> moment; ///< absent: the scene at rest
+    std::string animation; ///< name or index; empty: all
     uint32_t frames = 5;   ///< timed frames of each variant
     std::optional<uint32_t> lights;
     uint64_t seed = 1;

@@ -188,6 +188,30 @@ TEST(Compare, ASlowFrameEndsTheLine) {
     EXPECT_EQ(json.at("runs")[0].at("frames"), 1);
 }
 
+TEST(Compare, ASlowFrameAtTheLastNumberEndsNothing) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run(small({"--frame-limit", "0", "--light-counts", "4", "--lights", "4", "--renderers",
+                                     "light-prepass", "-o", "report"}),
+                              folder.path)));
+    EXPECT_TRUE(report_of(folder.path / "report").at("light_counts").at(0).at("stopped").is_null());
+}
+
+TEST(Compare, TheMomentReachesThePictures) {
+    const TemporaryFolder folder;
+    const auto picture = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments =
+            small({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"});
+        arguments[1] = "motion";
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_TRUE(succeeded(run(arguments, folder.path)));
+        EXPECT_GT(report_of(folder.path / "report").at("runs")[0].at("difference").at("psnr"), 40);
+        return text_of(folder.path / "report/pictures/light-prepass-final.png");
+    };
+    const std::string start = picture({"--time", "0"});
+    EXPECT_NE(start, picture({"--time", "0.7"}));
+    EXPECT_EQ(start, picture({"--time", "0"}));
+}
+
 TEST(Compare, ATerminalSeesABar) {
     if (std::system("script --version > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "script, which makes a terminal, is missing";

@@ -35,7 +35,7 @@ TEST(Inform, CompareHelpNamesEveryOption) {
     const Result result = run({"compare", "--help"}, folder.path);
     ASSERT_TRUE(succeeded(result));
     for (const char* option :
-         {"--renderers", "--light-counts", "--frame-limit", "--frames", "--size", "--camera", "--lights",
+         {"--renderers", "--light-counts", "--frame-limit", "--frames", "--size", "--camera", "--time", "--animation", "--lights",
           "--seed", "--shading", "--exposure", "--device", "--validate", "-o", "Examples:"})
         EXPECT_THAT(result.out, HasSubstr(option));
 }

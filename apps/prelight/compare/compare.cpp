@@ -72,7 +72,8 @@ void make_report(Report& report, ReportFolder& folder) {
     report.device = device->name();
     report.driver = device->driver();
     report.device_type = type_of(*device);
-    const SceneSeries scenes(command.scene, command.lights, command.seed);
+    const SceneSeries scenes(command.scene, command.lights, command.seed,
+                             {command.moment, command.animation});
     {
         Progress progress;
         const auto scene = scenes.make();

@@ -172,6 +172,7 @@ Json report_json(const Report& report) {
                  {"shading", command.options.shading == Shading::ggx ? "ggx" : "phong"},
                  {"exposure", command.options.exposure},
                  {"seed", command.seed},
+                 {"time", command.moment ? Json(command.moment->time) : Json(nullptr)},
                  {"lights", report.lights},
                  {"lights_added", report.lights_added},
                  {"triangles", report.triangles},

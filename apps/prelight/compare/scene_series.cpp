@@ -3,19 +3,26 @@
 #include <limits>
 
 namespace prelight::app {
+namespace {
 
-SceneSeries::SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed)
-    : name_(std::move(name)), lights_(lights), seed_(seed) {
+/// How many lights a renderer holds is for each of them to say, when it gets them.
+constexpr uint64_t no_limit = std::numeric_limits<uint64_t>::max();
+
+} // namespace
+
+SceneSeries::SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed,
+                         SceneTime time)
+    : name_(std::move(name)), lights_(lights), seed_(seed), time_(std::move(time)) {
     if (!names_file(name_))
         return;
-    file_ = load_scene(name_, {}, seed_, std::numeric_limits<uint64_t>::max());
+    file_ = load_scene(name_, {}, seed_, no_limit, time_);
     if (!lights_ && file_->scene.lights.empty())
         lights_ = default_lights;
 }
 
 std::unique_ptr<LoadedScene> SceneSeries::make() const {
     if (!file_)
-        return load_scene(name_, lights_, seed_, std::numeric_limits<uint64_t>::max());
+        return load_scene(name_, lights_, seed_, no_limit, time_);
     auto copy = std::make_unique<LoadedScene>(); // its world refers to the file's meshes and images
     copy->world = file_->world;
     if (lights_)
@@ -25,7 +32,7 @@ std::unique_ptr<LoadedScene> SceneSeries::make() const {
 
 std::vector<PlacedLight> SceneSeries::lights(uint32_t count) const {
     if (!file_)
-        return load_scene(name_, count, seed_, std::numeric_limits<uint64_t>::max())->world.lights;
+        return load_scene(name_, count, seed_, no_limit, time_)->world.lights;
     World world = file_->world;
     scatter_lights(world, count, seed_);
     return world.lights;

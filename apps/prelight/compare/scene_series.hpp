@@ -7,9 +7,10 @@ namespace prelight::app {
 /// read once.
 class SceneSeries {
 public:
-    /// As `--lights` and `--seed` say. A file that has no lights and is given no number gets
+    /// As `--lights`, `--seed` and `--time` say. A file that has no lights and is given no number gets
     /// `default_lights`. Throws Error, UsageError.
-    SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed);
+    SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed,
+                SceneTime time);
 
     static constexpr uint32_t default_lights = 256;
 
@@ -27,6 +28,7 @@ private:
     std::string name_;
     std::optional<uint32_t> lights_;
     uint64_t seed_;
+    SceneTime time_;
     std::unique_ptr<LoadedScene> file_; ///< with no lights added; null for a built-in scene
 };
 

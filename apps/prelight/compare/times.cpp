@@ -136,6 +136,9 @@ void take_times(Report& report, Device& device, const SceneSeries& scenes, const
             if (own_done && !(timed.run.in_series && timed.run.stopped.empty()))
                 timed.renderer.reset();
     }
+    for (RunReport& run : report.runs) // slow, but nothing was left to stop before
+        if (!run.series.empty() && run.series.back().lights == stops.back().total)
+            run.stopped.clear();
 }
 
 } // namespace prelight::app
