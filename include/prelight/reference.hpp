@@ -18,6 +18,9 @@ struct ReferenceForm {
     bool ambient_as_light = false;    ///< ambient enters the diffuse sum (full-screen light) [V1]
     bool shadows = false;             ///< shadow rays for every light
     bool bilinear_level0 = true;      ///< textures: bilinear on level 0, whatever the sampler says
+    /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
+    /// over the lights, and give specular light as luminance.
+    enum class Specular { stored, luv, fifth_channel, luminance, bent } specular = Specular::stored;
 };
 
 /// What the reference knows of each pixel's first hit, to leave out pixels by `measure.md`'s rule.
@@ -41,8 +44,9 @@ struct ReferencePicture {
 };
 
 /// The form that pictures of a renderer with these settings in force (`Stats::settings`) are judged
-/// against: `model`, `specular-gate`, `specular-vector`, `ambient`. A key that a renderer lacks has
-/// its usual meaning (Fresnel of each light, N·L as a factor, half vector, ambient in the material).
+/// against: `model`, `specular`, `specular-gate`, `specular-vector`, `ambient`. A key that a renderer
+/// lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
+/// factor, half vector, ambient in the material).
 ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings);
 
 /// Ray-casts the world with Embree, shades in double precision, one ray through each pixel's centre.

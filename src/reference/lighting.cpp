@@ -35,11 +35,11 @@ glm::dvec3 half_vector(glm::dvec3 to_light, glm::dvec3 view) {
 
 } // namespace
 
-Lighting::Lighting(const ReferenceForm& form, const Surface& surface)
+Lighting::Lighting(const ReferenceForm& form, const Surface& surface, double exposure)
     : form_(form), surface_(surface), diffuse_colour_(surface.base_colour * (1 - surface.metallic)),
       f0_(glm::mix(glm::dvec3(0.04), surface.base_colour, surface.metallic)),
       alpha_(surface.roughness * surface.roughness),
-      exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)) {}
+      exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)), exposure_(exposure) {}
 
 double Lighting::cosine(const Incident& light) const {
     return clamped_dot(surface_.normal, light.to_light);
@@ -89,8 +89,11 @@ void Lighting::add_phong(const Incident& light, double nl) {
         cosine = clamped_dot(surface_.normal, half_vector(light.to_light, surface_.view));
     }
     const double gate = form_.gate_by_step ? 1 : nl; // nl > 0 here
+    const bool stored = form_.specular == ReferenceForm::Specular::stored;
+    const double exponent = light.shininess * (stored ? exponent_ : 1);
     sums_.diffuse += nl * light.radiance;
-    sums_.specular += gate * std::pow(cosine, light.shininess * exponent_) * light.radiance;
+    sums_.specular += gate * std::pow(cosine, exponent) * light.radiance;
+    sums_.weight += nl * luminance(light.radiance);
 }
 
 glm::dvec3 Lighting::compose_ggx() const {
@@ -115,6 +118,23 @@ glm::dvec3 Lighting::compose_ggx() const {
            schlick(f0_, s_specular) * specular;
 }
 
+// The ways of 8.5 to apply a material's exponent mn to the lights' sum (equations 8.5.4 to 8.5.7).
+glm::dvec3 Lighting::phong_specular() const {
+    using Specular = ReferenceForm::Specular;
+    if (form_.specular == Specular::stored)
+        return form_.mono_specular ? glm::dvec3(luminance(sums_.specular)) : sums_.specular;
+    const double channel4 = luminance(sums_.specular);
+    if (channel4 <= 0)
+        return glm::dvec3(0);
+    const auto raised = [&](double base) { return std::pow(std::min(base, 1.0), exponent_); };
+    if (form_.specular == Specular::bent)
+        return glm::dvec3(raised(channel4 * exposure_) / exposure_);
+    // LUV stores the luminance of diffuse light as it is, so that it differs by rounding only.
+    const double weight =
+        form_.specular == Specular::fifth_channel ? sums_.weight : luminance(sums_.diffuse);
+    return glm::dvec3(weight > 0 ? raised(channel4 / weight) * weight : 0);
+}
+
 glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
     if (surface_.unlit)
         return surface_.base_colour;
@@ -131,9 +151,7 @@ glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
     }
     if (ggx)
         return result + compose_ggx();
-    const glm::dvec3 specular =
-        form_.mono_specular ? glm::dvec3(luminance(sums_.specular)) : sums_.specular;
-    return result + diffuse_colour_ * sums_.diffuse + f0_ * specular;
+    return result + diffuse_colour_ * sums_.diffuse + f0_ * phong_specular();
 }
 
 } // namespace prelight::reference

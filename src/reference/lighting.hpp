@@ -8,7 +8,9 @@ namespace prelight::reference {
 /// The sums of all lights at one point, equations in docs/lighting-model.md.
 struct LightSums {
     glm::dvec3 diffuse{0}; ///< [ggx] E = Σ N·L·radiance; [phong] the same
-    glm::dvec3 specular{0}; ///< [ggx] S = Σ N·L·radiance·D·V; [phong] Σ gate·radiance·(N·H)^n
+    glm::dvec3 specular{0}; ///< [ggx] S = Σ N·L·radiance·D·V; [phong] Σ gate·radiance·(N·H)^n,
+                            ///< where n is the light's alone unless `specular` is stored
+    double weight = 0;      ///< [phong] channel 5 of equation 8.5.5: Σ N·L·luminance(radiance)
     double diffuse_fresnel = 0;  ///< Σ luminance(E_i)·(1 − V·H)⁵
     double specular_fresnel = 0; ///< Σ luminance(S_i)·(1 − V·H)⁵
     glm::dvec3 full{0};          ///< `full`: Σ of the whole model, Fresnel light by light
@@ -18,7 +20,9 @@ struct LightSums {
 /// Evaluates one form of the lighting model at one surface.
 class Lighting {
 public:
-    Lighting(const ReferenceForm& form, const Surface& surface);
+    /// `exposure`: the factor that a picture's radiance is multiplied by; only specular=bent depends
+    /// on it, for its base is what the light buffer holds.
+    Lighting(const ReferenceForm& form, const Surface& surface, double exposure = 1);
 
     /// N·L; a light with N·L ≤ 0 or without radiance gives nothing and need not be added.
     double cosine(const Incident& light) const;
@@ -31,6 +35,7 @@ private:
     void add_ggx(const Incident& light, double nl);
     void add_phong(const Incident& light, double nl);
     glm::dvec3 compose_ggx() const;
+    glm::dvec3 phong_specular() const;
 
     ReferenceForm form_;
     const Surface& surface_;
@@ -38,6 +43,7 @@ private:
     glm::dvec3 f0_;             ///< reflectance at normal incidence
     double alpha_;              ///< roughness²
     double exponent_;           ///< [phong] 2/α² − 2
+    double exposure_;
     LightSums sums_;
 };
 

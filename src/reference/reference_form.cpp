@@ -18,6 +18,13 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
     form.gate_by_step = is("specular-gate", "step");
     form.reflection_vector = is("specular-vector", "reflection");
     form.ambient_as_light = is("ambient", "light");
+    using Specular = ReferenceForm::Specular;
+    if (shading == Shading::phong)
+        form.specular = is("specular", "luv")             ? Specular::luv
+                        : is("specular", "fifth-channel") ? Specular::fifth_channel
+                        : is("specular", "luminance")     ? Specular::luminance
+                        : is("specular", "bent")          ? Specular::bent
+                                                          : Specular::stored;
     return form;
 }
 

@@ -43,6 +43,12 @@ ReferenceForm form_of(const Settings& settings, Shading shading) {
                                                       {"nv", Fresnel::nv},
                                                       {"mono", Fresnel::mono},
                                                       {"full", Fresnel::full}};
+    using Specular = ReferenceForm::Specular;
+    static const std::map<std::string, Specular> ways{{"stored", Specular::stored},
+                                                      {"luv", Specular::luv},
+                                                      {"fifth-channel", Specular::fifth_channel},
+                                                      {"luminance", Specular::luminance},
+                                                      {"bent", Specular::bent}};
     return {.shading = shading,
             .fresnel = forms.at(settings.at("model")),
             .mono_specular = settings.at("specular-light") == "mono",
@@ -50,7 +56,8 @@ ReferenceForm form_of(const Settings& settings, Shading shading) {
             .reflection_vector = settings.at("specular-vector") == "reflection",
             .ambient_as_light = settings.at("ambient") == "light",
             .shadows = settings.at("shadows") == "on",
-            .bilinear_level0 = settings.at("texture-filter") == "bilinear"};
+            .bilinear_level0 = settings.at("texture-filter") == "bilinear",
+            .specular = ways.at(settings.at("specular"))};
 }
 
 class ReferenceRenderer final : public Renderer {
@@ -161,6 +168,10 @@ RendererInfo reference_info() {
                  {"colour", "mono"},
                  "colour",
                  "[phong] specular light in colour or as its luminance"},
+                {"specular",
+                 {"stored", "luv", "fifth-channel", "luminance", "bent"},
+                 "stored",
+                 "[phong] a material's own exponent: per light, or on a sum of the lights"},
                 {"ambient",
                  {"material", "light"},
                  "material",

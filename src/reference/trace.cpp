@@ -108,7 +108,7 @@ private:
         picture.geometric_normal[pixel] = hit.geometric_normal;
         picture.depth[pixel] = hit.distance;
 
-        Lighting lighting(form_, surface);
+        Lighting lighting(form_, surface, factor_);
         if (!surface.unlit) {
             lights_.reach(surface.position, reached);
             for (const uint32_t index : reached) {

@@ -113,3 +113,16 @@ for gate in ("factor", "step"):
         show(f"phong {gate} {vector}", c * diffuse + f0 * specular)
         show(f"phong {gate} {vector} mono", c * diffuse + f0 * lum(specular))
 show("phong ambient, light", c * AMBIENT)
+# The ways of equations 8.5.4 to 8.5.7, with ambient light as a light: only the fifth channel has none.
+MN, EXPOSURE = 2 / (a * a) - 2, 2 ** -1.35
+diffuse = AMBIENT
+channel4 = channel5 = 0
+for to_light, radiance, shininess in incident():
+    nl = dot(N, to_light)
+    diffuse += radiance * nl
+    channel4 += lum(radiance) * nl * dot(N, unit(to_light + VIEW)) ** shininess
+    channel5 += lum(radiance) * nl
+for way, base, back in (("luminance", channel4 / lum(diffuse), lum(diffuse)),
+                        ("fifth", channel4 / channel5, channel5),
+                        ("bent", channel4 * EXPOSURE, 1 / EXPOSURE)):
+    show(f"phong {way}", c * diffuse + f0 * (min(base, 1) ** MN * back))

@@ -42,6 +42,21 @@ TEST(Lighting, EveryFresnelFormByHand) {
     expect(Fresnel::mono, {0.450017868, 0.285569962, 0.196513441}, "mono");
 }
 
+TEST(Lighting, L5_WaysOfAMaterialsOwnShininessByHand) {
+    OnePoint test;
+    test.world.ambient = {0.1f, 0.2f, 0.3f};
+    const auto expect = [&](ReferenceForm::Specular way, glm::dvec3 want, const char* what, double exposure = 0) {
+        expect_near(test.colour({.shading = Shading::phong, .ambient_as_light = true, .specular = way}, exposure),
+                    want * std::exp2(exposure), 1e-6, what);
+    };
+    using Specular = ReferenceForm::Specular;
+    expect(Specular::luminance, {1.476085264, 0.760644632, 0.431765225}, "luminance");
+    expect(Specular::luv, {1.476085264, 0.760644632, 0.431765225}, "luv");
+    expect(Specular::fifth_channel, {1.884998748, 0.986462527, 0.566035324}, "fifth channel");
+    // The bent rule's base is what the light buffer holds: its shape depends on the exposure.
+    expect(Specular::bent, {1.753272890, 0.913718396, 0.522782057}, "bent", -1.35);
+}
+
 TEST(Lighting, AmbientAsMaterialTermAndAsLight) {
     OnePoint test;
     test.world.ambient = {0.1f, 0.2f, 0.3f};

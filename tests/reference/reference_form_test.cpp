@@ -53,6 +53,10 @@ INSTANTIATE_TEST_SUITE_P(Each, ReferenceFormOf,
                                          Words{"full", {{"model", "full"}}},
                                          Words{"step", {{"specular-gate", "step"}}},
                                          Words{"reflection", {{"specular-vector", "reflection"}}},
+                                         Words{"luv", {{"specular", "luv"}}},
+                                         Words{"luminance", {{"specular", "luminance"}, {"ambient", "light"}}},
+                                         Words{"fifth", {{"specular", "fifth-channel"}, {"ambient", "light"}}},
+                                         Words{"bent", {{"specular", "bent"}}},
                                          Words{"ambient", {{"ambient", "light"}}}));
 
 TEST(ReferenceFormDefaults, UnknownKeysAndValuesMeanNothing) {
