@@ -20,6 +20,12 @@ void print_one(const RendererInfo& info) {
         fmt::print("\nviews (--view): {}\n", fmt::join(info.views, ", "));
     if (!info.presets.empty())
         fmt::print("\npresets (--preset): {}\n", fmt::join(info.presets, ", "));
+    for (const auto& [preset, settings] : info.preset_settings) {
+        fmt::print("  {}:", preset);
+        for (const auto& [key, value] : settings)
+            fmt::print(" {}={}", key, value);
+        fmt::print("\n");
+    }
 }
 
 } // namespace

@@ -45,6 +45,8 @@ struct RendererInfo {
     std::vector<SettingInfo> settings;
     std::vector<std::string> views;
     std::vector<std::string> presets;
+    /// What each preset sets; --set goes before it.
+    std::map<std::string, std::map<std::string, std::string>> preset_settings{};
     bool needs_device = true;
 };
 

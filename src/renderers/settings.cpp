@@ -30,10 +30,8 @@ bool allowed(const SettingInfo& info, const std::string& value) {
 
 } // namespace
 
-Settings::Settings(const RendererInfo& info, const RenderOptions& options) {
-    for (const SettingInfo& setting : info.settings)
-        values_[setting.key] = setting.default_value;
-    for (const auto& [key, value] : options.settings) {
+void Settings::set(const RendererInfo& info, const std::map<std::string, std::string>& settings) {
+    for (const auto& [key, value] : settings) {
         const auto setting = std::find_if(info.settings.begin(), info.settings.end(),
                                           [&key = key](const SettingInfo& s) { return s.key == key; });
         if (setting == info.settings.end())
@@ -44,6 +42,17 @@ Settings::Settings(const RendererInfo& info, const RenderOptions& options) {
                                          fmt::join(setting->values, ", ")));
         values_[key] = value;
     }
+}
+
+Settings::Settings(const RendererInfo& info, const RenderOptions& options) {
+    for (const SettingInfo& setting : info.settings)
+        values_[setting.key] = setting.default_value;
+    const auto preset = info.preset_settings.find(options.preset);
+    if (preset != info.preset_settings.end())
+        set(info, preset->second);
+    set(info, options.settings);
+    for (const auto& [key, value] : options.settings)
+        given_.insert(key);
     for (const std::string& view : options.views)
         if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
             throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));

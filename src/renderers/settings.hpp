@@ -1,25 +1,35 @@
 #pragma once
 #include <map>
 #include <prelight/renderer.hpp>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace prelight {
 
 /// The settings of one renderer, every key with a value: the default, or what the user asked for.
 class Settings {
 public:
-    /// Throws UsageError: a key that `info` does not list, a value that is not allowed, a view or
+    /// Defaults, then the preset's settings, then the user's. Throws UsageError: a key that `info` does not list, a value that is not allowed, a view or
     /// preset that does not exist.
     Settings(const RendererInfo& info, const RenderOptions& options);
     const std::string& get(const std::string& key) const { return values_.at(key); }
+    /// The user asked for it: it is neither a default nor a preset's.
+    bool given(const std::string& key) const { return given_.contains(key); }
     bool is(const std::string& key, const std::string& value) const { return get(key) == value; }
     double number(const std::string& key) const;
     const std::map<std::string, std::string>& all() const { return values_; }
     /// Replaces "auto" by what the renderer chose, so that the figures name it.
     void resolve(const std::string& key, const std::string& value) { values_.at(key) = value; }
+    /// What is not as a preset asked for, one line each: Stats::notes.
+    void note(std::string text) { notes_.push_back(std::move(text)); }
+    const std::vector<std::string>& notes() const { return notes_; }
 
 private:
+    void set(const RendererInfo& info, const std::map<std::string, std::string>& settings);
     std::map<std::string, std::string> values_;
+    std::set<std::string> given_;
+    std::vector<std::string> notes_;
 };
 
 } // namespace prelight
