@@ -25,6 +25,10 @@ void main() {
     vec3 f0 = mix(vec3(0.04), base, metallic);
 
     Light light = read_light();
+    if (material_output == MATERIAL_OUTPUT_DIFFUSE_SUM || material_output == MATERIAL_OUTPUT_SPECULAR_SUM) {
+        out_colour = vec4(material_output == MATERIAL_OUTPUT_DIFFUSE_SUM ? light.diffuse.rgb : light.specular.rgb, 1.0);
+        return;
+    }
     float grazing_diffuse, grazing_specular;
     if (model == MODEL_WEIGHTED) {
         grazing_diffuse = mean_grazing(light.diffuse);

@@ -3,6 +3,7 @@
 // A buffer drawn so that a person can read it.
 #include "shared/display.glsl"
 #include "shared/gbuffer.glsl"
+#include "shared/luv.glsl"
 
 layout(constant_id = CONSTANT_VIEW) const int view = VIEW_DEPTH;
 layout(location = 0) out vec4 out_colour;
@@ -37,6 +38,9 @@ void main() {
         colour = srgb_encode(tonemap_pbr_neutral(value.rgb * frame.light_buffer.x / 3.14159265));
     } else if (view == VIEW_LIGHT_ALPHA) {
         colour = srgb_encode(tonemap_pbr_neutral(value.aaa * frame.light_buffer.x / 3.14159265));
+    } else if (view == VIEW_LIGHT_LUV) {
+        vec3 light = luv_decode(value.rg) * value.b;
+        colour = srgb_encode(tonemap_pbr_neutral(light * frame.light_buffer.x / 3.14159265));
     } else if (view == VIEW_COUNT) {
         colour = heat(value.g);
     } else {

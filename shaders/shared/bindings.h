@@ -76,6 +76,8 @@
 #define CONSTANT_LIST_SLICED 31
 #define CONSTANT_LIST_CONES 32
 #define CONSTANT_LIST_FILL 33
+#define CONSTANT_SPECULAR_WAY 40
+#define CONSTANT_LIGHT_STORAGE 41
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -107,11 +109,26 @@
 #define MODEL_MONO 2
 #define MODEL_FULL 3
 
+// How a material's own shininess is come by [L5].
+#define SPECULAR_STORED 0
+#define SPECULAR_LUV 1
+#define SPECULAR_FIFTH_CHANNEL 2
+#define SPECULAR_LUMINANCE 3
+#define SPECULAR_BENT 4
+
+// What the light buffer's targets hold: the shader rounds to it, for drivers round differently.
+#define STORAGE_FLOAT16 0
+#define STORAGE_UNORM8 1
+#define STORAGE_UNORM10 2
+#define STORAGE_FLOAT11 3
+
 #define LIGHT_OUTPUT_LIGHT 0
 #define LIGHT_OUTPUT_COUNT 1
 
 #define MATERIAL_OUTPUT_SHADED 0
 #define MATERIAL_OUTPUT_ALBEDO 1
+#define MATERIAL_OUTPUT_DIFFUSE_SUM 2
+#define MATERIAL_OUTPUT_SPECULAR_SUM 3
 
 #define VOLUME_SPHERE 0
 #define VOLUME_CONE 1
@@ -128,5 +145,6 @@
 #define VIEW_LIGHT_ALPHA 4
 #define VIEW_COUNT 5
 #define VIEW_COLOUR 6
+#define VIEW_LIGHT_LUV 7
 
 #endif

@@ -3,24 +3,50 @@
 #define PRELIGHT_LIGHT_BUFFER_GLSL
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shared/frame.glsl"
+#include "shared/luv.glsl"
 
 layout(constant_id = CONSTANT_PACKED_LIGHT) const bool packed_light = false;
+layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_STORED;
 layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform texture2D diffuse_light;
 layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform texture2D specular_light;
 
 struct Light {
     vec4 diffuse;   // rgb: Σ diffuse light; a: its weighted grazing term
     vec4 specular;  // rgb: Σ specular light; a: its weighted grazing term
+    float weight;   // Σ N·L att, what channel 4 is divided by (equation 8.5.6)
 };
 
 Light read_light() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     // Blending may have gone past the largest half float.
-    vec4 first = min(texelFetch(diffuse_light, pixel, 0) * frame.light_buffer.x, vec4(65504.0));
-    if (packed_light)
-        return Light(vec4(first.rgb, 0.0), vec4(first.aaa, 0.0));
-    vec4 second = min(texelFetch(specular_light, pixel, 0) * frame.light_buffer.x, vec4(65504.0));
-    return Light(first, second);
+    vec4 first = texelFetch(diffuse_light, pixel, 0);
+    float luv_luminance = first.b;
+    if (specular_way == SPECULAR_LUV)
+        first.rgb = luv_decode(first.rg) * luv_luminance;
+    first = min(first * frame.light_buffer.x, vec4(65504.0));
+    if (!packed_light) {
+        vec4 second = min(texelFetch(specular_light, pixel, 0) * frame.light_buffer.x, vec4(65504.0));
+        return Light(first, second, 0.0);
+    }
+    float weight = luminance(first.rgb);
+    if (specular_way == SPECULAR_FIFTH_CHANNEL)
+        weight = texelFetch(specular_light, pixel, 0).r * frame.light_buffer.x;
+    if (specular_way == SPECULAR_LUV)
+        weight = luv_luminance * frame.light_buffer.x;
+    return Light(vec4(first.rgb, 0.0), vec4(first.aaa, 0.0), min(weight, 65504.0));
+}
+
+// 0 stays 0, whatever the exponent.
+float raised(float base, float exponent) { return base > 0.0 ? pow(min(base, 1.0), exponent) : 0.0; }
+
+// [phong] The specular sum for a material of its own shininess mn (equation 8.5.4).
+vec3 specular_light_of(Light light, float mn) {
+    if (specular_way == SPECULAR_STORED)
+        return light.specular.rgb; // the exponent was known when the lights were summed
+    float channel4 = light.specular.r;
+    if (specular_way == SPECULAR_BENT)
+        return vec3(raised(channel4, mn)); // equation 8.5.7
+    return vec3(light.weight > 0.0 ? raised(channel4 / light.weight, mn) * light.weight : 0.0);
 }
 
 // Mean (1 − V·H)⁵ of the lights on this pixel, weighted by their luminance; 0 without light.

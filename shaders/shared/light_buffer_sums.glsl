@@ -1,9 +1,14 @@
-// What the light buffer holds of a pixel's lights [L4]. [ggx]: diffuse = Σ N·L att colour, specular =
+// What the light buffer holds of a pixel's lights [L4] [L5]. [ggx]: diffuse = Σ N·L att colour, specular =
 // Σ N·L att colour D V; alphas: luminance-weighted (1 − V·H)⁵ of each (model=weighted). [phong]:
-// equation 8.5.2. Packed: specular's luminance in alpha.
+// equation 8.5.2, with the material's exponent (specular=stored) or only the light's. Packed: specular's
+// luminance in alpha. Where several lights are written at once, they are summed here and rounded once.
 #ifndef PRELIGHT_LIGHT_BUFFER_SUMS_GLSL
 #define PRELIGHT_LIGHT_BUFFER_SUMS_GLSL
 #include "shared/lit_pixel.glsl"
+#include "shared/luv.glsl"
+
+layout(constant_id = CONSTANT_AMBIENT_AS_LIGHT) const bool ambient_as_light = false;
+layout(constant_id = CONSTANT_LIGHT_STORAGE) const int light_storage = STORAGE_FLOAT16;
 
 layout(location = 0) out vec4 out_diffuse;
 #ifndef ONE_TARGET
@@ -12,9 +17,10 @@ layout(location = 1) out vec4 out_specular;
 
 struct LightSums {
     vec4 diffuse, specular;
+    float fifth;  // channel 5 of equation 8.5.5: Σ N·L att, weighted by luminance as channel 4 is
 };
 
-LightSums no_light() { return LightSums(vec4(0.0), vec4(0.0)); }
+LightSums no_light() { return LightSums(vec4(0.0), vec4(0.0), 0.0); }
 
 // True when the light contributes.
 bool add_light(inout LightSums sums, LitPixel p, LightData light) {
@@ -24,17 +30,55 @@ bool add_light(inout LightSums sums, LitPixel p, LightData light) {
         grazing = schlick_weight(dot(p.v, terms.h));
     sums.diffuse += vec4(terms.diffuse, luminance(terms.diffuse) * grazing);
     sums.specular += vec4(terms.specular, luminance(terms.specular) * grazing);
+    sums.fifth += luminance(terms.diffuse);
     return terms.contributes;
 }
 
+// Ambient light as a light [V1]. [ggx] divides diffuse light by π: a uniform environment of radiance L
+// gives irradiance π·L.
+void add_ambient(inout LightSums sums) {
+    sums.diffuse.rgb += frame.ambient.rgb * (shading == SHADING_GGX ? 3.14159265 : 1.0);
+}
+
+// To the nearest float of `bits` stored mantissa bits; those below 2⁻¹⁴ keep more than the target does.
+vec3 nearest_float(vec3 value, uvec3 bits) {
+    uvec3 dropped = 23u - bits;
+    uvec3 half_step = uvec3(1u) << (dropped - 1u);
+    return uintBitsToFloat(((floatBitsToUint(max(value, 0.0)) + half_step) >> dropped) << dropped);
+}
+
+// Rounded to what the target holds: some drivers cut off instead, and a blended sum of codes is exact.
+vec4 stored(vec4 value) {
+    vec4 limited = min(value, vec4(frame.ambient.w));
+    if (light_storage == STORAGE_UNORM8)
+        return floor(min(limited, 1.0) * 255.0 + 0.5) / 255.0;
+    if (light_storage == STORAGE_UNORM10)
+        return floor(min(limited, 1.0) * vec4(vec3(1023.0), 3.0) + 0.5) / vec4(vec3(1023.0), 3.0);
+    if (light_storage == STORAGE_FLOAT11)
+        return vec4(min(nearest_float(limited.rgb, uvec3(6u, 6u, 5u)), vec3(64512.0)), 0.0);
+    return limited;
+}
+
 void write_sums(LightSums sums) {
-    vec4 limit = vec4(frame.ambient.w);
     float scale = 1.0 / frame.light_buffer.x;
+    float channel4 = luminance(sums.specular.rgb) * scale;
 #ifdef ONE_TARGET
-    out_diffuse = min(vec4(sums.diffuse.rgb, luminance(sums.specular.rgb)) * scale, limit);
+    // Chromaticity does not add up: ambient light cannot be blended to it later.
+    if (specular_way == SPECULAR_LUV && ambient_as_light)
+        add_ambient(sums);
+    vec3 diffuse = sums.diffuse.rgb * scale;
+    // Chromaticity comes from the sum: that is the mean of the lights' own, weighted by energy.
+    if (specular_way == SPECULAR_LUV)
+        diffuse = vec3(luv_encode(diffuse), luminance(diffuse));
+    out_diffuse = stored(vec4(diffuse, channel4));
 #else
-    out_diffuse = min(sums.diffuse * scale, limit);
-    out_specular = min(sums.specular * scale, limit);
+    if (specular_way == SPECULAR_FIFTH_CHANNEL) {
+        out_diffuse = stored(vec4(sums.diffuse.rgb * scale, channel4));
+        out_specular = stored(vec4(sums.fifth * scale, 0.0, 0.0, 0.0));
+        return;
+    }
+    out_diffuse = stored(sums.diffuse * scale);
+    out_specular = stored(sums.specular * scale);
 #endif
 }
 #endif

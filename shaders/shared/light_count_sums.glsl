@@ -19,5 +19,7 @@ bool add_light(inout LightSums sums, LitPixel p, LightData light) {
     return contributes;
 }
 
+void add_ambient(inout LightSums sums) {} // is no light × pixel pair
+
 void write_sums(LightSums sums) { out_counts = vec4(sums.evaluated, sums.contributing, 0.0, 0.0); }
 #endif

@@ -2,11 +2,13 @@
 #ifndef PRELIGHT_LIGHTING_GLSL
 #define PRELIGHT_LIGHTING_GLSL
 #include "shared/frame.glsl"
+#include "shared/shininess.glsl"
 
 layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
 layout(constant_id = CONSTANT_SEED_FALLOFF) const bool seed_falloff = false;
 layout(constant_id = CONSTANT_SPECULAR_STEP_GATE) const bool specular_step_gate = false;
 layout(constant_id = CONSTANT_REFLECTION_VECTOR) const bool reflection_vector = false;
+layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_STORED;
 
 // KHR_lights_punctual: clamp(1 − (d/range)⁴, 0, 1) / max(d, 0.01 m)², times the cone. `to_light` is
 // not normalised; for a directional light it is a unit vector and the result is 1.
@@ -48,11 +50,6 @@ float specular_phong(float exponent, vec3 n, vec3 l, vec3 v) {
     return pow(clamp(base, 1e-6, 1.0), exponent);
 }
 
-float shininess(float roughness) {
-    float alpha = max(roughness, 0.089) * max(roughness, 0.089);
-    return max(2.0 / (alpha * alpha) - 2.0, 0.0);
-}
-
 // The weight of 1 − F0 in Schlick's reflectance.
 float schlick_weight(float cosine) {
     float m = clamp(1.0 - cosine, 0.0, 1.0);
@@ -79,7 +76,9 @@ LightTerms light_terms(LightData light, bool surface, vec3 world, vec3 n, vec3 v
         lobe = nl > 0.0 ? nl * specular_ggx(alpha, clamp(dot(n, h), 0.0, 1.0), nl, max(dot(n, v), 1e-4)) : 0.0;
     } else {
         float gate = specular_step_gate ? (nl > 0.0 ? 1.0 : 0.0) : nl;
-        lobe = gate > 0.0 ? gate * specular_phong(light.axis.w * shininess(roughness), n, l, v) : 0.0;
+        // Only way 1 knows the material here; the others raise to its exponent in the material pass.
+        float own = specular_way == SPECULAR_STORED ? shininess(roughness) : 1.0;
+        lobe = gate > 0.0 ? gate * specular_phong(light.axis.w * own, n, l, v) : 0.0;
     }
     vec3 light_in = light.colour.rgb * att;
     return LightTerms(light_in * nl, light_in * lobe, h, att > 0.0 && nl > 0.0);

@@ -20,7 +20,7 @@ public:
         desc.blend = inputs.target.load == graph::Load::keep ? gpu::Blend::add : gpu::Blend::none;
         desc.push_bytes = sizeof(shared::LightListConstants);
         lights_ = gpu::GraphicsPipeline(frame.context(), desc);
-        if (inputs.model.ambient_as_light && inputs.target.variant != "+count") {
+        if (inputs.model.ambient_blended() && inputs.target.variant != "+count") {
             desc = lighting_pipeline(frame, interface, inputs, "light_ambient");
             desc.name = "ambient light";
             desc.vertex = "light_fullscreen.vert";
@@ -67,7 +67,7 @@ void light_list_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     declare_lighting(graph, pass, inputs);
     declare_light_lists(pass, lists);
     pass.depth_test(inputs.surface.depth);
-    if (inputs.target.load == graph::Load::keep || inputs.model.ambient_as_light)
+    if (inputs.target.load == graph::Load::keep || inputs.model.ambient_blended())
         pass.blends();
     auto draws = std::make_shared<std::optional<ListDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs, lists); });

@@ -1,5 +1,6 @@
 #include "light_pass.hpp"
 #include "light_list_shading.hpp"
+#include "light_loop.hpp"
 #include "light_rectangles.hpp"
 #include "light_stencil.hpp"
 #include "light_volumes.hpp"
@@ -8,6 +9,8 @@ namespace prelight::passes {
 
 void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                 const LightingInputs& inputs) {
+    if (inputs.write_once && frame.culling() == resident::LightCulling::fullscreen)
+        return light_loop_pass(graph, frame, name, inputs);
     switch (frame.culling()) {
     case resident::LightCulling::fullscreen:
     case resident::LightCulling::volumes: return light_volume_pass(graph, frame, name, inputs);

@@ -1,20 +1,56 @@
 #include "lighting.hpp"
+#include <fmt/format.h>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
 
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model) {
-    const bool bytes = model.buffer == LightBufferFormat::packed_rgba8;
-    const VkFormat format = bytes ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
-    LightBuffer out;
-    out.diffuse = out.specular = graph.image("diffuse light", {format, frame.extent()});
-    out.target.images = {out.diffuse};
-    if (model.packed()) {
-        out.target.variant = "+packed";
-    } else {
-        out.specular = graph.image("specular light", {format, frame.extent()});
-        out.target.images.push_back(out.specular);
+namespace {
+
+/// The next format is taken where the device cannot draw into one, or not blend in it.
+graph::ImageId target(graph::FrameGraph& graph, const resident::Frame& frame, const char* name,
+                      LightBufferFormat format) {
+    switch (format) {
+    case LightBufferFormat::r11g11b10f:
+        if (frame.context().supports(VK_FORMAT_B10G11R11_UFLOAT_PACK32, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
+            return graph.image(name, {VK_FORMAT_B10G11R11_UFLOAT_PACK32, frame.extent()});
+        graph.note(fmt::format("{}: R11G11B10F does not blend on {}, RGBA16F is taken", name, frame.context().name()));
+        break;
+    case LightBufferFormat::rgb10a2:
+        return graph.image(name, frame.extent(), {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM});
+    case LightBufferFormat::rgba8:
+    case LightBufferFormat::packed_rgba8: return graph.image(name, {VK_FORMAT_R8G8B8A8_UNORM, frame.extent()});
+    case LightBufferFormat::rgba16f:
+    case LightBufferFormat::packed_rgba16f: break;
     }
+    return graph.image(name, {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+}
+
+/// What the shader rounds to.
+uint32_t storage_of(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_R8G8B8A8_UNORM: return STORAGE_UNORM8;
+    case VK_FORMAT_A2B10G10R10_UNORM_PACK32: return STORAGE_UNORM10;
+    case VK_FORMAT_B10G11R11_UFLOAT_PACK32: return STORAGE_FLOAT11;
+    default: return STORAGE_FLOAT16;
+    }
+}
+
+} // namespace
+
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model) {
+    LightBuffer out;
+    out.diffuse = out.specular = target(graph, frame, "diffuse light", model.buffer);
+    out.target.images = {out.diffuse};
+    out.target.constants = {{CONSTANT_LIGHT_STORAGE, storage_of(graph.desc(out.diffuse).format)}};
+    if (model.specular == SpecularWay::fifth_channel)
+        out.specular = graph.image(
+            "fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM : VK_FORMAT_R16_SFLOAT, frame.extent()});
+    else if (model.packed())
+        out.target.variant = "+packed";
+    else
+        out.specular = target(graph, frame, "specular light", model.buffer);
+    if (out.specular != out.diffuse)
+        out.target.images.push_back(out.specular);
     return out;
 }
 
@@ -37,8 +73,8 @@ gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const 
     gpu::GraphicsPipelineDesc desc;
     desc.fragment = shader + inputs.target.variant + ".frag";
     desc.constants = inputs.surface.format.constants();
-    const gpu::Constants model = inputs.model.constants();
-    desc.constants.insert(desc.constants.end(), model.begin(), model.end());
+    for (const gpu::Constants& more : {inputs.model.constants(), inputs.target.constants})
+        desc.constants.insert(desc.constants.end(), more.begin(), more.end());
     desc.constants.insert(desc.constants.end(), {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                                                  {CONSTANT_SEED_FALLOFF, frame.seed_falloff()}});
     desc.colour_formats = interface.colour_formats;

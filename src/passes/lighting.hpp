@@ -10,6 +10,7 @@ struct LightTarget {
     std::string variant;                ///< "" light buffer, "+packed", "+count"
     std::vector<graph::ImageId> images; ///< colour attachments, in the order of the variant's outputs
     graph::Load load = graph::Load::clear;
+    gpu::Constants constants;           ///< of the variant
 };
 
 /// What every light pass gets, however it finds its pixels: [V1] … [V7].
@@ -21,9 +22,10 @@ struct LightingInputs {
     bool count_pairs = false;
     uint32_t tile_size = 8;     ///< light lists: pixels of a tile's side, 8, 16 or 32
     uint64_t list_room = 0;     ///< light lists: LightListInputs::first_room
+    bool write_once = false; ///< all of a pixel's lights in one loop, instead of blended one by one
 };
 
-/// The light buffer [L4]; `specular` is the diffuse image itself when packed.
+/// The light buffer [L4]; `specular` is the diffuse image itself when packed, or the fifth channel [L5].
 struct LightBuffer {
     graph::ImageId diffuse;
     graph::ImageId specular;

@@ -6,8 +6,8 @@ namespace prelight::passes {
 namespace {
 
 graph::ImageId draw(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
-                    const char* name, uint32_t output) {
-    const graph::ImageId target = graph.image(name, {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+                    const char* name, uint32_t output, VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) {
+    const graph::ImageId target = graph.image(name, {format, frame.extent()});
     graph::Pass& pass = graph.pass(output == MATERIAL_OUTPUT_SHADED ? "material" : name);
     pass.colour(target, graph::Load::clear)
         .depth_test(inputs.depth)
@@ -31,6 +31,13 @@ graph::ImageId draw(graph::FrameGraph& graph, const resident::Frame& frame, cons
 graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                              const MaterialInputs& inputs) {
     return draw(graph, frame, inputs, "linear", MATERIAL_OUTPUT_SHADED);
+}
+
+graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+                              const MaterialInputs& inputs, bool specular) {
+    return draw(graph, frame, inputs, specular ? "specular-sum" : "diffuse-sum",
+                specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM,
+                VK_FORMAT_R32G32B32A32_SFLOAT);
 }
 
 graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame,

@@ -14,6 +14,11 @@ struct MaterialInputs {
 graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                              const MaterialInputs& inputs);
 
+/// The light buffer's sums as a material receives them, exposed and scene-linear, in full floats:
+/// diffuse light, or specular light with the material's own shininess [L5].
+graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+                              const MaterialInputs& inputs, bool specular);
+
 /// The base colour of what is seen, for --view albedo.
 graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                            const MaterialInputs& inputs);

@@ -4,7 +4,7 @@
 namespace prelight::passes {
 
 /// What a view pass makes of a buffer.
-enum class ViewKind { depth, normal, roughness, light, light_alpha, count, colour };
+enum class ViewKind { depth, normal, roughness, light, light_alpha, count, colour, light_luv };
 
 /// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.
 graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,

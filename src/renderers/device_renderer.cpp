@@ -18,6 +18,12 @@ Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D e
                 image.pixels[i][c] = static_cast<float>(texels[4 * i + size_t(c)]) / 255.0f;
         return image;
     }
+    if (format == VK_FORMAT_R32G32B32A32_SFLOAT) {
+        const auto* floats = reinterpret_cast<const float*>(texels.data());
+        for (size_t i = 0; i < image.pixels.size(); ++i)
+            image.pixels[i] = {floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]};
+        return image;
+    }
     const auto* halves = reinterpret_cast<const uint16_t*>(texels.data());
     for (size_t i = 0; i < image.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c)

@@ -1,11 +1,11 @@
 // Light pre-pass (Engel, ShaderX7 8.5; Lee's prelighting; Quandt's Round 2): depth and normals, then
 // all lights into the light buffer, then every object once more with its own material.
 #include "light_prepass.hpp"
+#include "light_model_settings.hpp"
 #include <passes/light_pass.hpp>
 #include <passes/materials.hpp>
 #include <passes/tonemap.hpp>
 #include <passes/view.hpp>
-#include <prelight/error.hpp>
 
 namespace prelight {
 namespace {
@@ -19,32 +19,6 @@ passes::SurfaceFormat surface_format(const Settings& settings) {
             .two_passes = settings.is("geometry", "two-passes")};
 }
 
-/// `model=auto` becomes what the light buffer can hold.
-passes::LightModel light_model(Settings& settings, Shading shading) {
-    const std::string& buffer = settings.get("light-buffer");
-    passes::LightModel model{.shading = shading,
-                             .buffer = buffer == "rgba16f"          ? passes::LightBufferFormat::rgba16f
-                                       : buffer == "packed-rgba16f" ? passes::LightBufferFormat::packed_rgba16f
-                                                                    : passes::LightBufferFormat::packed_rgba8,
-                             .step_gate = settings.is("specular-gate", "step"),
-                             .reflection_vector = settings.is("specular-vector", "reflection"),
-                             .ambient_as_light = settings.is("ambient", "light")};
-    if (settings.is("model", "auto"))
-        settings.resolve("model", model.packed() ? "mono" : "weighted");
-    const std::string& fresnel = settings.get("model");
-    if (fresnel == "full")
-        throw UsageError("--set model=full: a light buffer has no Fresnel of each light; renderer "
-                         "reference has");
-    if (model.packed() != (fresnel == "mono"))
-        throw UsageError("--set model=" + fresnel + ": " +
-                         (model.packed() ? "a packed light buffer holds model=mono only"
-                                         : "needs a packed light buffer (light-buffer=packed-rgba16f)"));
-    model.fresnel = fresnel == "weighted" ? passes::FresnelModel::weighted
-                    : fresnel == "nv"     ? passes::FresnelModel::nv
-                                          : passes::FresnelModel::mono;
-    return model;
-}
-
 class LightPrepass final : public DeviceRenderer {
 public:
     LightPrepass(Device& device, const RenderOptions& options, Settings settings,
@@ -54,8 +28,7 @@ public:
 private:
     resident::FrameSettings frame_settings() const override {
         resident::FrameSettings frame = DeviceRenderer::frame_settings();
-        const bool bytes = model_.buffer == passes::LightBufferFormat::packed_rgba8;
-        if (bytes)
+        if (model_.fixed_point())
             frame.light_scale = settings().number("light-scale");
         frame.culling = passes::light_culling(settings().get("light-culling"));
         frame.volumes = passes::volume_options(settings().all());
@@ -66,6 +39,8 @@ private:
     }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
+        for (const std::string& note : settings().notes())
+            graph.note(note);
         const auto surface = passes::depth_normal_pass(graph, frame, surface_format(settings()));
         const auto light = passes::make_light_buffer(graph, frame, model_);
         passes::LightingInputs lighting{.surface = surface,
@@ -73,7 +48,8 @@ private:
                                         .target = light.target,
                                         .pair_counters = &pair_counters(),
                                         .count_pairs = options().count_pairs,
-                                        .tile_size = static_cast<uint32_t>(settings().number("tile-size"))};
+                                        .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
+                                        .write_once = settings().is("light-writes", "once")};
         passes::light_pass(graph, frame, "light", lighting);
         const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_};
         const auto linear = passes::material_pass(graph, frame, materials);
@@ -88,8 +64,15 @@ private:
         show("depth", ViewKind::depth, surface.depth_source);
         show("normal", ViewKind::normal, surface.normal);
         show("roughness", ViewKind::roughness, surface.normal);
-        show("diffuse-light", ViewKind::light, light.diffuse);
-        show("specular-light", model_.packed() ? ViewKind::light_alpha : ViewKind::light, light.specular);
+        const bool luv = model_.specular == passes::SpecularWay::luv;
+        show("diffuse-light", luv ? ViewKind::light_luv : ViewKind::light, light.diffuse);
+        if (model_.packed())
+            show("specular-light", ViewKind::light_alpha, light.diffuse);
+        else
+            show("specular-light", ViewKind::light, light.specular);
+        for (const bool specular : {false, true})
+            if (const char* name = specular ? "specular-sum" : "diffuse-sum"; wants(name))
+                views[name] = passes::light_sum_pass(graph, frame, materials, specular);
         if (wants("albedo"))
             show("albedo", ViewKind::colour, passes::albedo_pass(graph, frame, materials));
         if (wants("light-count")) {
@@ -122,23 +105,17 @@ RendererInfo light_prepass_info() {
                  {"geometry", {"mrt", "two-passes"}, "mrt",
                   "depth and normals at once, or depth first and then normals"},
                  {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
-                 {"light-buffer", {"rgba16f", "packed-rgba16f", "packed-rgba8"}, "rgba16f",
-                  "diffuse and specular pair, or specular packed into alpha"},
-                 {"light-scale", {"0.01 … 1000"}, "2", "packed-rgba8: the largest light that it stores"},
-                 {"model", {"auto", "weighted", "nv", "mono", "full"}, "auto",
-                  "Fresnel: mean over the lights, at N·V, or with monochrome specular (packed)"},
                  passes::light_culling_setting(),
                  passes::tile_size_setting(),
-                 {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
-                 {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
-                 {"ambient", {"material", "light"}, "material", "a material term, or a full-screen light"},
                  {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                   "bilinear: level 0 only, for comparing with the reference"}},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
-                      "albedo", "light-count"},
+                      "diffuse-sum", "specular-sum", "albedo", "light-count"},
             .presets = {}};
     for (const SettingInfo& setting : passes::volume_settings())
         info.settings.push_back(setting);
+    for (SettingInfo& setting : light_model_settings())
+        info.settings.push_back(std::move(setting));
     return info;
 }
 

@@ -46,11 +46,19 @@ RenderOptions options_of(const Shot& shot) {
 
 ReferenceForm form_of(const Shot& shot) {
     using Fresnel = ReferenceForm::Fresnel;
-    const bool packed = is(shot, "light-buffer", "packed-rgba16f") || is(shot, "light-buffer", "packed-rgba8");
+    using Specular = ReferenceForm::Specular;
     ReferenceForm form;
+    form.specular = is(shot, "specular", "luv")             ? Specular::luv
+                    : is(shot, "specular", "fifth-channel") ? Specular::fifth_channel
+                    : is(shot, "specular", "luminance")     ? Specular::luminance
+                    : is(shot, "specular", "bent")          ? Specular::bent
+                                                            : Specular::stored;
+    const bool packed = is(shot, "light-buffer", "packed-rgba16f") || is(shot, "light-buffer", "packed-rgba8") ||
+                        form.specular != Specular::stored;
+    const bool no_alpha = is(shot, "light-buffer", "r11g11b10f") || is(shot, "light-buffer", "rgb10a2");
     form.shading = shot.shading;
     form.fresnel = packed                                ? Fresnel::mono
-                   : is(shot, "model", "nv")             ? Fresnel::nv
+                   : is(shot, "model", "nv") || no_alpha ? Fresnel::nv
                    : shot.renderer == "light-prepass" ? Fresnel::weighted
                                                          : Fresnel::full;
     form.mono_specular = packed;

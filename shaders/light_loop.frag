@@ -1,0 +1,21 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// All lights of a frame on every pixel, summed in registers and written once.
+#include "shared/light_loop.h"
+#include "shared/light_sums.glsl"
+
+layout(early_fragment_tests) in;
+layout(push_constant) uniform LoopBlock { LightLoop loop; };
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    LightSums sums = no_light();
+    if (loop.ambient > 0u)
+        add_ambient(sums);
+    LitPixel p = read_pixel(pixel);
+    uint contributing = 0u;
+    for (uint i = 0u; i < loop.count; ++i)
+        contributing += add_light(sums, p, lights[light_order[i]]) ? 1u : 0u;
+    count_lights(pixel, loop.count, contributing);
+    write_sums(sums);
+}

@@ -1,0 +1,13 @@
+// Push constants of the pass that adds all lights in one loop.
+#ifndef PRELIGHT_LIGHT_LOOP_H
+#define PRELIGHT_LIGHT_LOOP_H
+#include "shared/interop.h"
+SHARED_BEGIN
+
+struct LightLoop {
+    uint count;    // of light_order[]
+    uint ambient;  // 1: ambient light is one of the lights
+};
+
+SHARED_END
+#endif

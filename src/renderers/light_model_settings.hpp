@@ -1,0 +1,13 @@
+#pragma once
+#include "settings.hpp"
+#include <passes/light_model.hpp>
+
+namespace prelight {
+
+/// The settings of light buffers and of what is summed in them, [L4] [L5].
+std::vector<SettingInfo> light_model_settings();
+/// The model that the settings ask for. What they leave open ("auto", defaults that do not go with
+/// what the user asked for) is resolved in `settings`. Throws UsageError for what does not go together.
+passes::LightModel light_model(Settings& settings, Shading shading);
+
+} // namespace prelight
