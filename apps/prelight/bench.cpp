@@ -8,6 +8,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
+#include <tuple>
 
 namespace prelight::app {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 constexpr std::array benches{
     Bench{"encodings", "angular error of each encoding of normals, and its picture's error",
           bench_encodings_table},
+    Bench{"light-buffers", "error of each light buffer by the lights on a pixel, on a wall of its own",
+          bench_light_buffers_table, 160, 90},
 };
 
 } // namespace
@@ -35,7 +38,10 @@ void run(const BenchCommand& command) {
     const auto device = Device::create({.select = command.device, .validate = command.validate});
     nlohmann::ordered_json json = {
         {"bench", command.what}, {"device", device->name()}, {"driver", device->driver()}};
-    json.update(bench->run(command, *device));
+    BenchCommand sized = command;
+    if (command.width == 0)
+        std::tie(sized.width, sized.height) = std::pair(bench->width, bench->height);
+    json.update(bench->run(sized, *device));
     check_validation(*device);
     // A file name may hold any bytes; JSON holds UTF-8 only.
     if (!command.json.empty())

@@ -13,11 +13,13 @@ struct Bench {
     const char* description;
     /// Prints the table; what it returns becomes part of the JSON file. Throws Error.
     nlohmann::ordered_json (*run)(const BenchCommand& command, Device& device);
+    uint32_t width = 640, height = 360; ///< unless the user says otherwise
 };
 
 /// "encodings, …" for messages.
 std::string bench_names();
 
 nlohmann::ordered_json bench_encodings_table(const BenchCommand& command, Device& device);
+nlohmann::ordered_json bench_light_buffers_table(const BenchCommand& command, Device& device);
 
 } // namespace prelight::app

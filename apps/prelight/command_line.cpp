@@ -141,7 +141,7 @@ Shading parse_shading(const std::string& text) {
 
 /// What `bench` is given as text.
 struct BenchText {
-    std::string size = "640x360", lights, seed = "1", json;
+    std::string size, lights, seed = "1", json;
 };
 
 void add_bench(CLI::App& app, BenchCommand& command, BenchText& text) {
@@ -154,7 +154,7 @@ void add_bench(CLI::App& app, BenchCommand& command, BenchText& text) {
     sub.add_option("WHAT", command.what, "One of the benches below")->required()->type_name("");
     option("--scene", command.scene, "SCENE", "File or built-in scene (default spheres)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
-    option("--size", text.size, "WxH", "Picture size in pixels (default 640x360)");
+    option("--size", text.size, "WxH", "Picture size in pixels (default is the bench's own)");
     option("--lights", text.lights, "N",
            "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
@@ -223,7 +223,8 @@ void finish(MakeCommand& command, const MakeText& text) {
 }
 
 void finish(BenchCommand& command, const BenchText& text) {
-    std::tie(command.width, command.height) = parse_size("--size", text.size);
+    if (!text.size.empty())
+        std::tie(command.width, command.height) = parse_size("--size", text.size);
     command.seed = parse_seed("--seed", text.seed);
     if (!text.lights.empty())
         command.lights = parse_count("--lights", text.lights, 1);

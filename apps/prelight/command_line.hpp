@@ -77,7 +77,7 @@ struct BenchCommand {
     std::string what;            ///< one of bench_names()
     std::string scene = "spheres";
     std::string camera; ///< name or index; empty: the scene's first
-    uint32_t width = 640, height = 360;
+    uint32_t width = 0, height = 0; ///< 0: the bench's own
     std::optional<uint32_t> lights;
     uint64_t seed = 1;
     std::string device = "auto";

@@ -54,5 +54,23 @@ TEST(BenchEncodings, RefusesInOneLine) {
     EXPECT_EQ(folder.entries(), 0u);
 }
 
+TEST(BenchLightBuffers, L4_L5_PrintsATableAndWritesIt) {
+    const TemporaryFolder folder;
+    const Result result =
+        run({"bench", "light-buffers", "--size", "16x9", "--device", "cpu", "--json", "l.json"}, folder.path);
+    ASSERT_TRUE(succeeded(result));
+    std::ifstream file(folder.path / "l.json");
+    const nlohmann::json json = nlohmann::json::parse(file);
+    EXPECT_EQ(json["bench"], "light-buffers");
+    EXPECT_EQ(json["size"], nlohmann::json({16, 9}));
+    ASSERT_EQ(json["light_buffers"].size(), 4u * 28);
+    for (const nlohmann::json& row : json["light_buffers"]) {
+        EXPECT_THAT(result.out, HasSubstr("\n" + row["name"].get<std::string>() + " "));
+        EXPECT_LT(row["diffuse_error"]["rms"], row["diffuse_error"]["max"]);
+        EXPECT_LT(0, row["specular_error"]["rms"]);
+        EXPECT_LT(0, row["overlap"]);
+    }
+}
+
 } // namespace
 } // namespace prelight::test
