@@ -2,6 +2,7 @@
 // all lights into the light buffer, then every object once more with its own material.
 #include "light_prepass.hpp"
 #include "light_model_settings.hpp"
+#include "light_prepass_presets.hpp"
 #include <passes/light_pass.hpp>
 #include <passes/materials.hpp>
 #include <passes/tonemap.hpp>
@@ -111,7 +112,8 @@ RendererInfo light_prepass_info() {
                   "bilinear: level 0 only, for comparing with the reference"}},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
                       "diffuse-sum", "specular-sum", "albedo", "light-count"},
-            .presets = {}};
+            .presets = {"engel", "round2", "prelighting"},
+            .preset_settings = light_prepass_presets()};
     for (const SettingInfo& setting : passes::volume_settings())
         info.settings.push_back(setting);
     for (SettingInfo& setting : light_model_settings())
