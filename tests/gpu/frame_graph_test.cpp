@@ -207,6 +207,38 @@ TEST_P(FrameGraphTest, ReadingBackTwiceGivesTheSame) {
     }
 }
 
+// Both aspects move together; shaders and copies see depth.
+TEST_P(FrameGraphTest, DepthWithStencilIsTestedSampledAndReadBack) {
+    for (const VkFormat format : {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT}) {
+        if (!context().supports(format, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
+            continue;
+        FrameGraph graph(context());
+        const ImageId depth = graph.image("depth", {64, 64}, {format});
+        const ImageId seen = graph.image("seen", floats);
+        graph.pass("depth").depth_write(depth).record([](const auto&) {});
+        graph::Pass& pass = graph.pass("test and sample");
+        pass.colour(seen, Load::clear).depth_test(depth).sample(0, depth);
+        pass.record([](const auto&) {});
+        const ImageId mix = mixed(graph, "mix", {depth, seen, depth}, 7);
+        graph.keep(depth);
+        graph.keep(mix);
+        graph.compile();
+        for (int frame = 0; frame < 2; ++frame) {
+            run_frame(context(), graph);
+            EXPECT_THAT(texels<uint32_t>(graph, depth), testing::AllOf(testing::SizeIs(64 * 64), Each(0)));
+            EXPECT_THAT(texels<float>(graph, mix), Each(7));
+        }
+    }
+}
+
+TEST_P(FrameGraphTest, StencilOfSomeFormatIsAlwaysThere) {
+    FrameGraph graph(context());
+    const ImageId depth = graph.image("depth", {64, 64}, {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT});
+    const bool d24 = graph.desc(depth).format == VK_FORMAT_D24_UNORM_S8_UINT;
+    EXPECT_EQ(d24, context().supports(VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT));
+    EXPECT_EQ(graph.notes().size(), d24 ? 0u : 1u);
+}
+
 // Frames in one submission: nothing but the graph's own barriers stands between them.
 TEST_P(FrameGraphTest, FramesFollowEachOtherWithoutAWait) {
     FrameGraph graph(context());
