@@ -13,6 +13,7 @@ struct ReferenceForm {
     Shading shading = Shading::ggx;
     enum class Fresnel { weighted, nv, mono, full } fresnel = Fresnel::weighted; ///< [ggx] `model=`
     bool mono_specular = false;       ///< [phong]: specular light as luminance (packed light buffer)
+    bool grey_reflectance = false;    ///< lights meet F0's luminance (a G-buffer with one specular channel)
     bool gate_by_step = false;        ///< [phong] specular-gate=step: N·L > 0 instead of factor N·L
     bool reflection_vector = false;   ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
     bool ambient_as_light = false;    ///< ambient enters the diffuse sum (full-screen light) [V1]
@@ -44,7 +45,7 @@ struct ReferencePicture {
 };
 
 /// The form that pictures of a renderer with these settings in force (`Stats::settings`) are judged
-/// against: `model`, `specular`, `specular-gate`, `specular-vector`, `ambient`. A key that a renderer
+/// against: `model`, `specular`, `specular-gate`, `specular-vector`, `ambient`, `g-buffer`. A key that a renderer
 /// lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
 ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings);

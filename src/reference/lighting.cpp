@@ -37,7 +37,8 @@ glm::dvec3 half_vector(glm::dvec3 to_light, glm::dvec3 view) {
 
 Lighting::Lighting(const ReferenceForm& form, const Surface& surface, double exposure)
     : form_(form), surface_(surface), diffuse_colour_(surface.base_colour * (1 - surface.metallic)),
-      f0_(glm::mix(glm::dvec3(0.04), surface.base_colour, surface.metallic)),
+      material_f0_(glm::mix(glm::dvec3(0.04), surface.base_colour, surface.metallic)),
+      f0_(form.grey_reflectance ? glm::dvec3(luminance(material_f0_)) : material_f0_),
       alpha_(surface.roughness * surface.roughness),
       exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)), exposure_(exposure) {}
 
@@ -147,7 +148,7 @@ glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
         sums_.diffuse += irradiance;
         sums_.full += diffuse_colour_ / pi * (1.0 - f0_) * irradiance;
     } else {
-        result += ambient * surface_.occlusion * (diffuse_colour_ + f0_);
+        result += ambient * surface_.occlusion * (diffuse_colour_ + material_f0_);
     }
     if (ggx)
         return result + compose_ggx();

@@ -15,6 +15,7 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
                    : is("model", "mono")   ? Fresnel::mono
                                            : Fresnel::full;
     form.mono_specular = is("model", "mono");
+    form.grey_reflectance = is("g-buffer", "killzone2");
     form.gate_by_step = is("specular-gate", "step");
     form.reflection_vector = is("specular-vector", "reflection");
     form.ambient_as_light = is("ambient", "light");

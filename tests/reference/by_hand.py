@@ -126,3 +126,14 @@ for way, base, back in (("luminance", channel4 / lum(diffuse), lum(diffuse)),
                         ("fifth", channel4 / channel5, channel5),
                         ("bent", channel4 * EXPOSURE, 1 / EXPOSURE)):
     show(f"phong {way}", c * diffuse + f0 * (min(base, 1) ** MN * back))
+diffuse, specular, full = vec(0), vec(0), vec(0)
+for to_light, radiance, shininess in incident():
+    h = unit(to_light + VIEW)
+    nl, nh = dot(N, to_light), dot(N, h)
+    d = a * a / (pi * (nh * nh * (a * a - 1) + 1) ** 2)
+    f = lum(f0) + (1 - lum(f0)) * (1 - dot(VIEW, h)) ** 5
+    full += radiance * nl * (c * ((1 - f) / pi) + f * (d * g1(nl) * g1(nv) / (4 * nl * nv)))
+    diffuse += radiance * nl
+    specular += radiance * (nl * nh ** (shininess * (2 / (a * a) - 2)))
+show("full, grey reflectance", full)
+show("phong, grey reflectance", c * diffuse + lum(f0) * specular)

@@ -93,6 +93,18 @@ TEST(Lighting, PhongFormsByHand) {
     expect(true, true, true, {1.738815214, 0.880659679, 0.494422820});
 }
 
+// Ambient light, being the material's own, keeps its colour.
+TEST(Lighting, GreyReflectanceByHand) {
+    OnePoint test;
+    expect_near(test.colour({.fresnel = Fresnel::full, .grey_reflectance = true}),
+                {0.417362315, 0.280750827, 0.286801430}, 1e-6, "full");
+    expect_near(test.colour({.shading = Shading::phong, .grey_reflectance = true}),
+                {1.658749395, 0.974728656, 0.737083484}, 1e-6, "phong");
+    OnePoint dark(false);
+    dark.world.ambient = {0.1f, 0.2f, 0.3f};
+    expect_near(dark.colour({.grey_reflectance = true}), {0.0828, 0.0856, 0.0684}, 1e-6, "ambient");
+}
+
 TEST(Lighting, OneLightMakesWeightedExact) {
     OnePoint test;
     test.world.lights.pop_back();

@@ -38,6 +38,8 @@ TEST_P(ReferenceFormOf, SettingsIsWhatTheReferenceTakesThemFor) {
             render_reference(test.world, test.camera, 24, 16, 0, reference_form(shading, settings)).linear;
         if (settings["model"] == "mono") // the reference has a word of its own for it in [phong]
             settings["specular-light"] = "mono";
+        if (settings.erase("g-buffer"))
+            settings["reflectance"] = "grey";
         if (settings["model"].empty())
             settings.erase("model");
         const auto renderer =
@@ -57,6 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Each, ReferenceFormOf,
                                          Words{"luminance", {{"specular", "luminance"}, {"ambient", "light"}}},
                                          Words{"fifth", {{"specular", "fifth-channel"}, {"ambient", "light"}}},
                                          Words{"bent", {{"specular", "bent"}}},
+                                         Words{"killzone2", {{"g-buffer", "killzone2"}}},
                                          Words{"ambient", {{"ambient", "light"}}}));
 
 TEST(ReferenceFormDefaults, UnknownKeysAndValuesMeanNothing) {

@@ -64,6 +64,9 @@ TEST(ReferenceRenderer, EverySettingReachesTheForm) {
     const Image light = test.linear({{"ambient", "light"}}, Shading::ggx);
     EXPECT_TRUE(same(light, form({.fresnel = Fresnel::full, .ambient_as_light = true})));
     EXPECT_FALSE(same(light, full));
+    const Image grey = test.linear({{"reflectance", "grey"}}, Shading::ggx);
+    EXPECT_TRUE(same(grey, form({.fresnel = Fresnel::full, .grey_reflectance = true})));
+    EXPECT_FALSE(same(grey, full));
     const Image shadows = test.linear({{"shadows", "on"}}, Shading::ggx);
     EXPECT_TRUE(same(shadows, form({.fresnel = Fresnel::full, .shadows = true})));
     EXPECT_FALSE(same(shadows, full));
