@@ -18,6 +18,14 @@ vec3 heat(float count) {
     return colour;
 }
 
+// A colour wheel: red moves right, yellow-green down, cyan left, violet up; black stands still, full
+// colour is 63 pixels and more, half of it 7.
+vec3 wheel(vec2 pixels) {
+    float turn = atan(pixels.y, pixels.x) / 6.2831853;
+    vec3 hue = clamp(abs(fract(turn + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+    return hue * clamp(log2(1.0 + length(pixels)) / 6.0, 0.0, 1.0);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     // Of the inputs, INPUT_NORMAL holds the buffer that is looked at.
@@ -41,6 +49,15 @@ void main() {
     } else if (view == VIEW_LIGHT_LUV) {
         vec3 light = luv_decode(value.rg) * value.b;
         colour = srgb_encode(tonemap_pbr_neutral(light * frame.light_buffer.x / 3.14159265));
+    } else if (view == VIEW_ALBEDO) {
+        colour = srgb_encode(gbuffer_layout == GBUFFER_KILLZONE2 ? root_decode(value.rgb) : value.rgb);
+    } else if (view == VIEW_MOTION) {
+        vec2 pixels = stored_motion(value);
+        colour = surface && pixels != vec2(0.0) ? wheel(pixels) : vec3(0.0);
+    } else if (view == VIEW_SPECULAR) {
+        Reflectance r;
+        bool takes_light = stored_reflectance(value, value, r);
+        colour = surface && takes_light ? srgb_encode(r.f0) : vec3(0.0);
     } else if (view == VIEW_COUNT) {
         colour = heat(value.g);
     } else {

@@ -15,6 +15,8 @@
 #define INPUT_NORMAL 1
 #define INPUT_ROUGHNESS 2
 #define INPUT_PAIR_COUNTERS 3
+#define INPUT_MATERIAL 4  // deferred shading: RT2
+#define INPUT_ALBEDO 5    // and RT3
 // material pass
 #define INPUT_DIFFUSE_LIGHT 0
 #define INPUT_SPECULAR_LIGHT 1
@@ -78,6 +80,8 @@
 #define CONSTANT_LIST_FILL 33
 #define CONSTANT_SPECULAR_WAY 40
 #define CONSTANT_LIGHT_STORAGE 41
+#define CONSTANT_GBUFFER 42
+#define CONSTANT_CLIPPED_LIGHT 43
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -100,6 +104,10 @@
 #define DEPTH_R32F 1
 #define DEPTH_R16F 2
 #define DEPTH_RGBA8 3
+
+#define GBUFFER_NONE 0  // light pre-pass
+#define GBUFFER_WIDE 1
+#define GBUFFER_KILLZONE2 2
 
 #define SHADING_PHONG 0
 #define SHADING_GGX 1
@@ -146,5 +154,8 @@
 #define VIEW_COUNT 5
 #define VIEW_COLOUR 6
 #define VIEW_LIGHT_LUV 7
+#define VIEW_ALBEDO 8
+#define VIEW_SPECULAR 9
+#define VIEW_MOTION 10
 
 #endif

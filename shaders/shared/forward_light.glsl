@@ -31,13 +31,6 @@ ForwardSurface forward_surface() {
     return s;
 }
 
-vec3 reflected(LightTerms terms, Reflectance r, float schlick) {
-    if (shading == SHADING_PHONG)
-        return r.diffuse * terms.diffuse + r.f0 * terms.specular;
-    vec3 fresnel = r.f0 + (1.0 - r.f0) * schlick;
-    return r.diffuse / 3.14159265 * (1.0 - fresnel) * terms.diffuse + fresnel * terms.specular;
-}
-
 vec3 forward_light(ForwardSurface s, LightData light, out bool contributes) {
     LightTerms terms = light_terms(light, true, in_world, s.n, s.v, s.roughness);
     contributes = terms.contributes;

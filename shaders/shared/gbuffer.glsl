@@ -4,6 +4,7 @@
 #define PRELIGHT_GBUFFER_GLSL
 #extension GL_EXT_samplerless_texture_functions : require
 #include "shared/frame.glsl"
+#include "shared/gbuffer_layout.glsl"
 #include "shared/linear_depth.h"
 #include "shared/normal_encoding.h"
 
@@ -33,6 +34,8 @@ vec3 read_normal(ivec2 pixel) {
 }
 
 float read_roughness(ivec2 pixel) {
+    if (gbuffer_layout == GBUFFER_KILLZONE2)
+        return roughness_decode(texelFetch(roughness_buffer, pixel, 0).b);
     return normal_holds_roughness(normal_encoding) ? roughness_decode(texelFetch(normal_buffer, pixel, 0).a)
                                                    : texelFetch(roughness_buffer, pixel, 0).r;
 }

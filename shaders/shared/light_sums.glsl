@@ -2,6 +2,8 @@
 // target has its own file with these three; variants.cmake says which variant takes which.
 #ifdef COUNT_TARGET
 #include "shared/light_count_sums.glsl"
+#elif defined(DEFERRED_TARGET)
+#include "shared/deferred_sums.glsl"
 #else
 #include "shared/light_buffer_sums.glsl"
 #endif

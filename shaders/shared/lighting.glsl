@@ -1,8 +1,10 @@
-// One light on one surface point: falloff and the terms that a light buffer sums.
+// One light on one surface point: falloff, the terms that a light buffer sums, and what a material
+// makes of them.
 #ifndef PRELIGHT_LIGHTING_GLSL
 #define PRELIGHT_LIGHTING_GLSL
 #include "shared/frame.glsl"
 #include "shared/shininess.glsl"
+#include "shared/reflectance.glsl"
 
 layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
 layout(constant_id = CONSTANT_SEED_FALLOFF) const bool seed_falloff = false;
@@ -82,5 +84,13 @@ LightTerms light_terms(LightData light, bool surface, vec3 world, vec3 n, vec3 v
     }
     vec3 light_in = light.colour.rgb * att;
     return LightTerms(light_in * nl, light_in * lobe, h, att > 0.0 && nl > 0.0);
+}
+
+// What a surface sends on to the viewer; `schlick` weighs 1 − F0 ([ggx] only).
+vec3 reflected(LightTerms terms, Reflectance r, float schlick) {
+    if (shading == SHADING_PHONG)
+        return r.diffuse * terms.diffuse + r.f0 * terms.specular;
+    vec3 fresnel = r.f0 + (1.0 - r.f0) * schlick;
+    return r.diffuse / 3.14159265 * (1.0 - fresnel) * terms.diffuse + fresnel * terms.specular;
 }
 #endif

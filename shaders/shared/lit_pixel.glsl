@@ -10,10 +10,19 @@ layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
 // Two counters a row of pixels, so that no sum overflows 32 bits: evaluated, contributing.
 layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCounters { uint pair_counters[]; };
 
+#ifdef DEFERRED_TARGET
+layout(set = SET_INPUTS, binding = INPUT_MATERIAL) uniform texture2D material_buffer;  // RT2
+layout(set = SET_INPUTS, binding = INPUT_ALBEDO) uniform texture2D albedo_buffer;      // RT3
+#endif
+
 struct LitPixel {
     bool surface;     // something is there to be lit
     vec3 world, n, v; // camera-relative world space; n and v are unit vectors
     float roughness;  // at least 0.089
+#ifdef DEFERRED_TARGET
+    bool takes_light; // not unlit
+    Reflectance reflects;
+#endif
 };
 
 LitPixel read_pixel(ivec2 pixel) {
@@ -22,6 +31,10 @@ LitPixel read_pixel(ivec2 pixel) {
     p.n = read_normal(pixel);
     p.v = to_viewer(p.world);
     p.roughness = max(read_roughness(pixel), 0.089);
+#ifdef DEFERRED_TARGET
+    p.takes_light = stored_reflectance(texelFetch(material_buffer, pixel, 0), texelFetch(albedo_buffer, pixel, 0),
+                                       p.reflects);
+#endif
     return p;
 }
 

@@ -3,6 +3,7 @@
 #ifndef PRELIGHT_SURFACE_GLSL
 #define PRELIGHT_SURFACE_GLSL
 #include "shared/frame.glsl"
+#include "shared/reflectance.glsl"
 
 layout(constant_id = CONSTANT_MATERIAL_FEATURES) const uint material_features = 0u;
 
@@ -68,16 +69,6 @@ vec3 emissive() {
     if (has(FEATURE_EMISSIVE_TEXTURE))
         colour *= texture(emissive_map, coordinates(MATERIAL_EMISSIVE)).rgb;
     return colour;
-}
-
-// What a material reflects: diffuse colour and reflectance at normal incidence.
-struct Reflectance {
-    vec3 diffuse;
-    vec3 f0;
-};
-
-Reflectance reflectance(vec3 base, float metallic) {
-    return Reflectance(base * (1.0 - metallic), mix(vec3(0.04), base, metallic));
 }
 
 // Light that needs no lamp: ambient as a term of the material, and emissive; an unlit surface's colour.

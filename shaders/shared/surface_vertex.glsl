@@ -12,6 +12,10 @@ layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;
 layout(location = 3) out vec4 out_texcoords;
 layout(location = 4) out vec4 out_colour;
+#ifdef MOTION  // where out_world was at the previous state
+layout(location = VERTEX_PREVIOUS_POSITION) in vec3 in_previous_position;
+layout(location = 5) out vec3 out_previous;
+#endif
 
 void main() {
     out_world = vertex_position();
@@ -22,4 +26,9 @@ void main() {
                        dot(object.world_row[2].xyz, in_tangent.xyz), in_tangent.w * object.normal_row[0].w);
     out_texcoords = vec4(in_texcoord_0, in_texcoord_1);
     out_colour = in_colour;
+#ifdef MOTION
+    vec4 previous = vec4(in_previous_position, 1.0);
+    out_previous = vec3(dot(object.previous_world_row[0], previous), dot(object.previous_world_row[1], previous),
+                        dot(object.previous_world_row[2], previous));
+#endif
 }

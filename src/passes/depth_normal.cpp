@@ -88,7 +88,8 @@ gpu::Constants SurfaceFormat::constants() const {
     return {{CONSTANT_NORMAL_ENCODING, static_cast<uint32_t>(normals)},
             {CONSTANT_NORMAL_SPACE, view_space},
             {CONSTANT_DEPTH_SOURCE, static_cast<uint32_t>(depth)},
-            {CONSTANT_POSITION_FROM_RAY, position_from_ray}};
+            {CONSTANT_POSITION_FROM_RAY, position_from_ray},
+            {CONSTANT_GBUFFER, static_cast<uint32_t>(gbuffer)}};
 }
 
 graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool stencil) {

@@ -50,6 +50,9 @@ std::span<const DepthSourceInfo> depth_sources();
 /// Throws UsageError listing them.
 const DepthSourceInfo& find_depth_source(std::string_view name);
 
+/// What else a G-buffer holds, and where: shaders/shared/gbuffer_layout.glsl. [D1]
+enum class GBufferLayout : uint32_t { none = GBUFFER_NONE, wide = GBUFFER_WIDE, killzone2 = GBUFFER_KILLZONE2 };
+
 /// How depth and normals are stored and read back: [L1] [L2] [L3] [L9].
 struct SurfaceFormat {
     NormalEncoding normals = NormalEncoding::oct24;
@@ -58,6 +61,7 @@ struct SurfaceFormat {
     bool stencil = false;            ///< the depth attachment has stencil beside it
     bool position_from_ray = true;   ///< frustum ray, or the inverse view-projection matrix
     bool two_passes = false;         ///< geometry once for depth and once for normals, instead of MRT
+    GBufferLayout gbuffer = GBufferLayout::none;
     /// Specialisation constants of every shader that writes or reads these buffers.
     gpu::Constants constants() const;
 };

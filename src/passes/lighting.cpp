@@ -66,6 +66,8 @@ void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const Lightin
         .sample(INPUT_NORMAL, inputs.surface.normal)
         .sample(INPUT_ROUGHNESS, inputs.surface.roughness)
         .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    if (inputs.target.variant == "+deferred")
+        pass.sample(INPUT_MATERIAL, inputs.material).sample(INPUT_ALBEDO, inputs.albedo);
 }
 
 gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const graph::PassInterface& interface,

@@ -7,7 +7,7 @@ namespace prelight::passes {
 /// Where a light pass puts its sums. The shaders have one variant for each kind of target
 /// (shaders/shared/light_sums.glsl).
 struct LightTarget {
-    std::string variant;                ///< "" light buffer, "+packed", "+count"
+    std::string variant;                ///< "" light buffer, "+packed", "+count", "+deferred"
     std::vector<graph::ImageId> images; ///< colour attachments, in the order of the variant's outputs
     graph::Load load = graph::Load::clear;
     gpu::Constants constants;           ///< of the variant
@@ -16,6 +16,7 @@ struct LightTarget {
 /// What every light pass gets, however it finds its pixels: [V1] … [V7].
 struct LightingInputs {
     SurfaceBuffers surface;
+    graph::ImageId material{}, albedo{}; ///< "+deferred": RT2 and RT3 of the G-buffer
     LightModel model;
     LightTarget target;
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound

@@ -22,9 +22,15 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
                            const Desc& desc)
     : frame_(frame), features_kept_(desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
                                     : desc.keeps_alpha_mask ? ~0u
-                                                            : ~FEATURE_ALPHA_MASK) {
+                                                            : ~FEATURE_ALPHA_MASK),
+      motion_(desc.motion) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes)};
+    std::vector<gpu::VertexAttribute> shaded_attributes = all_attributes;
+    if (motion_) {
+        pipeline.vertex_strides.push_back(sizeof(glm::vec3));
+        shaded_attributes.push_back({VERTEX_PREVIOUS_POSITION, 2, VK_FORMAT_R32G32B32_SFLOAT, 0});
+    }
     pipeline.colour_formats = interface.colour_formats;
     pipeline.depth_format = interface.depth_format;
     pipeline.depth = desc.depth;
@@ -36,9 +42,9 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
         if (pipelines_.contains(features))
             continue;
         const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
-        pipeline.vertex = shaded ? "surface.vert" : "depth_only.vert";
+        pipeline.vertex = !shaded ? "depth_only.vert" : motion_ ? "surface+motion.vert" : "surface.vert";
         pipeline.fragment = shaded ? desc.fragment : "";
-        pipeline.attributes = shaded ? all_attributes : position_only;
+        pipeline.attributes = shaded ? shaded_attributes : position_only;
         pipeline.name = desc.name + " features " + std::to_string(features);
         pipeline.constants = desc.constants;
         pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
@@ -50,9 +56,9 @@ uint32_t SurfaceDraws::key(const resident::Draw& draw) const { return draw.featu
 
 void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
     const resident::Geometry& geometry = frame_.geometry();
-    const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle()};
-    const VkDeviceSize offsets[] = {0, 0};
-    vkCmdBindVertexBuffers(pass.commands, 0, 2, buffers, offsets);
+    const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), geometry.previous()};
+    const VkDeviceSize offsets[] = {0, 0, 0};
+    vkCmdBindVertexBuffers(pass.commands, 0, motion_ ? 3 : 2, buffers, offsets);
     vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
 }
 

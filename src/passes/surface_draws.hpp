@@ -18,6 +18,7 @@ public:
         bool keeps_alpha_mask = true;    ///< false: the mask is not asked again, the depth test decides
         gpu::Blend blend = gpu::Blend::none;
         uint32_t push_bytes = 0;         ///< push constants of every draw
+        bool motion = false;             ///< the shader is told where each point was: FrameSettings::motion
         bool depth_only = false;         ///< materials without mask get positions and no shader
     };
     /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
@@ -38,6 +39,7 @@ private:
     uint32_t key(const resident::Draw& draw) const;
     const resident::Frame& frame_;
     uint32_t features_kept_;
+    bool motion_;
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by FEATURE_… bits
 };
 

@@ -4,7 +4,12 @@
 namespace prelight::passes {
 
 /// What a view pass makes of a buffer.
-enum class ViewKind { depth, normal, roughness, light, light_alpha, count, colour, light_luv };
+enum class ViewKind {
+    depth, normal, roughness, light, light_alpha, count, colour, light_luv,
+    albedo,   ///< of a G-buffer: RT3
+    specular, ///< of a G-buffer: the target that holds it
+    motion,   ///< of a G-buffer: RT2
+};
 
 /// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.
 graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,

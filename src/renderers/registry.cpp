@@ -1,3 +1,4 @@
+#include "deferred.hpp"
 #include "light_prepass.hpp"
 #include "multipass.hpp"
 #include "z_prepass.hpp"
@@ -8,7 +9,7 @@
 namespace prelight {
 
 std::vector<RendererInfo> renderer_infos() {
-    return {light_prepass_info(), multipass_info(), z_prepass_info(), reference_info()};
+    return {light_prepass_info(), multipass_info(), z_prepass_info(), deferred_info(), reference_info()};
 }
 
 std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
@@ -18,6 +19,7 @@ std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
     const auto make = name == "light-prepass" ? make_light_prepass
                       : name == "multipass"   ? make_multipass
                       : name == "z-prepass"   ? make_z_prepass
+                      : name == "deferred"    ? make_deferred
                                               : nullptr;
     if (!make)
         throw UsageError(fmt::format("--renderer {}: no such renderer (prelight renderers lists them)", name));

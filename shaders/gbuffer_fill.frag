@@ -1,0 +1,43 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Deferred shading's geometry pass [D1] [D2]: all that lights need of the nearest surface, and the light
+// that needs no lamp. The only place that discards.
+#include "shared/gbuffer_layout.glsl"
+#include "shared/surface.glsl"
+
+layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
+
+layout(location = 5) in vec3 in_previous; // where in_world was at the previous state
+
+layout(location = 0) out vec4 out_light;
+layout(location = 1) out vec4 out_normal;
+layout(location = 2) out vec4 out_motion;
+layout(location = 3) out vec4 out_albedo;
+
+// Pixels from the picture's middle. A point behind the camera has no place there: it is very far out.
+vec2 on_picture(mat4 clip_from_world, vec3 world) {
+    vec4 clip = clip_from_world * vec4(world, 1.0);
+    return clip.xy / max(clip.w, 1e-6) * 0.5 * frame.size.xy;
+}
+
+// Pixels since the previous state, right and down positive. Both places are interpolated alike, so that
+// what stands still has exactly none.
+vec2 motion() {
+    return on_picture(frame.clip_from_world, in_world) - on_picture(frame.previous_clip_from_world, in_previous);
+}
+
+void main() {
+    vec4 base = base_colour();
+    if (has(FEATURE_ALPHA_MASK) && base.a < material.emissive.w)
+        discard;
+    vec3 n = shading_normal();
+    if (view_space)
+        n = mat3(frame.view_from_world) * n;
+    vec2 surface = metallic_roughness();
+    GBufferTexels texels = gbuffer_encode(n, surface.y, motion(), base.rgb, surface.x, occlusion(), has(FEATURE_UNLIT));
+    out_normal = texels.normal;
+    out_motion = texels.motion;
+    out_albedo = texels.albedo;
+    vec3 stored = min(base_light(base.rgb) / frame.light_buffer.x, vec3(frame.ambient.w));
+    out_light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
+}

@@ -1,0 +1,20 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
+// Deferred shading: accumulated light (RT0) → scene-linear light.
+#include "shared/frame.glsl"
+#include "shared/gbuffer_layout.glsl"
+
+layout(constant_id = CONSTANT_CLIPPED_LIGHT) const bool clipped = false; // RT0 holds 0 … 1
+layout(set = SET_INPUTS, binding = INPUT_COLOUR) uniform texture2D accumulated;
+layout(location = 0) out vec4 out_colour;
+
+void main() {
+    vec4 stored = texelFetch(accumulated, ivec2(gl_FragCoord.xy), 0);
+    vec3 light = stored.rgb * frame.light_buffer.x;
+    // Where RGB is full, intensity still knows how bright the pixel is.
+    if (clipped && max(stored.r, max(stored.g, stored.b)) >= 1.0)
+        light *= max(1.0, stored.a * INTENSITY_RANGE / luminance(stored.rgb));
+    // Blending may have gone past the largest half float.
+    out_colour = vec4(min(light, vec3(65504.0)), 1.0);
+}

@@ -1,0 +1,64 @@
+#include "gbuffer.hpp"
+#include "fullscreen.hpp"
+#include "surface_draws.hpp"
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+namespace {
+
+/// Four bytes each for RT0 … RT3, depth and stencil: Valient's layout.
+void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, GBuffer& out) {
+    out.surface.format.normals = NormalEncoding::xy16f;
+    out.surface.format.view_space = true;
+    out.surface.format.stencil = true;
+    out.surface.depth = graph.image("depth", extent, {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT});
+    out.surface.normal = graph.image("normal", {VK_FORMAT_R16G16_SFLOAT, extent});
+    out.motion = graph.image("motion and specular", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    out.albedo = graph.image("albedo", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    out.surface.roughness = out.motion;
+}
+
+/// What the lighting model needs to be exact.
+void make_wide(graph::FrameGraph& graph, VkExtent2D extent, bool stencil, GBuffer& out) {
+    out.surface.format.stencil = stencil;
+    out.surface.depth = make_depth(graph, extent, stencil);
+    out.surface.normal = graph.image("normal", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    out.motion = graph.image("motion", {VK_FORMAT_R16G16_SFLOAT, extent});
+    out.albedo = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
+    out.surface.roughness = out.surface.normal;
+}
+
+} // namespace
+
+GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBufferFormat& format) {
+    GBuffer out{};
+    out.surface.format.gbuffer = format.layout;
+    out.surface.format.position_from_ray = format.position_from_ray;
+    const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
+    make(graph, frame.extent(), format.stencil, out);
+    out.surface.depth_source = out.surface.depth;
+    const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
+    out.light = graph.image("accumulated light", {light, frame.extent()});
+
+    graph::Pass& pass = graph.pass("geometry");
+    pass.depth_write(out.surface.depth);
+    for (const graph::ImageId target : {out.light, out.surface.normal, out.motion, out.albedo})
+        pass.colour(target, graph::Load::clear);
+    draw_surfaces(pass, frame,
+                  {.name = "geometry",
+                   .fragment = "gbuffer_fill.frag",
+                   .constants = out.surface.format.constants(),
+                   .motion = true});
+    return out;
+}
+
+graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer) {
+    const graph::ImageId target = graph.image("linear", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+    graph::Pass& pass = graph.pass("resolve");
+    pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, gbuffer.light);
+    const bool bytes = graph.desc(gbuffer.light).format == VK_FORMAT_R8G8B8A8_UNORM;
+    draw_fullscreen(pass, frame, "light_resolve.frag", {{CONSTANT_CLIPPED_LIGHT, bytes}});
+    return target;
+}
+
+} // namespace prelight::passes

@@ -1,0 +1,31 @@
+#pragma once
+#include "lighting.hpp"
+
+namespace prelight::passes {
+
+/// Deferred shading's buffers [D1]. What each channel holds: shaders/shared/gbuffer_layout.glsl.
+struct GBuffer {
+    SurfaceBuffers surface;   ///< depth, and RT1
+    graph::ImageId light;     ///< RT0: light so far, divided by FrameSettings::light_scale
+    graph::ImageId motion;    ///< RT2; shaders/shared/motion_encoding.h
+    graph::ImageId albedo;    ///< RT3
+    LightTarget light_target() const { return {"+deferred", {light}, graph::Load::keep}; }
+};
+
+struct GBufferFormat {
+    GBufferLayout layout = GBufferLayout::wide; ///< not `none`
+    bool light_in_bytes = false;                ///< RT0 in RGBA8 instead of RGBA16F
+    bool position_from_ray = true;
+    bool stencil = false;                       ///< killzone2 has it always
+};
+
+/// The geometry pass: every object once, into four targets and depth. Ambient and emissive light, and
+/// the colour of unlit surfaces, stand in RT0 afterwards; lights are added to it. Motion needs
+/// FrameSettings::motion.
+GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBufferFormat& format);
+
+/// RT0 → scene-linear, exposed, RGBA16F. Where bytes have clipped RGB, its intensity channel gives back
+/// the luminance, up to eight times as much.
+graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer);
+
+} // namespace prelight::passes

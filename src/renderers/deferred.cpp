@@ -1,0 +1,119 @@
+// Deferred shading (Engel, ShaderX7 8.5, figures 8.5.2 and 8.5.3; Valient's Killzone 2): geometry once
+// into a G-buffer, then each light with the pixel's material, added to one target.
+#include "deferred.hpp"
+#include <passes/gbuffer.hpp>
+#include <passes/light_pass.hpp>
+#include <passes/tonemap.hpp>
+#include <passes/view.hpp>
+
+namespace prelight {
+namespace {
+
+/// A preset stands for settings; what the user sets himself goes before.
+RenderOptions with_preset(RenderOptions options) {
+    if (options.preset == "killzone2")
+        for (const auto& [key, value] : {std::pair{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}})
+            options.settings.emplace(key, value);
+    return options;
+}
+
+class Deferred final : public DeviceRenderer {
+public:
+    Deferred(Device& device, const RenderOptions& options, Settings settings)
+        : DeviceRenderer(device, options, std::move(settings)) {
+        model_.shading = options.shading;
+        model_.fresnel = this->settings().is("model", "nv") ? passes::FresnelModel::nv : passes::FresnelModel::full;
+        model_.step_gate = this->settings().is("specular-gate", "step");
+        model_.reflection_vector = this->settings().is("specular-vector", "reflection");
+    }
+
+private:
+    passes::GBufferFormat format() const {
+        return {.layout = settings().is("g-buffer", "killzone2") ? passes::GBufferLayout::killzone2
+                                                                 : passes::GBufferLayout::wide,
+                .light_in_bytes = settings().is("accumulation", "rgba8"),
+                .position_from_ray = settings().is("position", "ray"),
+                .stencil = settings().is("light-culling", "stencil")};
+    }
+
+    resident::FrameSettings frame_settings() const override {
+        resident::FrameSettings frame = DeviceRenderer::frame_settings();
+        if (format().light_in_bytes)
+            frame.light_scale = settings().number("light-scale");
+        frame.motion = true;
+        frame.culling = passes::light_culling(settings().get("light-culling"));
+        frame.volumes = passes::volume_options(settings().all());
+        frame.texture_filter = settings().is("texture-filter", "bilinear") ? gpu::TextureFilter::bilinear
+                                                                           : gpu::TextureFilter::anisotropic;
+        return frame;
+    }
+
+    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
+        const auto gbuffer = passes::gbuffer_pass(graph, frame, format());
+        passes::LightingInputs lighting{.surface = gbuffer.surface,
+                                        .material = gbuffer.motion,
+                                        .albedo = gbuffer.albedo,
+                                        .model = model_,
+                                        .target = gbuffer.light_target(),
+                                        .pair_counters = &pair_counters(),
+                                        .count_pairs = options().count_pairs,
+                                        .tile_size = static_cast<uint32_t>(settings().number("tile-size"))};
+        passes::light_pass(graph, frame, "light", lighting);
+        const auto linear = passes::light_resolve_pass(graph, frame, gbuffer);
+        const auto final = passes::tonemap_pass(graph, frame, linear, options().tonemap);
+
+        Views views{{"linear", linear}, {"final", final}};
+        using passes::ViewKind;
+        const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
+            if (wants(name))
+                views[name] = passes::view_pass(graph, frame, name, kind, gbuffer.surface, buffer);
+        };
+        const bool wide = format().layout == passes::GBufferLayout::wide;
+        show("depth", ViewKind::depth, gbuffer.surface.depth_source);
+        show("normal", ViewKind::normal, gbuffer.surface.normal);
+        show("roughness", ViewKind::roughness, gbuffer.surface.normal);
+        show("specular", ViewKind::specular, wide ? gbuffer.albedo : gbuffer.motion);
+        show("albedo", ViewKind::albedo, gbuffer.albedo);
+        show("motion", ViewKind::motion, gbuffer.motion);
+        if (wants("light-count")) {
+            lighting.target = passes::make_light_counts(graph, frame);
+            lighting.count_pairs = false;
+            passes::light_pass(graph, frame, "light-count", lighting);
+            show("light-count", ViewKind::count, lighting.target.images[0]);
+        }
+        return views;
+    }
+
+    passes::LightModel model_;
+};
+
+} // namespace
+
+RendererInfo deferred_info() {
+    RendererInfo info{
+        .name = "deferred",
+        .description = "geometry once into a G-buffer, then each light with the pixel's material",
+        .settings = {{"g-buffer", {"wide", "killzone2"}, "wide", "exact for the model, or Valient's 20 bytes a pixel"},
+                     {"accumulation", {"rgba16f", "rgba8"}, "rgba16f", "the target that light is added up in"},
+                     {"light-scale", {"0.01 … 1000"}, "2", "accumulation=rgba8: the light that its RGB holds"},
+                     {"model", {"full", "nv"}, "full", "Fresnel: of each light at V·H, or at N·V"},
+                     {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
+                     passes::light_culling_setting(),
+                     passes::tile_size_setting(),
+                     {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
+                     {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+                     {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
+                      "bilinear: level 0 only, for comparing with the reference"}},
+        .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count"},
+        .presets = {"killzone2"}};
+    const std::vector<SettingInfo> volumes = passes::volume_settings();
+    info.settings.insert(info.settings.end(), volumes.begin(), volumes.end());
+    return info;
+}
+
+std::unique_ptr<Renderer> make_deferred(Device& device, const RenderOptions& options) {
+    const RenderOptions chosen = with_preset(options);
+    return std::make_unique<Deferred>(device, chosen, Settings(deferred_info(), chosen));
+}
+
+} // namespace prelight
