@@ -36,6 +36,20 @@ convert "$work/city.png" -filter box -resize 50% -strip -define png:compression-
 convert "$work/city.png" -strip -dither FloydSteinberg -define dither:diffusion-amount=40% -colors 256 \
     -define png:compression-level=9 "PNG8:$out/city.png"
 
+# What deferred shading keeps of it.
+"$prelight" render city --lights 1024 --size 1280x720 --renderer deferred -o "$work/deferred-final.png" \
+    --view normal="$work/deferred-normal.png" --view albedo="$work/deferred-albedo.png" \
+    --view specular="$work/deferred-specular.png"
+for view in final normal albedo specular; do
+    shrink "deferred-$view"
+done
+
+# A camera that flies past objects that move, bend and morph.
+"$prelight" render motion --time 1.3 --camera flight --size 640x360 --renderer deferred -o "$work/deferred-moving.png" \
+    --view motion="$work/deferred-motion.png"
+keep deferred-moving
+keep deferred-motion
+
 # Few lights on a pixel: the circles in which volumes meet surfaces.
 "$prelight" render lights --lights 256 --size 640x360 -o "$work/lights.png" \
     --view light-count="$work/lights-light-count.png"
