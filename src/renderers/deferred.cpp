@@ -9,14 +9,6 @@
 namespace prelight {
 namespace {
 
-/// A preset stands for settings; what the user sets himself goes before.
-RenderOptions with_preset(RenderOptions options) {
-    if (options.preset == "killzone2")
-        for (const auto& [key, value] : {std::pair{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}})
-            options.settings.emplace(key, value);
-    return options;
-}
-
 class Deferred final : public DeviceRenderer {
 public:
     Deferred(Device& device, const RenderOptions& options, Settings settings)
@@ -105,15 +97,15 @@ RendererInfo deferred_info() {
                      {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                       "bilinear: level 0 only, for comparing with the reference"}},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count"},
-        .presets = {"killzone2"}};
+        .presets = {"killzone2"},
+        .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}}}};
     const std::vector<SettingInfo> volumes = passes::volume_settings();
     info.settings.insert(info.settings.end(), volumes.begin(), volumes.end());
     return info;
 }
 
 std::unique_ptr<Renderer> make_deferred(Device& device, const RenderOptions& options) {
-    const RenderOptions chosen = with_preset(options);
-    return std::make_unique<Deferred>(device, chosen, Settings(deferred_info(), chosen));
+    return std::make_unique<Deferred>(device, options, Settings(deferred_info(), options));
 }
 
 } // namespace prelight
