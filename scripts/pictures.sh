@@ -56,6 +56,15 @@ keep deferred-motion
 keep lights
 keep lights-light-count
 
+# What the forward renderers have: depth, and colour that lights are added to.
+for renderer in multipass z-prepass; do
+    "$prelight" render lights --lights 64 --size 640x360 --renderer $renderer -o "$work/$renderer-final.png" \
+        --view depth="$work/$renderer-depth.png" --view light-count="$work/$renderer-light-count.png"
+    for view in final depth light-count; do
+        keep "$renderer-$view"
+    done
+done
+
 # Roughness from left to right, metalness from bottom to top; the light buffer has no materials.
 "$prelight" render spheres --size 640x360 --exposure 0.5 -o "$work/spheres.png" \
     --view diffuse-light="$work/spheres-diffuse-light.png" \
