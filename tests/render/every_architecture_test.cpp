@@ -8,8 +8,7 @@ namespace prelight {
 namespace {
 
 /// Each renderer on a device once for each value of the setting that says how lights meet pixels;
-/// with the form of the lighting model that all of them run. Normals are stored finely: what 8 bits of
-/// roughness cost stands in docs/figures.md, and is no question of the architecture.
+/// with the form of the lighting model that all of them run.
 std::vector<Shot> every_architecture(const Shot& shot) {
     std::vector<Shot> shots;
     for (const RendererInfo& info : renderer_infos()) {
@@ -18,9 +17,6 @@ std::vector<Shot> every_architecture(const Shot& shot) {
         Shot one = shot;
         one.renderer = info.name;
         one.settings["model"] = "nv";
-        for (const SettingInfo& setting : info.settings)
-            if (setting.key == "normals")
-                one.settings[setting.key] = "oct32";
         for (const SettingInfo& setting : info.settings)
             if (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order")
                 for (const std::string& value : setting.values) {

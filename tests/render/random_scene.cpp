@@ -1,5 +1,6 @@
 #include "random_scene.hpp"
 #include <scene/procedural/random.hpp>
+#include <shared/normal_encoding.h>
 
 namespace prelight {
 
@@ -32,7 +33,7 @@ RandomScene::RandomScene(uint64_t seed) {
         add_material({.name = "random",
                       .base_colour = glm::vec4(colour * static_cast<float>(number(0.2, 1)), 1),
                       .metallic = random.below(3) == 0 ? 1.0f : 0.0f,
-                      .roughness = static_cast<float>(number(0.3, 1))});
+                      .roughness = shared::roughness_decode(static_cast<float>(140 + random.below(116)) / 255)});
     };
     material();
     add(square(8), glm::rotate(glm::dmat4(1), -1.5707963267948966, {1, 0, 0}));

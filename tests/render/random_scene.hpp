@@ -5,7 +5,8 @@
 namespace prelight {
 
 /// A scene drawn by lot: a floor, 4 … 10 spheres and boxes turned and stretched (some mirrored) of
-/// random materials, 1 … 24 lights of every kind, range and cone, a camera of either projection that
+/// random materials (of roughness that 8 bits hold exactly: what their steps cost is another question,
+/// answered in docs/figures.md), 1 … 24 lights of every kind, range and cone, a camera of either projection that
 /// looks at the middle, sometimes from within a light's range.
 struct RandomScene : TestWorld {
     explicit RandomScene(uint64_t seed);
