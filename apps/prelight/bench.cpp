@@ -18,6 +18,7 @@ constexpr std::array benches{
           bench_encodings_table},
     Bench{"light-buffers", "error of each light buffer by the lights on a pixel, on a wall of its own",
           bench_light_buffers_table, 160, 90},
+    Bench{"claims", "what the source texts claim, beside figures of this device", bench_claims_table},
 };
 
 } // namespace

@@ -21,5 +21,6 @@ std::string bench_names();
 
 nlohmann::ordered_json bench_encodings_table(const BenchCommand& command, Device& device);
 nlohmann::ordered_json bench_light_buffers_table(const BenchCommand& command, Device& device);
+nlohmann::ordered_json bench_claims_table(const BenchCommand& command, Device& device);
 
 } // namespace prelight::app

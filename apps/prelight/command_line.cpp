@@ -141,7 +141,7 @@ Shading parse_shading(const std::string& text) {
 
 /// What `bench` is given as text.
 struct BenchText {
-    std::string size, lights, seed = "1", json;
+    std::string size, lights, seed = "1", frames, json;
 };
 
 void add_bench(CLI::App& app, BenchCommand& command, BenchText& text) {
@@ -159,6 +159,7 @@ void add_bench(CLI::App& app, BenchCommand& command, BenchText& text) {
            "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
+    option("--frames", text.frames, "N", "claims: frames of each way to time, interleaved (default 5)");
     option("--json", text.json, "FILE", "Write the figures as JSON too");
     sub.add_flag("--validate", command.validate,
                  "Run with Vulkan validation; any message is a failure");
@@ -228,6 +229,8 @@ void finish(BenchCommand& command, const BenchText& text) {
     command.seed = parse_seed("--seed", text.seed);
     if (!text.lights.empty())
         command.lights = parse_count("--lights", text.lights, 1);
+    if (!text.frames.empty())
+        command.frames = parse_count("--frames", text.frames, 1);
     command.json = text.json;
 }
 

@@ -79,6 +79,7 @@ struct BenchCommand {
     std::string camera; ///< name or index; empty: the scene's first
     uint32_t width = 0, height = 0; ///< 0: the bench's own
     std::optional<uint32_t> lights;
+    std::optional<uint32_t> frames; ///< that are timed; absent: the bench's own
     uint64_t seed = 1;
     std::string device = "auto";
     bool validate = false;

@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <gmock/gmock.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace prelight::test {
@@ -70,6 +71,68 @@ TEST(BenchLightBuffers, L4_L5_PrintsATableAndWritesIt) {
         EXPECT_LT(0, row["specular_error"]["rms"]);
         EXPECT_LT(0, row["overlap"]);
     }
+}
+
+TEST(BenchClaims, C1_PrintsEachClaimAndWritesIt) {
+    const TemporaryFolder folder;
+    const Result result = run({"bench", "claims", "--size", "64x36", "--lights", "8", "--frames", "1", "--device",
+                               "cpu", "--validate", "--json", "c.json"},
+                              folder.path);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_THAT(result.out, HasSubstr("spheres, 8 lights"));
+    std::ifstream file(folder.path / "c.json");
+    const nlohmann::json json = nlohmann::json::parse(file);
+    EXPECT_EQ(json["size"], nlohmann::json({64, 36}));
+    EXPECT_EQ(json["frames"], 1);
+    std::map<std::string, nlohmann::json> claims;
+    for (const nlohmann::json& row : json["claims"]) {
+        claims[row["id"]] = row;
+        EXPECT_THAT(result.out, HasSubstr("\n" + row["id"].get<std::string>() + ": " +
+                                          row["verdict"].get<std::string>() + "\n"));
+        EXPECT_NE(row["source"], "");
+        EXPECT_EQ(row["ratio"].is_null(), row["verdict"] == "not measured" || row["verdict"] == "not built yet");
+    }
+    ASSERT_EQ(claims.size(), 15u);
+    // Sizes are exact; an allocation may round a small picture up, but both of a difference alike.
+    EXPECT_DOUBLE_EQ(claims["msaa-target"]["a"], 7.3728);
+    EXPECT_DOUBLE_EQ(claims["five-targets"]["a"], 36.864);
+    EXPECT_DOUBLE_EQ(claims["no-msaa-light-buffers"]["a"], 7.3728);
+    EXPECT_NEAR(claims["no-specular-buffer"]["a"], 3.6864, 0.5);
+    for (const char* id : {"msaa-target", "five-targets", "no-msaa-light-buffers"})
+        EXPECT_EQ(claims[id]["verdict"], "agrees");
+    // Times: a null in JSON is what a figure that is not finite becomes.
+    for (const char* id : {"depth-against-ambient", "depth-against-normals", "frustum-ray", "ambient-first"}) {
+        EXPECT_GT(claims[id]["a"], 0) << id;
+        EXPECT_GT(claims[id]["b"], 0) << id;
+        EXPECT_GT(claims[id]["ratio"], 0) << id;
+    }
+    for (const char* id : {"multipass-lights", "multipass-geometry"}) {
+        EXPECT_TRUE(claims[id]["a"].is_number()) << id;
+        EXPECT_TRUE(claims[id]["b"].is_number()) << id;
+    }
+    for (const char* id : {"conditional-rendering", "index-trimming", "vertices-culled", "shadowed-directional",
+                           "more-directionals"}) {
+        EXPECT_EQ(claims[id]["verdict"], "not built yet") << id;
+        EXPECT_TRUE(claims[id]["a"].is_null() && claims[id]["b"].is_null()) << id;
+    }
+    ASSERT_EQ(json["presets"].size(), 3u);
+    for (const nlohmann::json& row : json["presets"]) {
+        EXPECT_GE(row["bytes_per_pixel"], 12) << row;
+        EXPECT_GE(row["bytes_per_pixel_unshared"], row["bytes_per_pixel"]) << row;
+    }
+}
+
+TEST(BenchClaims, C1_InventsNoFigureForOneLight) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run({"bench", "claims", "--size", "16x9", "--lights", "1", "--frames", "1", "--device",
+                               "cpu", "--json", "c.json"},
+                              folder.path)));
+    std::ifstream file(folder.path / "c.json");
+    for (const nlohmann::json& row : nlohmann::json::parse(file)["claims"])
+        if (row["id"] == "multipass-lights" || row["id"] == "multipass-geometry") {
+            EXPECT_TRUE(row["a"].is_null()) << row;
+            EXPECT_EQ(row["verdict"], "not measured") << row;
+        }
 }
 
 } // namespace

@@ -56,6 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"NotYetBench", "bench city --json a.json", "city: not a bench (encodings"},
         Wrong{"BenchOfNothing", "bench", "WHAT"},
         Wrong{"BenchSize", "bench encodings --size 64", "--size 64"},
+        Wrong{"BenchFrames", "bench claims --frames 0", "--frames 0"},
         Wrong{"BenchCamera", "bench encodings --size 64x36 --camera magic --json a.json", "magic"},
         Wrong{"BenchDevice", "bench encodings --device magic --json a.json", "magic"},
         Wrong{"NotYetMaterials", "materials", "materials: not a command"},

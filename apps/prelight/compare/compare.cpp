@@ -1,5 +1,6 @@
 // `prelight compare`: every architecture on one scene, as a page that needs no server.
 #include "commands.hpp"
+#include "device_type.hpp"
 #include "output.hpp"
 #include "pictures.hpp"
 #include "renderer_info.hpp"
@@ -48,13 +49,6 @@ void take_all_pictures(Report& report, Device& device, const World& world, Repor
         progress.show(share_of_pictures * done, "picture of " + report.runs[i].variant.name());
         take_pictures(report.runs[i], device, world, camera, references, store);
     }
-}
-
-std::string type_of(const Device& device) {
-    for (const DeviceInfo& info : Device::list())
-        if (info.name == device.name() && info.driver == device.driver())
-            return info.type;
-    return "other";
 }
 
 /// A report without a single figure is no report.

@@ -1,0 +1,137 @@
+#include "claims.hpp"
+#include "interleave.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+#include <span>
+
+namespace prelight::app {
+namespace {
+
+using Settings = std::map<std::string, std::string>;
+
+/// A ratio below this is noise, not a difference.
+constexpr double clearly = 1.05;
+
+/// Renderers that are timed in turn, all of them in each round.
+class Timing {
+public:
+    explicit Timing(const ClaimScene& scene) : scene_(scene) {}
+
+    /// Returns the index for the figures below. `world` must outlive this.
+    size_t add(const char* renderer, const World& world, size_t lights, const Settings& settings = {}) {
+        RenderOptions options{.width = scene_.width, .height = scene_.height};
+        options.settings = settings;
+        renderers_.push_back(create_renderer(renderer, &scene_.device, options));
+        renderers_.back()->set_world(world);
+        renderers_.back()->set_lights(std::span(world.lights).first(lights));
+        contenders_.push_back({.renderer = renderers_.back().get(), .stats = {}, .error = {}});
+        return contenders_.size() - 1;
+    }
+
+    void run() {
+        render_interleaved(contenders_, scene_.camera, {.frames = scene_.frames});
+        for (const Contender& contender : contenders_)
+            if (!contender.error.empty())
+                throw Error(contender.error);
+    }
+
+    /// Device time; nobody knows a pass's own CPU time.
+    double pass_ms(size_t index, std::string_view name) const {
+        const auto& passes = contenders_[index].stats.passes;
+        const auto pass = std::ranges::find(passes, name, &PassStats::name);
+        if (pass == passes.end())
+            throw Error(fmt::format("claims: pass {}: not there", name));
+        return pass->gpu_ms.median;
+    }
+
+    double frame_ms(size_t index) const {
+        const Stats& stats = contenders_[index].stats;
+        return scene_.software ? stats.cpu_ms.median : stats.gpu_ms.median;
+    }
+
+    /// What one more light costs, between two renderers that differ in nothing else; absent when
+    /// they have the same lights.
+    std::optional<double> light_ms(size_t many, size_t few) const {
+        const auto more = contenders_[many].stats.lights, fewer = contenders_[few].stats.lights;
+        if (more <= fewer)
+            return {};
+        return (frame_ms(many) - frame_ms(few)) / static_cast<double>(more - fewer);
+    }
+
+private:
+    const ClaimScene& scene_;
+    std::vector<std::unique_ptr<Renderer>> renderers_;
+    std::vector<Contender> contenders_;
+};
+
+/// Every second object of the world; its bounds and lights stay.
+World half_of(const World& world) {
+    World half = world;
+    size_t index = 0;
+    std::erase_if(half.instances, [&](const Instance&) { return index++ % 2 == 1; });
+    return half;
+}
+
+} // namespace
+
+std::vector<Claim> time_claims(const ClaimScene& scene) {
+    const World half = half_of(scene.world);
+    const size_t all = scene.world.lights.size(), few = (all + 3) / 4;
+    Timing t(scene);
+    const size_t depth = t.add("z-prepass", scene.world, all);
+    const size_t first = t.add("multipass", scene.world, all, {{"order", "objects"}});
+    const size_t per_object =
+        t.add("multipass", scene.world, all, {{"order", "objects"}, {"ambient", "per-object"}});
+    const size_t ray = t.add("light-prepass", scene.world, all, {{"position", "ray"}});
+    const size_t matrix = t.add("light-prepass", scene.world, all, {{"position", "matrix"}});
+    const size_t multipass = t.add("multipass", scene.world, all);
+    const size_t multipass_few = t.add("multipass", scene.world, few);
+    const size_t prepass_few = t.add("light-prepass", scene.world, few);
+    const size_t multipass_half = t.add("multipass", half, all);
+    const size_t multipass_half_few = t.add("multipass", half, few);
+    t.run();
+
+    const char* engel = "Engel, ShaderX7 8.5";
+    const char* lee = "Lee, Prelighting";
+    const std::string pass_time = fmt::format("device time of the pass, median of {}", scene.frames);
+    const std::string frame_time =
+        fmt::format("{} time of a frame, median of {}", scene.software ? "CPU" : "device", scene.frames);
+    const std::string slope = fmt::format("one more light, between {} and {}; {}", few, all, frame_time);
+    const char* depth_only = "rendering depth only can be done at two to eight times the speed compared to a "
+                             "combined color and depth write";
+    const auto light = t.light_ms(multipass, multipass_few);
+    // One object cannot be halved.
+    const bool halves = half.instances.size() < scene.world.instances.size();
+    return {
+        {.id = "depth-against-ambient", .claim = depth_only, .source = engel,
+         .how = "multipass, pass ambient : z-prepass, pass depth; " + pass_time,
+         .a = t.pass_ms(multipass, "ambient"), .b = t.pass_ms(depth, "depth"), .from = 2, .to = 8},
+        {.id = "depth-against-normals", .claim = depth_only, .source = engel,
+         .how = "light-prepass, pass depth-normal : z-prepass, pass depth; " + pass_time,
+         .a = t.pass_ms(ray, "depth-normal"), .b = t.pass_ms(depth, "depth"), .from = 2, .to = 8},
+        {.id = "frustum-ray", .claim = "the frustum ray is a cheaper way to get the position than the matrix",
+         .source = "Quandt, Light Pre-Pass Round 2",
+         .how = "light-prepass, pass light, position=matrix : position=ray; " + pass_time,
+         .a = t.pass_ms(matrix, "light"), .b = t.pass_ms(ray, "light"), .from = clearly, .to = {}},
+        {.id = "ambient-first",
+         .claim = "ambient passes for all of the geometry before any point light pass: sometimes better performance",
+         .source = "XNA sample, Multipass Lighting",
+         .how = "multipass, order=objects, ambient=per-object : ambient=first; " + frame_time,
+         .a = t.frame_ms(per_object), .b = t.frame_ms(first), .from = clearly, .to = {}},
+        {.id = "multipass-lights",
+         .claim = "multi-pass is very slow: for each new light we are potentially re-rendering the entire scene",
+         .source = lee, .how = "multipass : light-prepass; " + slope, .unit = "ms a light",
+         .a = light, .b = t.light_ms(ray, prepass_few), .from = clearly, .to = {}},
+        {.id = "multipass-geometry", .claim = "multi-pass: for each light, render all meshes the light intersects",
+         .source = lee,
+         .how = fmt::format("multipass, {} objects : {} of them; {}", scene.world.instances.size(),
+                            half.instances.size(), slope),
+         .unit = "ms a light", .a = light,
+         .b = halves ? t.light_ms(multipass_half, multipass_half_few) : std::nullopt,
+         .from = clearly, .to = {}},
+    };
+}
+
+} // namespace prelight::app
