@@ -38,17 +38,17 @@ public:
     }
 
     /// Device time; nobody knows a pass's own CPU time.
-    double pass_ms(size_t index, std::string_view name) const {
+    Spread pass_ms(size_t index, std::string_view name) const {
         const auto& passes = contenders_[index].stats.passes;
         const auto pass = std::ranges::find(passes, name, &PassStats::name);
         if (pass == passes.end())
             throw Error(fmt::format("claims: pass {}: not there", name));
-        return pass->gpu_ms.median;
+        return pass->gpu_ms;
     }
 
-    double frame_ms(size_t index) const {
+    Spread frame_ms(size_t index) const {
         const Stats& stats = contenders_[index].stats;
-        return scene_.software ? stats.cpu_ms.median : stats.gpu_ms.median;
+        return scene_.software ? stats.cpu_ms : stats.gpu_ms;
     }
 
     /// What one more light costs, between two renderers that differ in nothing else; absent when
@@ -57,7 +57,7 @@ public:
         const auto more = contenders_[many].stats.lights, fewer = contenders_[few].stats.lights;
         if (more <= fewer)
             return {};
-        return (frame_ms(many) - frame_ms(few)) / static_cast<double>(more - fewer);
+        return (frame_ms(many).median - frame_ms(few).median) / static_cast<double>(more - fewer);
     }
 
 private:
@@ -65,6 +65,14 @@ private:
     std::vector<std::unique_ptr<Renderer>> renderers_;
     std::vector<Contender> contenders_;
 };
+
+/// Fills in what was measured of both sides.
+Claim with(Claim claim, const Spread& a, const Spread& b) {
+    claim.a = a.median;
+    claim.b = b.median;
+    claim.apart = a.min > b.max || b.min > a.max;
+    return claim;
+}
 
 /// Every second object of the world; its bounds and lights stay.
 World half_of(const World& world) {
@@ -105,27 +113,33 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     // One object cannot be halved.
     const bool halves = half.instances.size() < scene.world.instances.size();
     return {
-        {.id = "depth-against-ambient", .claim = depth_only, .source = engel,
-         .how = "multipass, pass ambient : z-prepass, pass depth; " + pass_time,
-         .a = t.pass_ms(multipass, "ambient"), .b = t.pass_ms(depth, "depth"), .from = 2, .to = 8},
-        {.id = "depth-against-normals", .claim = depth_only, .source = engel,
-         .how = "light-prepass, pass depth-normal : z-prepass, pass depth; " + pass_time,
-         .a = t.pass_ms(ray, "depth-normal"), .b = t.pass_ms(depth, "depth"), .from = 2, .to = 8},
-        {.id = "frustum-ray", .claim = "the frustum ray is a cheaper way to get the position than the matrix",
-         .source = "Quandt, Light Pre-Pass Round 2",
-         .how = "light-prepass, pass light, position=matrix : position=ray; " + pass_time,
-         .a = t.pass_ms(matrix, "light"), .b = t.pass_ms(ray, "light"), .from = clearly, .to = {}},
-        {.id = "ambient-first",
-         .claim = "ambient passes for all of the geometry before any point light pass: sometimes better performance",
-         .source = "XNA sample, Multipass Lighting",
-         .how = "multipass, order=objects, ambient=per-object : ambient=first; " + frame_time,
-         .a = t.frame_ms(per_object), .b = t.frame_ms(first), .from = clearly, .to = {}},
+        with({.id = "depth-against-ambient", .claim = depth_only, .source = engel,
+              .how = "multipass, pass ambient : z-prepass, pass depth; " + pass_time, .from = 2, .to = 8},
+             t.pass_ms(multipass, "ambient"), t.pass_ms(depth, "depth")),
+        with({.id = "depth-against-normals", .claim = depth_only, .source = engel,
+              .how = "light-prepass, pass depth-normal : z-prepass, pass depth; " + pass_time,
+              .from = 2, .to = 8},
+             t.pass_ms(ray, "depth-normal"), t.pass_ms(depth, "depth")),
+        with({.id = "frustum-ray",
+              .claim = "the frustum ray is a cheaper way to get the position than the matrix",
+              .source = "Quandt, Light Pre-Pass Round 2",
+              .how = "light-prepass, pass light, position=matrix : position=ray; " + pass_time,
+              .from = clearly, .to = {}},
+             t.pass_ms(matrix, "light"), t.pass_ms(ray, "light")),
+        with({.id = "ambient-first",
+              .claim = "ambient passes for all of the geometry before any point light pass: "
+                       "sometimes better performance",
+              .source = "XNA sample, Multipass Lighting",
+              .how = "multipass, order=objects, ambient=per-object : ambient=first; " + frame_time,
+              .from = clearly, .to = {}},
+             t.frame_ms(per_object), t.frame_ms(first)),
         {.id = "multipass-lights",
-         .claim = "multi-pass is very slow: for each new light we are potentially re-rendering the entire scene",
+         .claim = "multi-pass is very slow: for each new light we are potentially re-rendering "
+                  "the entire scene",
          .source = lee, .how = "multipass : light-prepass; " + slope, .unit = "ms a light",
          .a = light, .b = t.light_ms(ray, prepass_few), .from = clearly, .to = {}},
-        {.id = "multipass-geometry", .claim = "multi-pass: for each light, render all meshes the light intersects",
-         .source = lee,
+        {.id = "multipass-geometry",
+         .claim = "multi-pass: for each light, render all meshes the light intersects", .source = lee,
          .how = fmt::format("multipass, {} objects : {} of them; {}", scene.world.instances.size(),
                             half.instances.size(), slope),
          .unit = "ms a light", .a = light,

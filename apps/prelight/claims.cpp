@@ -14,6 +14,8 @@ Verdict Claim::verdict() const {
     const auto measured = ratio();
     if (!measured)
         return Verdict::not_measured;
+    if (!apart)
+        return Verdict::too_close;
     return *measured >= from && (!to || *measured <= *to) ? Verdict::agrees : Verdict::does_not;
 }
 
@@ -21,6 +23,7 @@ const char* verdict_name(Verdict verdict) {
     switch (verdict) {
     case Verdict::agrees: return "agrees";
     case Verdict::does_not: return "does not on this device";
+    case Verdict::too_close: return "too close to tell";
     case Verdict::not_measured: return "not measured";
     case Verdict::not_built: return "not built yet";
     }
@@ -43,7 +46,8 @@ std::vector<Claim> unbuilt_claims() {
             "vertices", "needs trimmed index buffers"),
         row("shadowed-directional", "a directional light with shadows, reflections: 0.7 ms, deferred 3.3 ms",
             engel, "ms", "needs shadows"),
-        row("more-directionals", "by increasing the number of directional lights, the cost per light will go down",
+        row("more-directionals",
+            "by increasing the number of directional lights, the cost per light will go down",
             engel, "ms", "needs shadows"),
     };
 }

@@ -8,7 +8,7 @@
 
 namespace prelight::app {
 
-enum class Verdict { agrees, does_not, not_measured, not_built };
+enum class Verdict { agrees, does_not, too_close, not_measured, not_built };
 
 /// A sentence of a source text beside figures of ours: [C1].
 struct Claim {
@@ -20,6 +20,7 @@ struct Claim {
     std::optional<double> a, b; ///< the text's larger side first; sizes: ours, then the text's
     double from = 0;            ///< the ratio a / b agrees from here …
     std::optional<double> to;   ///< … to here; absent: or any larger
+    bool apart = true;          ///< no sample of `a` is among those of `b`, nor the other way round
     bool built = true;          ///< what it takes to measure it is there
 
     /// Absent when a figure is absent, or `b` or `a` is not above 0: too small to measure.
