@@ -85,7 +85,8 @@ public:
     virtual void set_world(const World& world) = 0;
     /// Takes other lights in place of the world's, from the next render() on: to move them, add and
     /// remove them. Cheaper than set_world(): geometry and materials stay, and pipelines too unless
-    /// there are more lights than ever before. Throws Error before set_world(), or when the device
+    /// there are more lights than ever before, or a spot or another falloff comes in. A read() needs
+    /// another render() first. Throws Error before set_world(), or when the device
     /// cannot hold so many.
     virtual void set_lights(std::span<const PlacedLight> lights) = 0;
     /// Renders `frames` ≥ 1 frames after warming every pipeline. Throws Error.

@@ -41,19 +41,21 @@ public:
 
     /// Before each frame: true when `entries` is another buffer now.
     bool update() {
-        uint64_t needed = *total.mapped<uint32_t>();
-        if (std::exchange(guesses_, false)) // the first frame has no other to learn from
-            needed = std::min<uint64_t>(first_guess(), most_entries());
-        const bool grows = needed > constants_->lights.z && constants_->lights.z < most_entries();
-        if (grows)
-            make_entries(needed + needed / 4);
         const resident::LightGroups& lights = frame_.lights();
         const auto count = [&](resident::LightGroup group) { return lights.count[static_cast<size_t>(group)]; };
+        uint64_t needed = *total.mapped<uint32_t>();
+        // The first frame has no other to learn from, and neither has one with other lights.
+        const uint32_t listed = count(resident::LightGroup::listed);
+        if (guesses_ && std::exchange(listed_, listed) != listed)
+            needed = std::max(needed, std::min<uint64_t>(first_guess(), most_entries()));
+        const bool grows = needed > constants_->lights.z && constants_->lights.z < most_entries();
+        if (grows && !full_)
+            grow(needed + needed / 4);
         const glm::dvec3 origin = grid_.low - frame_.eye();
         constants_->grid_origin = glm::vec4(origin, 0);
         constants_->lights.x = count(resident::LightGroup::fullscreen);
-        constants_->lights.y = count(resident::LightGroup::listed);
-        return grows;
+        constants_->lights.y = listed;
+        return std::exchange(grew_, false);
     }
     std::shared_ptr<const LightListConstants> constants() const { return constants_; }
 
@@ -61,7 +63,8 @@ private:
     uint64_t first_guess() const {
         const double overlap = grid_.cells.x > 0 ? grid_overlap(grid_, frame_.placed_lights())
                                                  : 1.5 * frame_.lights().listed_pictures * constants_->cells.w;
-        return static_cast<uint64_t>(std::min(overlap, 1e12)) + 2 * uint64_t(constants_->cells.w) + 16 * all_lights();
+        constexpr double most_guessed = 1 << 24; // 64 MiB; what is really needed is known a frame later
+        return static_cast<uint64_t>(std::min(overlap, most_guessed)) + 2 * uint64_t(constants_->cells.w) + 16 * all_lights();
     }
     uint64_t all_lights() const { return frame_.light_capacity(); }
     uint64_t most_entries() const { return frame_.context().limits().maxStorageBufferRange / sizeof(uint32_t); }
@@ -71,9 +74,21 @@ private:
         constants_->lights.z = static_cast<uint32_t>(std::min<uint64_t>(size, 0xffffffffu));
     }
 
+    /// A device without room keeps the lists it has: what does not fit walks all lights.
+    void grow(uint64_t count) {
+        try {
+            make_entries(count);
+            grew_ = true;
+        } catch (const Error&) {
+            full_ = true;
+        }
+    }
+
     const resident::Frame& frame_;
     LightGrid grid_;
+    bool grew_ = false, full_ = false;
     bool guesses_;
+    uint32_t listed_ = 0; ///< lights of the last frame's lists
     std::shared_ptr<LightListConstants> constants_;
 
 public:

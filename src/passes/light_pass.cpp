@@ -22,6 +22,13 @@ void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const st
     }
 }
 
+graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame, LightingInputs inputs) {
+    inputs.target = make_light_counts(graph, frame);
+    inputs.count_pairs = false;
+    light_pass(graph, frame, "light-count", inputs);
+    return inputs.target.images[0];
+}
+
 SettingInfo light_culling_setting() {
     return {"light-culling", {"volumes", "fullscreen", "rectangles", "stencil", "tiles", "clusters"}, "volumes",
             "how a light finds its pixels"};

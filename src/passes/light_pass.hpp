@@ -9,6 +9,10 @@ namespace prelight::passes {
 void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                 const LightingInputs& inputs);
 
+/// The same, but instead of light RGBA16F with the lights that each pixel evaluates in R and those that
+/// contribute in G, for --view light-count.
+graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame, LightingInputs inputs);
+
 /// The setting `light-culling` of every architecture with light passes.
 SettingInfo light_culling_setting();
 SettingInfo tile_size_setting();

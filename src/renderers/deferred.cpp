@@ -42,7 +42,7 @@ private:
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto gbuffer = passes::gbuffer_pass(graph, frame, format());
-        passes::LightingInputs lighting{.surface = gbuffer.surface,
+        const passes::LightingInputs lighting{.surface = gbuffer.surface,
                                         .material = gbuffer.motion,
                                         .albedo = gbuffer.albedo,
                                         .model = model_,
@@ -67,12 +67,8 @@ private:
         show("specular", ViewKind::specular, wide ? gbuffer.albedo : gbuffer.motion);
         show("albedo", ViewKind::albedo, gbuffer.albedo);
         show("motion", ViewKind::motion, gbuffer.motion);
-        if (wants("light-count")) {
-            lighting.target = passes::make_light_counts(graph, frame);
-            lighting.count_pairs = false;
-            passes::light_pass(graph, frame, "light-count", lighting);
-            show("light-count", ViewKind::count, lighting.target.images[0]);
-        }
+        if (wants("light-count"))
+            show("light-count", ViewKind::count, passes::light_count_pass(graph, frame, lighting));
         return views;
     }
 

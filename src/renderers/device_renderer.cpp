@@ -74,18 +74,20 @@ void DeviceRenderer::set_world(const World& world) {
 void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     if (!world_)
         throw Error("renderer: set_world() comes before set_lights()");
-    if (frame_->set_lights(lights))
+    if (frame_->set_lights(lights) && graph_)
         return;
     graph_.reset();
     build_graph();
 }
 
 void DeviceRenderer::build_graph() {
-    graph_ = std::make_unique<graph::FrameGraph>(context_);
-    views_ = build(*graph_, *frame_);
+    drawn_ = false;
+    auto graph = std::make_unique<graph::FrameGraph>(context_);
+    views_ = build(*graph, *frame_);
     for (const auto& [name, image] : views_)
-        graph_->keep(image);
-    graph_->compile();
+        graph->keep(image);
+    graph->compile();
+    graph_ = std::move(graph); // none while one could not be made
 }
 
 void DeviceRenderer::render_frame(VkCommandBuffer commands, bool warm_up) {
@@ -103,7 +105,7 @@ void DeviceRenderer::render_frame(VkCommandBuffer commands, bool warm_up) {
 }
 
 void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
-    if (!world_)
+    if (!world_ || !graph_)
         throw Error("renderer: set_world() comes before render()");
     VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
     allocate.commandPool = pool_;
@@ -158,6 +160,7 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     stats_.attachment_bytes_unshared = graph_->unshared_bytes();
     stats_.device_bytes = context_.device_bytes();
     count_pairs();
+    drawn_ = true;
 }
 
 void DeviceRenderer::count_pairs() {
@@ -172,6 +175,8 @@ void DeviceRenderer::count_pairs() {
 }
 
 Image DeviceRenderer::read(std::string_view view) {
+    if (!drawn_)
+        throw Error("renderer: render() comes before read()");
     const auto found = views_.find(view);
     if (found == views_.end())
         throw UsageError(fmt::format("--view {}: was not asked for when the renderer was made", view));

@@ -51,6 +51,7 @@ private:
     std::unique_ptr<resident::Frame> frame_;
     std::unique_ptr<graph::FrameGraph> graph_;
     Views views_;
+    bool drawn_ = false; ///< the graph's images hold a frame
     Stats stats_;
 };
 

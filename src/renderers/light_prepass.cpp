@@ -44,7 +44,7 @@ private:
             graph.note(note);
         const auto surface = passes::depth_normal_pass(graph, frame, surface_format(settings()));
         const auto light = passes::make_light_buffer(graph, frame, model_);
-        passes::LightingInputs lighting{.surface = surface,
+        const passes::LightingInputs lighting{.surface = surface,
                                         .model = model_,
                                         .target = light.target,
                                         .pair_counters = &pair_counters(),
@@ -76,12 +76,8 @@ private:
                 views[name] = passes::light_sum_pass(graph, frame, materials, specular);
         if (wants("albedo"))
             show("albedo", ViewKind::colour, passes::albedo_pass(graph, frame, materials));
-        if (wants("light-count")) {
-            lighting.target = passes::make_light_counts(graph, frame);
-            lighting.count_pairs = false;
-            passes::light_pass(graph, frame, "light-count", lighting);
-            show("light-count", ViewKind::count, lighting.target.images[0]);
-        }
+        if (wants("light-count"))
+            show("light-count", ViewKind::count, passes::light_count_pass(graph, frame, lighting));
         return views;
     }
 

@@ -56,9 +56,9 @@ void Frame::make_light_buffers(size_t lights) {
 
 bool Frame::set_lights(std::span<const PlacedLight> lights) {
     const bool falloff = seed_falloff(), spots = has_spots(), fits = lights.size() <= capacity_;
-    if (!fits) { // with room for as many again, so that adding one at a time is cheap
+    if (!fits) { // with some room, so that adding one at a time is cheap
         const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
-        make_light_buffers(std::max(lights.size(), std::min(2 * capacity_, most)));
+        make_light_buffers(std::max(lights.size(), std::min(capacity_ + capacity_ / 4 + 16, most)));
     }
     placed_.assign(lights.begin(), lights.end());
     return fits && (falloff || !seed_falloff()) && (spots || !has_spots());

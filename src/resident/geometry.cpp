@@ -76,9 +76,11 @@ private:
             place.low = glm::min(place.low, p);
             place.high = glm::max(place.high, p);
         }
-        if (motion_ && !primitive.previous_positions.empty() && previous.empty())
+        if (motion_ && !primitive.previous_positions.empty() && !moved_) {
             previous = positions;
-        if (!previous.empty()) {
+            moved_ = true;
+        }
+        if (moved_) {
             const auto& source =
                 primitive.previous_positions.empty() ? primitive.positions : primitive.previous_positions;
             previous.insert(previous.end(), source.begin(), source.end());
@@ -91,6 +93,7 @@ private:
     }
 
     bool motion_;
+    bool moved_ = false; ///< a primitive was elsewhere before
 };
 
 } // namespace

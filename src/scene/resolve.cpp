@@ -210,6 +210,7 @@ private:
         deform_work_ += work;
         Deformed made = deform(mesh, shape, before_ ? &previous : nullptr, object);
         world_.deformed.push_back(std::move(made.mesh));
+        deformed_boxes_.push_back(facts_of(world_.deformed.back()).box);
         found->second = {static_cast<uint32_t>(world_.deformed.size() - 1), made.origin};
         return found->second;
     }
@@ -228,7 +229,7 @@ private:
         transformed_ += facts.vertices;
         const auto& primitives = world_.mesh_of(instance).primitives;
         if (transformed_ > max_exact_vertices) {
-            const Bounds box = instance.deformed ? facts_of(world_.mesh_of(instance)).box : facts.box;
+            const Bounds box = instance.deformed ? deformed_boxes_[*instance.deformed] : facts.box;
             for (uint32_t i = 0; i < 8; ++i)
                 add_point(transform,
                           glm::dvec3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
@@ -274,6 +275,7 @@ private:
     std::map<std::tuple<uint32_t, std::optional<uint32_t>, std::vector<double>, std::vector<double>>,
              std::pair<uint32_t, glm::dvec3>>
         made_;
+    std::vector<Bounds> deformed_boxes_; ///< beside World::deformed, object space
     World world_;
     Bounds bounds_;
     uint64_t transformed_ = 0, deformed_vertices_ = 0, deform_work_ = 0;

@@ -21,7 +21,7 @@ void randomize_lights(std::span<PlacedLight> lights, uint64_t seed) {
     const double unranged = std::cbrt(8 * 1000 / (4.0 / 3 * pi * static_cast<double>(std::max<size_t>(lights.size(), 8))));
     Random random(seed);
     for (PlacedLight& placed : lights) {
-        const double before = std::isfinite(placed.light.range) ? placed.light.range : unranged;
+        const double before = placed.light.range < 1e9f ? placed.light.range : unranged; // range² is finite
         const double range = before * std::exp2(random.uniform(-1, 1));
         const double hue = random.unit(), outer = random.uniform(0.3, 1.2), inner = outer * random.unit();
         const double turn = random.uniform(0, 2 * pi), down = random.uniform(0.2, 1);

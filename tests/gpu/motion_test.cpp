@@ -93,6 +93,8 @@ TEST_F(Motion, PreviousVerticesAreThereOnlyWhenAskedForAndMoved) {
     const resident::Geometry moved = resident::upload_geometry(context(), world, true);
     EXPECT_NE(moved.previous(), moved.positions.handle());
     EXPECT_EQ(moved.previous_positions.size(), 6 * sizeof(glm::vec3));
+    std::swap(world.instances[0], world.instances[1]); // what moves comes first
+    EXPECT_EQ(resident::upload_geometry(context(), world, true).previous_positions.size(), 6 * sizeof(glm::vec3));
 }
 
 } // namespace

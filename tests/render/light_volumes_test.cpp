@@ -1,5 +1,5 @@
 // [V1] [V3] [V5]: volumes find every pixel of their light once, wherever the camera is.
-#include "garden.hpp"
+#include "found_pixels.hpp"
 #include <passes/volume_meshes.hpp>
 #include <resident/lights.hpp>
 
@@ -13,25 +13,7 @@ struct Placement {
     double distance; ///< of the light from the camera, in ranges
 };
 
-struct VolumeCase {
-    const char* name;
-    Light light;
-    glm::dvec3 direction{0, -1, -0.3};
-};
-void PrintTo(const VolumeCase& c, std::ostream* out) { *out << c.name; }
-
-std::vector<VolumeCase> cases() {
-    const Garden g;
-    return {{"point", g.point(4, 12)},
-            {"narrow_spot", g.spot(15 * degrees, 6, 60)},
-            {"wide_spot", g.spot(60 * degrees, 4, 20)},
-            {"spot_of_79_degrees", g.spot(79 * degrees, 4, 16)},
-            {"spot_of_85_degrees", g.spot(85 * degrees, 4, 16)},
-            {"spot_seen_from_behind", g.spot(30 * degrees, 6, 40), {0, -0.5, -1}},
-            {"spot_towards_the_camera", g.spot(40 * degrees, 6, 40), {0, 0.3, 1}}};
-}
-
-class Volumes : public testing::TestWithParam<VolumeCase> {};
+class Volumes : public testing::TestWithParam<LightCase> {};
 
 /// The same light drawn by its volume and by a full-screen triangle: the same picture, and exactly
 /// the same count of pixels that it lights.
@@ -60,7 +42,7 @@ void expect_same_as_fullscreen(Garden& garden, const PlacedCamera& camera, const
 }
 
 TEST_P(Volumes, FindTheirPixelsOnceFromOutsideInsideAndCutByTheNearPlane) {
-    const VolumeCase& c = GetParam();
+    const LightCase& c = GetParam();
     for (const double share : {2.5, 1.05, 1.0, 0.95, 0.5, 0.05}) {
         Garden garden;
         garden.camera.camera.znear = 0.25; // a large near rectangle, so that volumes are really cut
@@ -80,7 +62,7 @@ TEST_P(Volumes, AgreeWithTheReferenceFromInside) {
     garden.add_light(light, garden.at(0.5, 3.8, 6.5), GetParam().direction);
     expect_agrees(garden.shot());
 }
-INSTANTIATE_TEST_SUITE_P(V3, Volumes, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(V3, Volumes, testing::ValuesIn(light_cases()),
                          [](const auto& form) { return std::string(form.param.name); });
 
 TEST(VolumeCulling, ManyLightsLightTheSamePixelsAsFullScreen) {
