@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
@@ -72,9 +73,12 @@ RemovedOnInterrupt::RemovedOnInterrupt(std::filesystem::path folder) : folder_(s
 }
 
 RemovedOnInterrupt::~RemovedOnInterrupt() {
-    tell_listener(0); // no signal: the thread ends
+    const int end = listener.exchange(-1); // from here on a signal ends the program at once
+    const unsigned char none = 0;          // no signal: the thread ends
+    if (write(end, &none, 1) != 1)
+        std::abort(); // a pipe with room for 65,536 bytes
     thread_.join();
-    close(listener.exchange(-1));
+    close(end);
     close(wakes_);
 }
 

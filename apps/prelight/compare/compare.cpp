@@ -56,8 +56,12 @@ void check_any(const Report& report) {
     for (const RunReport& run : report.runs)
         if (run.error.empty())
             return;
-    throw Error(fmt::format("{}: nothing could be rendered: {}: {}", report.scene,
-                            report.runs.at(0).variant.name(), report.runs.at(0).error));
+    const RunReport& first = report.runs.at(0);
+    const std::string line = fmt::format("{}: nothing could be rendered: {}: {}", report.scene,
+                                         first.variant.name(), first.error);
+    if (std::ranges::all_of(report.runs, &RunReport::wrong_usage))
+        throw UsageError(line);
+    throw Error(line);
 }
 
 void make_report(Report& report, ReportFolder& folder) {

@@ -18,6 +18,14 @@ std::string form_name(const ReferenceForm& form) {
         name += ", reflection vector";
     if (form.ambient_as_light)
         name += ", ambient as a light";
+    if (form.grey_reflectance)
+        name += ", grey reflectance";
+    using Way = ReferenceForm::Specular;
+    name += form.specular == Way::luv             ? ", specular=luv"
+            : form.specular == Way::fifth_channel ? ", specular=fifth-channel"
+            : form.specular == Way::luminance     ? ", specular=luminance"
+            : form.specular == Way::bent          ? ", specular=bent"
+                                                  : "";
     return name;
 }
 

@@ -12,6 +12,7 @@ struct RunReport {
     RendererInfo info;
     RenderOptions options; ///< the shading model may differ from the command's: a preset's own
     std::string error;     ///< why there are no figures; empty: there are
+    bool wrong_usage = false; ///< the error is one of settings that do not go together
     std::string form;      ///< of the reference that its picture is judged against
     Comparison difference;
     std::map<std::string, std::string> pictures; ///< view, or "difference" → file below the folder

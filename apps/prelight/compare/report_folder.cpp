@@ -52,8 +52,17 @@ bool swap_folders(const fs::path& a, const fs::path& b) {
     if (renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0)
         return true;
     const fs::path third = a.string() + ".old";
-    return std::rename(b.c_str(), third.c_str()) == 0 && std::rename(a.c_str(), b.c_str()) == 0 &&
-           std::rename(third.c_str(), a.c_str()) == 0;
+    if (std::rename(b.c_str(), third.c_str()) != 0)
+        return false;
+    if (std::rename(a.c_str(), b.c_str()) != 0) {
+        const int why = errno;
+        std::rename(third.c_str(), b.c_str()); // as it was
+        errno = why;
+        return false;
+    }
+    std::error_code ignored; // the new one is in place
+    fs::rename(third, a, ignored);
+    return true;
 }
 
 } // namespace
