@@ -3,19 +3,40 @@
 
 namespace prelight::passes {
 
+void bind_lighting(const graph::PassContext& pass, const resident::Frame& frame, const gpu::GraphicsPipeline& pipeline) {
+    pipeline.bind(pass.commands);
+    pipeline.bind_set(pass.commands, SET_FRAME, frame.set());
+    pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
+}
+
+bool AmbientDraw::needed(const LightingInputs& inputs) {
+    return inputs.model.ambient_blended() && inputs.target.variant != "+count";
+}
+
+AmbientDraw::AmbientDraw(const resident::Frame& frame, const graph::PassInterface& interface,
+                         const LightingInputs& inputs)
+    : frame_(frame) {
+    if (!needed(inputs))
+        return;
+    gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light_ambient");
+    desc.name = "ambient light";
+    desc.vertex = "light_fullscreen.vert";
+    desc.depth = gpu::DepthTest::surface_only;
+    desc.blend = gpu::Blend::add;
+    pipeline_.emplace(frame.context(), desc);
+}
+
+void AmbientDraw::record(const graph::PassContext& pass) const {
+    if (!pipeline_)
+        return;
+    bind_lighting(pass, frame_, *pipeline_);
+    vkCmdDraw(pass.commands, 3, 1, 0, 0);
+}
+
 LightDraws::LightDraws(const resident::Frame& frame, const graph::PassInterface& interface,
                        const LightingInputs& inputs)
-    : frame_(frame), light_(lighting_pipeline(frame, interface, inputs, "light")) {
+    : frame_(frame), light_(lighting_pipeline(frame, interface, inputs, "light")), ambient_(frame, interface, inputs) {
     light_.blend = gpu::Blend::add;
-    if (inputs.model.ambient_as_light && inputs.target.variant != "+count") {
-        gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light_ambient");
-        desc.name = "ambient light";
-        desc.vertex = "light_fullscreen.vert";
-        desc.depth = gpu::DepthTest::surface_only;
-        desc.blend = gpu::Blend::add;
-        ambient_ = gpu::GraphicsPipeline(frame.context(), desc);
-        has_ambient_ = true;
-    }
     gpu::GraphicsPipelineDesc desc = pipeline("full-screen lights", "light_fullscreen.vert");
     desc.depth = gpu::DepthTest::surface_only;
     desc.depth_clamp = true;
@@ -29,17 +50,8 @@ gpu::GraphicsPipelineDesc LightDraws::pipeline(const char* name, const char* ver
     return desc;
 }
 
-void LightDraws::bind(const graph::PassContext& pass, const gpu::GraphicsPipeline& pipeline) const {
-    pipeline.bind(pass.commands);
-    pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
-    pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-}
-
 void LightDraws::record_fullscreen(const graph::PassContext& pass) const {
-    if (has_ambient_) {
-        bind(pass, ambient_);
-        vkCmdDraw(pass.commands, 3, 1, 0, 0);
-    }
+    ambient_.record(pass);
     const size_t g = static_cast<size_t>(resident::LightGroup::fullscreen);
     if (lights().count[g] == 0)
         return;

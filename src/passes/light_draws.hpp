@@ -2,6 +2,7 @@
 #include "lighting.hpp"
 #include <array>
 #include <gpu/pipeline.hpp>
+#include <optional>
 
 namespace prelight::passes {
 
@@ -20,6 +21,22 @@ inline constexpr std::array<VolumeGroup, 4> volume_groups{{
     {resident::LightGroup::cone_inside, "spots from inside", true, true},
 }};
 
+/// Binds a pipeline of a light pass, with the frame's set and the pass's inputs.
+void bind_lighting(const graph::PassContext& pass, const resident::Frame& frame, const gpu::GraphicsPipeline& pipeline);
+
+/// Ambient light as a light of its own, added to the target by a full-screen triangle [V1]; draws nothing where
+/// ambient light is a term of the material, or is summed with the others.
+class AmbientDraw {
+public:
+    AmbientDraw(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs);
+    static bool needed(const LightingInputs& inputs);
+    void record(const graph::PassContext& pass) const;
+
+private:
+    const resident::Frame& frame_;
+    std::optional<gpu::GraphicsPipeline> pipeline_;
+};
+
 /// What all passes share that draw light by light: pipelines that add to the target, ambient light and
 /// the lights that are drawn full screen [V1].
 class LightDraws {
@@ -28,15 +45,17 @@ public:
     void record_fullscreen(const graph::PassContext& pass) const;
     /// A pipeline of light.frag that blends ONE/ONE.
     gpu::GraphicsPipelineDesc pipeline(const char* name, const char* vertex) const;
-    void bind(const graph::PassContext& pass, const gpu::GraphicsPipeline& pipeline) const;
+    void bind(const graph::PassContext& pass, const gpu::GraphicsPipeline& pipeline) const {
+        bind_lighting(pass, frame_, pipeline);
+    }
     const resident::Frame& frame() const { return frame_; }
     const resident::LightGroups& lights() const { return frame_.lights(); }
 
 private:
     const resident::Frame& frame_;
     gpu::GraphicsPipelineDesc light_;
-    gpu::GraphicsPipeline ambient_, fullscreen_;
-    bool has_ambient_ = false;
+    AmbientDraw ambient_;
+    gpu::GraphicsPipeline fullscreen_;
 };
 
 /// Makes `pass` draw with a Draws(frame, interface, inputs) that has a record().

@@ -1,4 +1,5 @@
 #include "light_loop.hpp"
+#include "light_draws.hpp"
 #include <shared/bindings.h>
 #include <shared/light_loop.h>
 
@@ -19,9 +20,7 @@ void light_loop_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
         *pipeline = gpu::GraphicsPipeline(frame.context(), desc);
     });
     pass.record([=, &frame](const graph::PassContext& context) {
-        pipeline->bind(context.commands);
-        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
-        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
+        bind_lighting(context, frame, *pipeline);
         const shared::LightLoop loop{static_cast<uint32_t>(frame.lights().order.size()), inputs.model.ambient_blended()};
         pipeline->push(context.commands, std::as_bytes(std::span(&loop, 1)));
         vkCmdDraw(context.commands, 3, 1, 0, 0);
