@@ -22,6 +22,7 @@ struct ReferenceForm {
     /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.
     enum class Specular { stored, luv, fifth_channel, luminance, bent } specular = Specular::stored;
+    bool operator==(const ReferenceForm&) const = default;
 };
 
 /// What the reference knows of each pixel's first hit, to leave out pixels by `measure.md`'s rule.

@@ -30,14 +30,13 @@ std::string form_name(const ReferenceForm& form) {
 }
 
 const References::Picture& References::of(const ReferenceForm& form) {
-    const auto [place, is_new] = made_.try_emplace(form_name(form));
-    if (is_new) {
-        ReferencePicture picture = render_reference(world_, camera_, options_.width, options_.height,
-                                                    options_.exposure, form);
-        place->second.left_out = picture.left_out();
-        place->second.linear = std::move(picture.linear);
-    }
-    return place->second;
+    for (const auto& [known, picture] : made_)
+        if (known == form)
+            return picture;
+    ReferencePicture picture = render_reference(world_, camera_, options_.width, options_.height,
+                                                options_.exposure, form);
+    std::vector<uint8_t> left_out = picture.left_out();
+    return made_.emplace_back(form, Picture{std::move(picture.linear), std::move(left_out)}).second;
 }
 
 } // namespace prelight::app

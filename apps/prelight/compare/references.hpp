@@ -1,7 +1,8 @@
 #pragma once
-#include <map>
+#include <list>
 #include <prelight/reference.hpp>
 #include <string>
+#include <utility>
 
 namespace prelight::app {
 
@@ -25,7 +26,7 @@ private:
     const World& world_;
     PlacedCamera camera_;
     RenderOptions options_;
-    std::map<std::string, Picture> made_;
+    std::list<std::pair<ReferenceForm, Picture>> made_;
 };
 
 } // namespace prelight::app
