@@ -97,7 +97,7 @@ TEST(ReferenceRenderer, RefusesWhatItDoesNotOffer) {
     EXPECT_THAT(usage_error({.preset = "engel"}), HasSubstr("preset engel"));
     EXPECT_THAT(usage_error({.msaa = 4}), HasSubstr("4 samples"));
     EXPECT_THAT(usage_error({.count_pairs = true}), HasSubstr("--count-pairs"));
-    EXPECT_THROW(make_reference_renderer({.width = 0}), Error);
+    EXPECT_THAT([] { make_reference_renderer({.width = 0}); }, testing::ThrowsMessage<Error>(HasSubstr("0x720")));
     EXPECT_EQ(usage_error({}), "nothing was thrown");
 }
 
