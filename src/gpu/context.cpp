@@ -86,6 +86,7 @@ void Context::create_device() {
     features.features.fragmentStoresAndAtomics = VK_TRUE;
     features.features.sampleRateShading = o.sample_rate_shading;
     features.features.occlusionQueryPrecise = o.precise_occlusion;
+    features.features.shaderStorageImageWriteWithoutFormat = o.store_without_format;
 
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};

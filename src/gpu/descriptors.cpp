@@ -43,6 +43,13 @@ Binding Binding::sampled(uint32_t index, VkImageView view, VkImageLayout layout)
     return b;
 }
 
+Binding Binding::storage_image(uint32_t index, VkImageView view) {
+    Binding b{index, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+    b.view = view;
+    b.layout = VK_IMAGE_LAYOUT_GENERAL;
+    return b;
+}
+
 Binding Binding::texture(uint32_t index, VkImageView view, VkSampler sampler) {
     Binding b{index, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
     b.view = view;

@@ -21,6 +21,7 @@ struct Binding {
                            uint64_t range = VK_WHOLE_SIZE);
     static Binding storage(uint32_t index, VkBuffer buffer);
     static Binding sampled(uint32_t index, VkImageView view, VkImageLayout layout);
+    static Binding storage_image(uint32_t index, VkImageView view);
     static Binding texture(uint32_t index, VkImageView view, VkSampler sampler);
 };
 

@@ -60,12 +60,21 @@ void read_features(Candidate& candidate, const VkPhysicalDeviceFeatures& core) {
     o.first_instance_indirect = note(core.drawIndirectFirstInstance, "first instance in indirect draws");
     o.sample_rate_shading = note(core.sampleRateShading, "sample shading");
     o.precise_occlusion = note(core.occlusionQueryPrecise, "precise occlusion queries");
+    o.store_without_format = note(core.shaderStorageImageWriteWithoutFormat, "storage images without format");
+}
+
+uint32_t shuffle_lanes(const VkPhysicalDeviceSubgroupProperties& subgroups) {
+    const bool shuffles = (subgroups.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT) &&
+                          (subgroups.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT);
+    return shuffles ? subgroups.subgroupSize : 0;
 }
 
 Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     Candidate candidate;
     candidate.physical = physical;
     VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    VkPhysicalDeviceSubgroupProperties subgroups{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES};
+    driver.pNext = &subgroups;
     VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver, {}};
     vkGetPhysicalDeviceProperties2(physical, &properties);
     DeviceInfo& info = candidate.info;
@@ -86,6 +95,8 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12, {}};
     vkGetPhysicalDeviceFeatures2(physical, &features);
     read_features(candidate, features.features);
+    candidate.optional.shuffle_lanes = shuffle_lanes(subgroups);
+    (candidate.optional.shuffle_lanes > 0 ? info.features : info.missing).push_back("subgroup shuffle");
     const bool fragment_stores = features.features.fragmentStoresAndAtomics;
     const std::optional<uint32_t> family = graphics_queue_family(physical);
     if (!family)

@@ -13,6 +13,8 @@ struct OptionalFeatures {
     bool first_instance_indirect = false;
     bool sample_rate_shading = false;
     bool precise_occlusion = false;
+    bool store_without_format = false; ///< shaders write storage images of any format
+    uint32_t shuffle_lanes = 0;        ///< size of a subgroup whose compute shaders can shuffle; 0: they cannot
 };
 
 struct Candidate {

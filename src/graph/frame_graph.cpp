@@ -52,6 +52,12 @@ Pass& Pass::sample(uint32_t binding, ImageId image) {
     return *this; // the access depends on the format: added by FrameGraph::compile
 }
 
+Pass& Pass::store(uint32_t binding, ImageId image) {
+    stored_.emplace_back(binding, image);
+    use(image, Access::storage_image());
+    return *this;
+}
+
 Pass& Pass::storage(uint32_t binding, BufferId buffer, bool writes) {
     storages_.emplace_back(binding, buffer);
     buffers_.push_back({buffer, Access::storage(writes)});
@@ -128,6 +134,9 @@ Access FrameGraph::sampled_access(const Pass& pass, ImageId image) const {
     Access access = Access::sampled(is_depth(images_[image.index].desc.format));
     if (pass.stencil_ && pass.depth_->image == image)
         access.layout = Access::stencil_write().layout; // the pass holds its stencil for writing
+    for (const auto& [binding, stored] : pass.stored_)
+        if (stored == image)
+            access.layout = Access::storage_image().layout;
     return access;
 }
 
@@ -181,6 +190,8 @@ void FrameGraph::prepare_passes() {
                 binding, has_stencil(source.desc.format) ? source.depth_only_view : source.view,
                 sampled_access(*pass, image).layout));
         }
+        for (const auto& [binding, image] : pass->stored_)
+            bindings.push_back(gpu::Binding::storage_image(binding, images_[image.index].view));
         for (const auto& [binding, buffer] : pass->storages_)
             bindings.push_back(gpu::Binding::storage(binding, buffers_[buffer.index].handle));
         pass->layout_ = gpu::make_set_layout(context_, pass->name_, bindings);

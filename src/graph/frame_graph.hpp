@@ -46,6 +46,9 @@ public:
     Pass& stencil(ImageId image);
     /// texelFetch of an image at `binding` of the inputs set.
     Pass& sample(uint32_t binding, ImageId image);
+    /// A compute pass writes the image at `binding` of the inputs set. It holds what it held before; the
+    /// same image may be sampled too, at another binding.
+    Pass& store(uint32_t binding, ImageId image);
     /// Storage buffer at `binding` of the inputs set.
     Pass& storage(uint32_t binding, BufferId buffer, bool writes);
     Pass& prepare(std::function<void(const PassInterface&)> callback);
@@ -77,7 +80,7 @@ private:
     bool blends_ = false;
     std::vector<ImageUse> images_;
     std::vector<BufferUse> buffers_;
-    std::vector<std::pair<uint32_t, ImageId>> sampled_;
+    std::vector<std::pair<uint32_t, ImageId>> sampled_, stored_;
     std::vector<std::pair<uint32_t, BufferId>> storages_;
     std::function<void(const PassInterface&)> prepare_;
     std::function<void(const PassContext&)> record_;

@@ -20,6 +20,8 @@ void FrameGraph::find_lifetimes() {
             images_[pass.depth_->image.index].usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         for (const auto& [binding, image] : pass.sampled_)
             images_[image.index].usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
+        for (const auto& [binding, image] : pass.stored_)
+            images_[image.index].usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     }
     for (GraphImage& image : images_)
         if (image.kept && image.usage) {

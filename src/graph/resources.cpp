@@ -80,6 +80,11 @@ Access Access::storage(bool writes) {
             VK_IMAGE_LAYOUT_GENERAL, writes};
 }
 
+Access Access::storage_image() {
+    return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+            VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
+}
+
 Access& Access::operator|=(const Access& other) {
     stages |= other.stages;
     access |= other.access;

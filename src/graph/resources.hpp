@@ -37,6 +37,7 @@ struct Access {
     static Access stencil_write();
     static Access sampled(bool depth);
     static Access storage(bool writes);
+    static Access storage_image();
     /// Reads of both in one pass, or in neighbouring passes (layouts must agree).
     Access& operator|=(const Access& other);
 };

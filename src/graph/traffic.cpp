@@ -32,6 +32,8 @@ std::vector<PassTraffic> FrameGraph::traffic() const {
             read.insert(pass->depth_->image.index);
         for (const auto& [binding, image] : pass->sampled_)
             read.insert(image.index);
+        for (const auto& [binding, image] : pass->stored_)
+            written.insert(image.index);
         PassTraffic& traffic = all.emplace_back();
         traffic.name = pass->name_;
         for (const uint32_t image : read)
