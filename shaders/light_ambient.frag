@@ -8,5 +8,5 @@ layout(location = 0) flat in uint in_light;
 void main() {
     LightSums sums = no_light();
     add_ambient(sums);
-    write_sums(sums);
+    write_sums(ivec2(gl_FragCoord.xy), sums);
 }

@@ -15,7 +15,7 @@ void main() {
     LitPixel p = read_pixel(pixel);
     uint contributing = 0u;
     for (uint i = 0u; i < loop.count; ++i)
-        contributing += add_light(sums, p, lights[light_order[i]]) ? 1u : 0u;
+        contributing += add_light(sums, p, lamp_of(lights[light_order[i]])) ? 1u : 0u;
     count_lights(pixel, loop.count, contributing);
-    write_sums(sums);
+    write_sums(pixel, sums);
 }

@@ -13,6 +13,9 @@ set(PRELIGHT_SHADER_VARIANTS
     "light_list+packed.frag|light_list.frag|-DONE_TARGET"
     "light_list+count.frag|light_list.frag|-DCOUNT_TARGET"
     "light_list+deferred.frag|light_list.frag|-DDEFERRED_TARGET"
+    "light_list+packed.comp|light_list.comp|-DONE_TARGET"
+    "light_list+count.comp|light_list.comp|-DCOUNT_TARGET"
+    "light_list+deferred.comp|light_list.comp|-DDEFERRED_TARGET"
     # Cells in the world instead of on the screen: no depth buffer is bound.
     "light_lists_coarse+grid.comp|light_lists_coarse.comp|-DGRID_CELLS"
     "light_lists_scatter+grid.comp|light_lists_scatter.comp|-DGRID_CELLS"

@@ -29,6 +29,10 @@
 #define INPUT_LIGHT_MASKS 11
 #define INPUT_DEPTH_SLICES 12
 #define INPUT_LIST_TOTAL 13
+// light lists walked by a compute pass
+#define INPUT_LIGHT_TARGET 16
+#define INPUT_SECOND_LIGHT_TARGET 17
+#define INPUT_COLOUR_BEFORE 18
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -66,7 +70,7 @@
 #define CONSTANT_REFLECTION_VECTOR 9
 #define CONSTANT_COUNT_PAIRS 10
 #define CONSTANT_LIGHT_OUTPUT 11
-#define CONSTANT_SEED_FALLOFF 12
+#define CONSTANT_LIGHT_KINDS 12
 #define CONSTANT_MATERIAL_OUTPUT 13
 #define CONSTANT_AMBIENT_AS_LIGHT 14
 #define CONSTANT_TONEMAP 15
@@ -76,8 +80,10 @@
 #define CONSTANT_RECTANGLE_FAR_SIDE 19
 #define CONSTANT_LIST_TILE_SIZE 30
 #define CONSTANT_LIST_SLICED 31
-#define CONSTANT_LIST_CONES 32
 #define CONSTANT_LIST_FILL 33
+#define CONSTANT_LIST_ROWS 34
+#define CONSTANT_LIST_GROUP_ROWS 35
+#define CONSTANT_AMBIENT_TOO 36
 #define CONSTANT_SPECULAR_WAY 40
 #define CONSTANT_LIGHT_STORAGE 41
 #define CONSTANT_GBUFFER 42
@@ -91,6 +97,12 @@
 #define FEATURE_EMISSIVE_TEXTURE 16u
 #define FEATURE_ALPHA_MASK 32u
 #define FEATURE_UNLIT 64u
+
+// Kinds of lights that a frame may hold; shaders leave out what the others need.
+#define LIGHT_KIND_SPOT 1u
+#define LIGHT_KIND_DIRECTIONAL 2u
+#define LIGHT_KIND_SEED_FALLOFF 4u
+#define LIGHT_KINDS_ALL 7u
 
 #define NORMAL_OCT24 0
 #define NORMAL_OCT32 1

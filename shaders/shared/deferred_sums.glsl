@@ -2,9 +2,9 @@
 // what the geometry pass left in RT0.
 #ifndef PRELIGHT_DEFERRED_SUMS_GLSL
 #define PRELIGHT_DEFERRED_SUMS_GLSL
+#define ONE_TARGET
+#include "shared/light_target.glsl"
 #include "shared/lit_pixel.glsl"
-
-layout(location = 0) out vec4 out_light;
 
 struct LightSums {
     vec3 light;
@@ -13,15 +13,21 @@ struct LightSums {
 LightSums no_light() { return LightSums(vec3(0.0)); }
 
 // True when the light contributes.
-bool add_light(inout LightSums sums, LitPixel p, LightData light) {
-    LightTerms terms = terms_of(p, light);
-    float schlick = schlick_weight(dot(p.v, model == MODEL_FULL ? terms.h : p.n));
-    sums.light += p.takes_light ? reflected(terms, p.reflects, schlick) : vec3(0.0);
+bool add_light(inout LightSums sums, LitPixel p, Lamp lamp) {
+    LightTerms terms = light_terms(lamp, p.point);
+    float schlick = schlick_weight(model == MODEL_FULL ? terms.vh : p.point.nv);
+    sums.light += p.takes_light ? reflected(lamp, terms, p.reflects, schlick) : vec3(0.0);
     return terms.contributes;
 }
 
-void write_sums(LightSums sums) {
+void add_ambient(inout LightSums sums) {} // the geometry pass left it in RT0
+
+void write_sums(ivec2 pixel, LightSums sums) {
     vec3 stored = min(sums.light / frame.light_buffer.x, vec3(frame.ambient.w));
-    out_light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
+    vec4 light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
+#ifdef STORAGE_TARGET
+    light += texelFetch(target_before, pixel, 0);
+#endif
+    write_first(pixel, light);
 }
 #endif

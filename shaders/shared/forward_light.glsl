@@ -15,8 +15,8 @@ layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCount
 struct ForwardSurface {
     vec3 base;
     Reflectance reflectance;
-    float roughness, schlick_nv;
-    vec3 n, v;
+    LitPoint point;
+    float schlick_nv;
 };
 
 ForwardSurface forward_surface() {
@@ -24,17 +24,16 @@ ForwardSurface forward_surface() {
     s.base = base_colour().rgb;
     vec2 factors = metallic_roughness();
     s.reflectance = reflectance(s.base, factors.x);
-    s.roughness = max(factors.y, 0.089);
-    s.n = shading_normal();
-    s.v = to_viewer(in_world);
-    s.schlick_nv = schlick_weight(dot(s.n, s.v));
+    s.point = lit_point(true, in_world, shading_normal(), to_viewer(in_world), max(factors.y, 0.089));
+    s.schlick_nv = schlick_weight(s.point.nv);
     return s;
 }
 
 vec3 forward_light(ForwardSurface s, LightData light, out bool contributes) {
-    LightTerms terms = light_terms(light, true, in_world, s.n, s.v, s.roughness);
+    Lamp lamp = lamp_of(light);
+    LightTerms terms = light_terms(lamp, s.point);
     contributes = terms.contributes;
-    return reflected(terms, s.reflectance, model == MODEL_FULL ? schlick_weight(dot(s.v, terms.h)) : s.schlick_nv);
+    return reflected(lamp, terms, s.reflectance, model == MODEL_FULL ? schlick_weight(terms.vh) : s.schlick_nv);
 }
 
 void count_lights(uint evaluated, uint contributing) {

@@ -4,7 +4,8 @@
 #define PRELIGHT_LIGHT_BOUNDS_GLSL
 #include "shared/frame.glsl"
 
-layout(constant_id = CONSTANT_LIST_CONES) const bool has_cones = true;
+layout(constant_id = CONSTANT_LIGHT_KINDS) const uint light_kinds = LIGHT_KINDS_ALL;
+const bool has_cones = (light_kinds & LIGHT_KIND_SPOT) != 0u;
 
 // Points p with low <= p·w <= high, |p·u − middle.x| <= half_size.x + slope.x p·w, and the same for
 // v and y: a box (slopes 0), or a part of a pyramid whose apex is the origin.

@@ -4,16 +4,12 @@
 // luminance in alpha. Where several lights are written at once, they are summed here and rounded once.
 #ifndef PRELIGHT_LIGHT_BUFFER_SUMS_GLSL
 #define PRELIGHT_LIGHT_BUFFER_SUMS_GLSL
+#include "shared/light_target.glsl"
 #include "shared/lit_pixel.glsl"
 #include "shared/luv.glsl"
 
 layout(constant_id = CONSTANT_AMBIENT_AS_LIGHT) const bool ambient_as_light = false;
 layout(constant_id = CONSTANT_LIGHT_STORAGE) const int light_storage = STORAGE_FLOAT16;
-
-layout(location = 0) out vec4 out_diffuse;
-#ifndef ONE_TARGET
-layout(location = 1) out vec4 out_specular;
-#endif
 
 struct LightSums {
     vec4 diffuse, specular;
@@ -23,14 +19,15 @@ struct LightSums {
 LightSums no_light() { return LightSums(vec4(0.0), vec4(0.0), 0.0); }
 
 // True when the light contributes.
-bool add_light(inout LightSums sums, LitPixel p, LightData light) {
-    LightTerms terms = terms_of(p, light);
+bool add_light(inout LightSums sums, LitPixel p, Lamp lamp) {
+    LightTerms terms = light_terms(lamp, p.point);
     float grazing = 0.0;
     if (shading == SHADING_GGX && model == MODEL_WEIGHTED)
-        grazing = schlick_weight(dot(p.v, terms.h));
-    sums.diffuse += vec4(terms.diffuse, luminance(terms.diffuse) * grazing);
-    sums.specular += vec4(terms.specular, luminance(terms.specular) * grazing);
-    sums.fifth += luminance(terms.diffuse);
+        grazing = schlick_weight(terms.vh);
+    vec4 light = vec4(lamp.colour, lamp.luminance * grazing);
+    sums.diffuse += light * terms.diffuse;
+    sums.specular += light * terms.specular;
+    sums.fifth += lamp.luminance * terms.diffuse;
     return terms.contributes;
 }
 
@@ -59,7 +56,7 @@ vec4 stored(vec4 value) {
     return limited;
 }
 
-void write_sums(LightSums sums) {
+void write_sums(ivec2 pixel, LightSums sums) {
     float scale = 1.0 / frame.light_buffer.x;
     float channel4 = luminance(sums.specular.rgb) * scale;
 #ifdef ONE_TARGET
@@ -70,15 +67,15 @@ void write_sums(LightSums sums) {
     // Chromaticity comes from the sum: that is the mean of the lights' own, weighted by energy.
     if (specular_way == SPECULAR_LUV)
         diffuse = vec3(luv_encode(diffuse), luminance(diffuse));
-    out_diffuse = stored(vec4(diffuse, channel4));
+    write_first(pixel, stored(vec4(diffuse, channel4)));
 #else
     if (specular_way == SPECULAR_FIFTH_CHANNEL) {
-        out_diffuse = stored(vec4(sums.diffuse.rgb * scale, channel4));
-        out_specular = stored(vec4(sums.fifth * scale, 0.0, 0.0, 0.0));
+        write_first(pixel, stored(vec4(sums.diffuse.rgb * scale, channel4)));
+        write_second(pixel, stored(vec4(sums.fifth * scale, 0.0, 0.0, 0.0)));
         return;
     }
-    out_diffuse = stored(sums.diffuse * scale);
-    out_specular = stored(sums.specular * scale);
+    write_first(pixel, stored(sums.diffuse * scale));
+    write_second(pixel, stored(sums.specular * scale));
 #endif
 }
 #endif

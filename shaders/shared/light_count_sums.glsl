@@ -2,9 +2,9 @@
 // --view light-count.
 #ifndef PRELIGHT_LIGHT_COUNT_SUMS_GLSL
 #define PRELIGHT_LIGHT_COUNT_SUMS_GLSL
+#define ONE_TARGET
+#include "shared/light_target.glsl"
 #include "shared/lit_pixel.glsl"
-
-layout(location = 0) out vec4 out_counts;
 
 struct LightSums {
     float evaluated, contributing;
@@ -12,8 +12,8 @@ struct LightSums {
 
 LightSums no_light() { return LightSums(0.0, 0.0); }
 
-bool add_light(inout LightSums sums, LitPixel p, LightData light) {
-    bool contributes = terms_of(p, light).contributes;
+bool add_light(inout LightSums sums, LitPixel p, Lamp lamp) {
+    bool contributes = light_terms(lamp, p.point).contributes;
     sums.evaluated += 1.0;
     sums.contributing += contributes ? 1.0 : 0.0;
     return contributes;
@@ -21,5 +21,7 @@ bool add_light(inout LightSums sums, LitPixel p, LightData light) {
 
 void add_ambient(inout LightSums sums) {} // is no light × pixel pair
 
-void write_sums(LightSums sums) { out_counts = vec4(sums.evaluated, sums.contributing, 0.0, 0.0); }
+void write_sums(ivec2 pixel, LightSums sums) {
+    write_first(pixel, vec4(sums.evaluated, sums.contributing, 0.0, 0.0));
+}
 #endif

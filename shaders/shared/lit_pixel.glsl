@@ -16,9 +16,7 @@ layout(set = SET_INPUTS, binding = INPUT_ALBEDO) uniform texture2D albedo_buffer
 #endif
 
 struct LitPixel {
-    bool surface;     // something is there to be lit
-    vec3 world, n, v; // camera-relative world space; n and v are unit vectors
-    float roughness;  // at least 0.089
+    LitPoint point;
 #ifdef DEFERRED_TARGET
     bool takes_light; // not unlit
     Reflectance reflects;
@@ -27,19 +25,14 @@ struct LitPixel {
 
 LitPixel read_pixel(ivec2 pixel) {
     LitPixel p;
-    p.surface = read_position(pixel, p.world);
-    p.n = read_normal(pixel);
-    p.v = to_viewer(p.world);
-    p.roughness = max(read_roughness(pixel), 0.089);
+    vec3 world;
+    bool surface = read_position(pixel, world);
+    p.point = lit_point(surface, world, read_normal(pixel), to_viewer(world), max(read_roughness(pixel), 0.089));
 #ifdef DEFERRED_TARGET
     p.takes_light = stored_reflectance(texelFetch(material_buffer, pixel, 0), texelFetch(albedo_buffer, pixel, 0),
                                        p.reflects);
 #endif
     return p;
-}
-
-LightTerms terms_of(LitPixel p, LightData light) {
-    return light_terms(light, p.surface, p.world, p.n, p.v, p.roughness);
 }
 
 void count_lights(ivec2 pixel, uint evaluated, uint contributing) {

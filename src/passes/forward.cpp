@@ -24,7 +24,7 @@ SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
-                           {CONSTANT_SEED_FALLOFF, frame.seed_falloff()},
+                           {CONSTANT_LIGHT_KINDS, frame.light_kinds()},
                            {CONSTANT_FORWARD_BASE, kind == StepKind::base_and_lights}});
     desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;
     desc.push_bytes = sizeof(shared::ForwardBatch);

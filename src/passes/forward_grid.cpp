@@ -16,7 +16,7 @@ void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
-                           {CONSTANT_SEED_FALLOFF, frame.seed_falloff()}});
+                           {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
     graph::Pass& pass = graph.pass(inputs.name);
     pass.colour(inputs.colour, inputs.load)
         .depth_test(inputs.depth)

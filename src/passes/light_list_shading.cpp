@@ -1,5 +1,6 @@
 #include "light_list_shading.hpp"
 #include "light_draws.hpp"
+#include "light_list_compute.hpp"
 #include "light_lists.hpp"
 #include <shared/bindings.h>
 
@@ -47,6 +48,8 @@ void light_list_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
                            .tile_size = inputs.tile_size,
                            .sliced = frame.culling() == resident::LightCulling::clusters,
                            .first_room = inputs.list_room});
+    if (takes_compute(graph, frame, inputs))
+        return light_list_compute_pass(graph, frame, name, inputs, lists);
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
     declare_light_lists(pass, lists);

@@ -116,7 +116,7 @@ public:
             constants_ = inputs.surface->format.constants();
         constants_.insert(constants_.end(), {{CONSTANT_LIST_TILE_SIZE, inputs.tile_size},
                                              {CONSTANT_LIST_SLICED, inputs.sliced},
-                                             {CONSTANT_LIST_CONES, frame.has_spots()}});
+                                             {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
     }
 
     LightLists build() {

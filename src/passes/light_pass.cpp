@@ -48,6 +48,17 @@ SettingInfo tile_size_setting() {
     return {"tile-size", {"8", "16", "32"}, "8", "pixels of a tile's side (light-culling=tiles, clusters)"};
 }
 
+SettingInfo list_shading_setting() {
+    return {"list-shading", {"auto", "fragment", "compute"}, "auto",
+            "tiles: walk lists in a full-screen draw, or in a compute pass; auto: compute on software devices"};
+}
+
+ListShading list_shading(const std::string& value) {
+    return value == "fragment"  ? ListShading::fragment
+           : value == "compute" ? ListShading::compute
+                                : ListShading::automatic;
+}
+
 std::vector<SettingInfo> volume_settings() {
     return {{"spot-volume", {"cone", "box"}, "cone", "volumes, stencil: shape around a spot of less than 80°"},
             {"volume-depth-test", {"on", "off"}, "on", "volumes: off leaves only the cull mode by camera position"},

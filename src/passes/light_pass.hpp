@@ -16,6 +16,9 @@ graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame&
 /// The setting `light-culling` of every architecture with light passes.
 SettingInfo light_culling_setting();
 SettingInfo tile_size_setting();
+/// Of light lists: who walks them.
+SettingInfo list_shading_setting();
+ListShading list_shading(const std::string& value);
 resident::LightCulling light_culling(const std::string& value);
 
 /// The settings of rectangles, volumes and stencil, and what they say: keys and values of every one.

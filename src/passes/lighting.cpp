@@ -62,6 +62,10 @@ LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& f
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
     for (const graph::ImageId image : inputs.target.images)
         pass.colour(image, inputs.target.load);
+    declare_lit_surface(graph, pass, inputs);
+}
+
+void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
     pass.sample(INPUT_DEPTH, inputs.surface.depth_source)
         .sample(INPUT_NORMAL, inputs.surface.normal)
         .sample(INPUT_ROUGHNESS, inputs.surface.roughness)
@@ -70,15 +74,20 @@ void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const Lightin
         pass.sample(INPUT_MATERIAL, inputs.material).sample(INPUT_ALBEDO, inputs.albedo);
 }
 
+gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs) {
+    gpu::Constants constants = inputs.surface.format.constants();
+    for (const gpu::Constants& more : {inputs.model.constants(), inputs.target.constants})
+        constants.insert(constants.end(), more.begin(), more.end());
+    constants.insert(constants.end(), {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
+                                       {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
+    return constants;
+}
+
 gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const graph::PassInterface& interface,
                                             const LightingInputs& inputs, const std::string& shader) {
     gpu::GraphicsPipelineDesc desc;
     desc.fragment = shader + inputs.target.variant + ".frag";
-    desc.constants = inputs.surface.format.constants();
-    for (const gpu::Constants& more : {inputs.model.constants(), inputs.target.constants})
-        desc.constants.insert(desc.constants.end(), more.begin(), more.end());
-    desc.constants.insert(desc.constants.end(), {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
-                                                 {CONSTANT_SEED_FALLOFF, frame.seed_falloff()}});
+    desc.constants = lighting_constants(frame, inputs);
     desc.colour_formats = interface.colour_formats;
     desc.depth_format = interface.depth_format;
     desc.stencil_format = interface.stencil_format;

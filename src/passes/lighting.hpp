@@ -13,6 +13,10 @@ struct LightTarget {
     gpu::Constants constants;           ///< of the variant
 };
 
+/// How light lists are walked: by a full-screen draw, or by a compute pass whose subgroups share what they
+/// load (tiles only). Automatic: compute on software devices, which load slowly.
+enum class ListShading { automatic, fragment, compute };
+
 /// What every light pass gets, however it finds its pixels: [V1] … [V7].
 struct LightingInputs {
     SurfaceBuffers surface;
@@ -22,6 +26,7 @@ struct LightingInputs {
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound
     bool count_pairs = false;
     uint32_t tile_size = 8;     ///< light lists: pixels of a tile's side, 8, 16 or 32
+    ListShading list_shading = ListShading::automatic;
     uint64_t list_room = 0;     ///< light lists: LightListInputs::first_room
     bool write_once = false; ///< all of a pixel's lights in one loop, instead of blended one by one
 };
@@ -39,6 +44,10 @@ LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& f
 
 /// The inputs as the pass's attachments and bindings.
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
+/// The same without the target's images.
+void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
+/// Specialisation constants of every shader that evaluates lights.
+gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs);
 /// A pipeline with `shader`'s variant for the target, drawn over the pass's attachments; the caller
 /// adds vertex shader, depth test and blending.
 gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const graph::PassInterface& interface,

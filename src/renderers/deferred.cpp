@@ -49,7 +49,8 @@ private:
                                         .target = gbuffer.light_target(),
                                         .pair_counters = &pair_counters(),
                                         .count_pairs = options().count_pairs,
-                                        .tile_size = static_cast<uint32_t>(settings().number("tile-size"))};
+                                        .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
+                                        .list_shading = passes::list_shading(settings().get("list-shading"))};
         passes::light_pass(graph, frame, "light", lighting);
         const auto linear = passes::light_resolve_pass(graph, frame, gbuffer);
         const auto final = passes::tonemap_pass(graph, frame, linear, options().tonemap);
@@ -88,6 +89,7 @@ RendererInfo deferred_info() {
                      {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
                      passes::light_culling_setting(),
                      passes::tile_size_setting(),
+                 passes::list_shading_setting(),
                      {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                      {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
                      {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",

@@ -50,6 +50,7 @@ private:
                                         .pair_counters = &pair_counters(),
                                         .count_pairs = options().count_pairs,
                                         .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
+                                        .list_shading = passes::list_shading(settings().get("list-shading")),
                                         .write_once = settings().is("light-writes", "once")};
         passes::light_pass(graph, frame, "light", lighting);
         const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_};
@@ -104,6 +105,7 @@ RendererInfo light_prepass_info() {
                  {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
                  passes::light_culling_setting(),
                  passes::tile_size_setting(),
+                 passes::list_shading_setting(),
                  {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                   "bilinear: level 0 only, for comparing with the reference"}},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",

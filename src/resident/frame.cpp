@@ -55,13 +55,14 @@ void Frame::make_light_buffers(size_t lights) {
 }
 
 bool Frame::set_lights(std::span<const PlacedLight> lights) {
-    const bool falloff = seed_falloff(), spots = has_spots(), fits = lights.size() <= capacity_;
+    const uint32_t known = light_kinds();
+    const bool fits = lights.size() <= capacity_;
     if (!fits) { // with some room, so that adding one at a time is cheap
         const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
         make_light_buffers(std::max(lights.size(), std::min(capacity_ + capacity_ / 4 + 16, most)));
     }
     placed_.assign(lights.begin(), lights.end());
-    return fits && (falloff || !seed_falloff()) && (spots || !has_spots());
+    return fits && (light_kinds() & ~known) == 0;
 }
 
 void Frame::update(const PlacedCamera& camera) {
@@ -89,14 +90,15 @@ void Frame::update(const PlacedCamera& camera) {
     reach_ = find_reach(geometry_.draws, placed_, groups_.order, settings_.object_lights);
 }
 
-bool Frame::seed_falloff() const {
-    return std::any_of(placed_.begin(), placed_.end(),
-                       [](const PlacedLight& l) { return l.light.falloff != Falloff::gltf; });
-}
-
-bool Frame::has_spots() const {
-    return std::any_of(placed_.begin(), placed_.end(),
-                       [](const PlacedLight& l) { return l.light.kind == LightKind::spot; });
+uint32_t Frame::light_kinds() const {
+    uint32_t kinds = 0;
+    for (const PlacedLight& placed : placed_) {
+        const Light& light = placed.light;
+        kinds |= light.kind == LightKind::spot ? LIGHT_KIND_SPOT : 0;
+        kinds |= light.kind == LightKind::directional ? LIGHT_KIND_DIRECTIONAL : 0;
+        kinds |= light.falloff != Falloff::gltf ? LIGHT_KIND_SEED_FALLOFF : 0;
+    }
+    return kinds;
 }
 
 } // namespace prelight::resident

@@ -47,9 +47,8 @@ public:
     VkDescriptorSet set() const { return sets_[0]; }
     /// The most lights that set_lights() takes without anything being built anew.
     size_t light_capacity() const { return capacity_; }
-    /// Some light has a falloff of the source texts' own.
-    bool seed_falloff() const;
-    bool has_spots() const;
+    /// LIGHT_KIND_… bits of the lights there are: shaders leave out what only the others need.
+    uint32_t light_kinds() const;
 
 private:
     /// Buffers for `lights` lights, and set 0 over all buffers.

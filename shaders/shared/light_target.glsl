@@ -1,0 +1,25 @@
+// Where a light pass puts a pixel's sums: colour attachments, or storage images of a compute pass.
+#ifndef PRELIGHT_LIGHT_TARGET_GLSL
+#define PRELIGHT_LIGHT_TARGET_GLSL
+#include "shared/bindings.h"
+#extension GL_EXT_samplerless_texture_functions : require
+
+#ifdef STORAGE_TARGET
+layout(set = SET_INPUTS, binding = INPUT_LIGHT_TARGET) uniform writeonly image2D first_target;
+void write_first(ivec2 pixel, vec4 value) { imageStore(first_target, pixel, value); }
+#ifndef ONE_TARGET
+layout(set = SET_INPUTS, binding = INPUT_SECOND_LIGHT_TARGET) uniform writeonly image2D second_target;
+void write_second(ivec2 pixel, vec4 value) { imageStore(second_target, pixel, value); }
+#endif
+#ifdef DEFERRED_TARGET  // what the target held; draws blend instead
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform texture2D target_before;
+#endif
+#else
+layout(location = 0) out vec4 out_first;
+void write_first(ivec2 pixel, vec4 value) { out_first = value; }
+#ifndef ONE_TARGET
+layout(location = 1) out vec4 out_second;
+void write_second(ivec2 pixel, vec4 value) { out_second = value; }
+#endif
+#endif
+#endif

@@ -1,0 +1,82 @@
+#include "light_list_compute.hpp"
+#include "light_draws.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <gpu/compute_pipeline.hpp>
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+namespace {
+
+constexpr uint32_t block = 8; ///< side of a workgroup's pixels; light_list.comp
+
+/// Why compute cannot be had; empty: it can.
+std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
+    const gpu::Context& context = frame.context();
+    if (frame.culling() != resident::LightCulling::tiles)
+        return "is for light-culling=tiles";
+    if (context.features().shuffle_lanes == 0 || context.features().shuffle_lanes > block * block)
+        return fmt::format("needs subgroup shuffles, which {} has not", context.name());
+    if (!context.features().store_without_format)
+        return fmt::format("needs storage images without format, which {} has not", context.name());
+    for (const graph::ImageId image : inputs.target.images)
+        if (!context.supports(graph.desc(image).format, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT))
+            return fmt::format("needs storage images of {}, which {} has not",
+                               graph::format_name(graph.desc(image).format), context.name());
+    return {};
+}
+
+/// Rows of pixels of an invocation: as many as leave a subgroup full.
+uint32_t rows_of(uint32_t lanes) { return std::clamp(block * block / std::max(lanes, 1u), 1u, block); }
+
+} // namespace
+
+bool takes_compute(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
+    if (inputs.list_shading == ListShading::fragment)
+        return false;
+    const std::string why_not = obstacle(graph, frame, inputs);
+    if (inputs.list_shading == ListShading::automatic)
+        return why_not.empty() && frame.context().is_software();
+    if (!why_not.empty())
+        graph.note(fmt::format("list-shading=compute: {}, fragment is taken", why_not));
+    return why_not.empty();
+}
+
+void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                             const LightingInputs& inputs, const LightLists& lists) {
+    graph::Pass& pass = graph.pass(name);
+    declare_lit_surface(graph, pass, inputs);
+    declare_light_lists(pass, lists);
+    const std::vector<graph::ImageId>& images = inputs.target.images;
+    pass.store(INPUT_LIGHT_TARGET, images[0]);
+    if (images.size() > 1)
+        pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
+    if (inputs.target.load == graph::Load::keep)
+        pass.sample(INPUT_COLOUR_BEFORE, images[0]);
+
+    const uint32_t rows = rows_of(frame.context().features().shuffle_lanes);
+    auto pipeline = std::make_shared<gpu::ComputePipeline>();
+    pass.prepare([=, &frame](const graph::PassInterface& interface) {
+        gpu::Constants constants = lighting_constants(frame, inputs);
+        const gpu::Constants own = light_list_constants(lists);
+        constants.insert(constants.end(), own.begin(), own.end());
+        constants.insert(constants.end(), {{CONSTANT_LIST_ROWS, rows},
+                                           {CONSTANT_LIST_GROUP_ROWS, block / rows},
+                                           {CONSTANT_AMBIENT_TOO, AmbientDraw::needed(inputs)}});
+        *pipeline = gpu::ComputePipeline(frame.context(), {.name = "light lists",
+                                                           .shader = "light_list" + inputs.target.variant + ".comp",
+                                                           .constants = constants,
+                                                           .sets = {frame.layout(), interface.inputs},
+                                                           .push_bytes = sizeof(shared::LightListConstants)});
+    });
+    pass.record([=, &frame](const graph::PassContext& context) {
+        pipeline->bind(context.commands);
+        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
+        pipeline->push(context.commands, std::as_bytes(std::span(lists.constants.get(), 1)));
+        const VkExtent2D size = frame.extent();
+        vkCmdDispatch(context.commands, (size.width + block - 1) / block, (size.height + block - 1) / block, 1);
+    });
+}
+
+} // namespace prelight::passes
