@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The nearest and the farthest surface of each tile [V6].
+// The nearest and the farthest surface of each tile, and the depths that its surfaces have [V6].
 #include "shared/light_cells.glsl"
 
 layout(local_size_x = LIST_GROUP) in;
@@ -10,16 +10,17 @@ void main() {
     if (any(greaterThanEqual(at, lists.cells.xyz)))
         return;
     at = min(at, lists.cells.xyz - 1u);
-    ivec2 low = ivec2(at.xy) * tile_size;
-    ivec2 high = min(low + tile_size, ivec2(frame.size.xy));
+    ivec2 low = ivec2(at.xy) * tile_size, last = ivec2(frame.size.xy) - 1;
     float least = 3e38, most = 0.0; // stored depth
-    for (int y = low.y; y < high.y; ++y)
-        for (int x = low.x; x < high.x; ++x) {
-            float stored = read_depth(ivec2(x, y));
+    uint depths = 0u;
+    for (int y = 0; y < tile_size; ++y)
+        for (int x = 0; x < tile_size; ++x) {
+            float stored = read_depth(min(low + ivec2(x, y), last));
             least = min(least, stored > 0.0 ? stored : 3e38);
             most = max(most, stored);
+            depths |= stored > 0.0 ? depth_bit(stored) : 0u;
         }
-    LightCell cell = LightCell(1.0, 0.0, 0u, 0u, 0u);
+    LightCell cell = LightCell(1.0, 0.0, depths, 0u, 0u, 0u);
     if (most > 0.0) {
         cell.nearest = linear_depth ? least : view_depth(most);
         cell.farthest = linear_depth ? most : view_depth(least);

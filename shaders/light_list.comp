@@ -1,12 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_shuffle : require
 // All lights of a tile [V6], summed and written once, for devices that read buffers slowly: each invocation
 // of a subgroup loads another light of the list, then all of them take each in turn from their
 // neighbours. A workgroup is an 8 × 8 block of one tile, an invocation `rows` of its pixels.
 #define STORAGE_TARGET
 #include "shared/light_sums.glsl"
 #include "shared/light_lists.glsl"
+#include "shared/light_share.glsl"
 
 layout(constant_id = CONSTANT_LIST_TILE_SIZE) const int tile_size = 16;
 layout(constant_id = CONSTANT_LIST_ROWS) const int rows = 8;
@@ -14,19 +14,9 @@ layout(constant_id = CONSTANT_AMBIENT_TOO) const bool ambient_too = false;
 layout(local_size_x = 8, local_size_y_id = CONSTANT_LIST_GROUP_ROWS) in; // times `rows`: 8
 
 Lamp shuffled(Lamp mine, uint lane) {
-    Lamp lamp;
-    lamp.position = vec4(subgroupShuffle(mine.position.x, lane), subgroupShuffle(mine.position.y, lane),
-                         subgroupShuffle(mine.position.z, lane), subgroupShuffle(mine.position.w, lane));
-    lamp.colour = vec3(subgroupShuffle(mine.colour.r, lane), subgroupShuffle(mine.colour.g, lane),
-                       subgroupShuffle(mine.colour.b, lane));
-    lamp.luminance = subgroupShuffle(mine.luminance, lane);
-    lamp.inverse_range2 = subgroupShuffle(mine.inverse_range2, lane);
-    lamp.axis = vec3(subgroupShuffle(mine.axis.x, lane), subgroupShuffle(mine.axis.y, lane),
-                     subgroupShuffle(mine.axis.z, lane));
-    lamp.cone = vec2(subgroupShuffle(mine.cone.x, lane), subgroupShuffle(mine.cone.y, lane));
-    lamp.shininess = subgroupShuffle(mine.shininess, lane);
-    lamp.falloff = subgroupShuffle(mine.falloff, lane);
-    return lamp;
+    return Lamp(shuffled(mine.position, lane), shuffled(mine.colour, lane), subgroupShuffle(mine.luminance, lane),
+                subgroupShuffle(mine.inverse_range2, lane), shuffled(mine.axis, lane), shuffled(mine.cone, lane),
+                subgroupShuffle(mine.shininess, lane), subgroupShuffle(mine.falloff, lane));
 }
 
 void main() {

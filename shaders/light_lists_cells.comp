@@ -1,34 +1,41 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The lights of each cell, out of those of its coarse cell, in the order of light_order: counted, or
-// written where light_lists_offsets.comp has made room. One invocation a cell, whose neighbours in
-// the workgroup walk the same lights.
+// written where light_lists_offsets.comp has made room. One invocation a cell; all invocations of a workgroup
+// walk the same lights, so that each loads another one and hands it to its neighbours.
 #include "shared/light_cells.glsl"
+#include "shared/light_share.glsl"
+#extension GL_KHR_shader_subgroup_vote : require
 
 layout(constant_id = CONSTANT_LIST_FILL) const bool fill = false;
 
 layout(local_size_x = LIST_GROUP) in;
 
-// Number of lights in the piece; writes them from `to` on.
-uint visit(uint coarse, Piece piece, uint to) {
+LightBounds shuffled(LightBounds mine, uint lane) {
+    LightBounds bounds;
+    bounds.centre = shuffled(mine.centre, lane);
+    bounds.radius = subgroupShuffle(mine.radius, lane);
+    bounds.axis = shuffled(mine.axis, lane);
+    bounds.cone = shuffled(mine.cone, lane);
+    return bounds;
+}
+
+// Number of lights in the piece; writes them from `to` on. Without `wanted` none, but the invocation must come.
+uint visit(LightCell coarse, bool wanted, LightCell cell, Piece piece, uint to) {
     uint count = 0u;
-    uint start = mask_start(coarse);
-    uint summary = summary_words(), last_word = max(light_words(), 1u) - 1u, last = max(lists.lights.y, 1u) - 1u;
-    for (uint s = 0u; s < summary; ++s) {
-        uint words = light_masks[start + s];
-        while (words != 0u) {
-            uint word = min(s * 32u + uint(findLSB(words)), last_word);
-            words &= words - 1u;
-            uint bits = light_masks[start + summary + word];
-            while (bits != 0u) {
-                uint index = min(word * 32u + uint(findLSB(bits)), last);
-                bits &= bits - 1u;
-                uint light = light_entries[lists.lights.x + index];
-                if (touches(piece, bounds_of(lights[light]))) {
-                    if (fill)
-                        light_entries[to + count] = light;
-                    ++count;
-                }
+    for (uint begin = 0u; begin < coarse.count; begin += gl_SubgroupSize) {
+        uint own = light_entries[coarse.first + min(begin + gl_SubgroupInvocationID, coarse.count - 1u)];
+        LightBounds own_bounds = bounds_of(lights[own]);
+        uint own_depths = depths_of(own_bounds);
+        uint some = min(gl_SubgroupSize, coarse.count - begin);
+        for (uint lane = 0u; lane < some; ++lane) {
+            uint light = subgroupShuffle(own, lane);
+            bool hit = wanted && holds_depths(cell, subgroupShuffle(own_depths, lane)) &&
+                       touches(piece, shuffled(own_bounds, lane));
+            if (hit) {
+                if (fill)
+                    light_entries[to + count] = light;
+                ++count;
             }
         }
     }
@@ -37,23 +44,26 @@ uint visit(uint coarse, Piece piece, uint to) {
 
 void main() {
     uvec3 at = cell_at(gl_WorkGroupID, gl_LocalInvocationIndex);
-    if (any(greaterThanEqual(at, lists.cells.xyz)))
-        return;
+    bool inside = all(lessThan(at, lists.cells.xyz));
     at = min(at, lists.cells.xyz - 1u);
-    uint coarse = index_in(gl_WorkGroupID, lists.coarse.xyz);
+    LightCell coarse = coarse_cells[index_in(gl_WorkGroupID, lists.coarse.xyz)];
     uint index = index_in(at, lists.cells.xyz);
     LightCell cell = light_cells[index];
     uint slices = fill ? cell.slices : slices_in_use(at, cell);
+    if (!inside)
+        slices = 0u;
     uint used = sliced ? uint(bitCount(slices)) : 0u; // places for the ends of lists
     uint count = used, end = 0u;
-    for (uint left = slices; left != 0u; left &= left - 1u) {
+    uint left = slices;
+    do {
         Piece piece = cell_piece(at, cell, min(uint(findLSB(left)), LIST_SLICES - 1u));
-        count += visit(coarse, piece, cell.first + count);
-        if (fill && sliced)
+        count += visit(coarse, left != 0u, cell, piece, cell.first + count);
+        if (fill && sliced && left != 0u)
             light_entries[cell.first + end] = count;
         ++end;
-    }
-    if (!fill) {
+        left &= left - 1u;
+    } while (sliced && subgroupAny(left != 0u));
+    if (!fill && inside) {
         light_cells[index].slices = slices;
         light_cells[index].count = count;
     }

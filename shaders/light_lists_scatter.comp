@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Each light marks the coarse cells that it may reach. Marks are bits, so the order in which invocations
-// set them does not matter.
+// Each light marks the coarse cells that it may reach, and is counted there. Marks are bits, so the order in which
+// invocations set them does not matter.
 #include "shared/light_cells.glsl"
 
 layout(local_size_x = LIST_GROUP) in;
@@ -18,6 +18,7 @@ void main() {
         return;
     uint bit = index - min(index, lists.lights.x);
     LightBounds light = bounds_of(lights[light_index]);
+    uint depths = depths_of(light);
     ivec3 low, high;
     light_extent(light, low, high);
     for (int z = low.z; z <= high.z; ++z)
@@ -25,11 +26,12 @@ void main() {
             for (int x = low.x; x <= high.x; ++x) {
                 uvec3 at = uvec3(x, y, z);
                 uint coarse = index_in(at, lists.coarse.xyz);
-                CoarseCell cell = coarse_cells[coarse];
-                if (is_empty(cell) || !touches(coarse_piece(at, cell), light))
+                LightCell cell = coarse_cells[coarse];
+                if (!holds_depths(cell, depths) || !touches(coarse_piece(at, cell), light))
                     continue;
                 uint start = mask_start(coarse);
                 atomicOr(light_masks[start + bit / 1024u], 1u << (bit / 32u & 31u));
                 atomicOr(light_masks[start + summary_words() + bit / 32u], 1u << (bit & 31u));
+                atomicAdd(coarse_cells[coarse].count, 1u);
             }
 }

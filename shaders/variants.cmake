@@ -19,6 +19,7 @@ set(PRELIGHT_SHADER_VARIANTS
     # Cells in the world instead of on the screen: no depth buffer is bound.
     "light_lists_coarse+grid.comp|light_lists_coarse.comp|-DGRID_CELLS"
     "light_lists_scatter+grid.comp|light_lists_scatter.comp|-DGRID_CELLS"
+    "light_lists_candidates+grid.comp|light_lists_candidates.comp|-DGRID_CELLS"
     "light_lists_cells+grid.comp|light_lists_cells.comp|-DGRID_CELLS"
     "light_loop+packed.frag|light_loop.frag|-DONE_TARGET"
     "light_loop+count.frag|light_loop.frag|-DCOUNT_TARGET")

@@ -14,7 +14,7 @@ layout(push_constant) uniform ListBlock { LightListConstants lists; };
 
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_CELLS, std430) buffer CellBlock { LightCell light_cells[]; };
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_ENTRIES, std430) buffer EntryBlock { uint light_entries[]; };
-layout(set = SET_INPUTS, binding = INPUT_COARSE_CELLS, std430) buffer CoarseBlock { CoarseCell coarse_cells[]; };
+layout(set = SET_INPUTS, binding = INPUT_COARSE_CELLS, std430) buffer CoarseBlock { LightCell coarse_cells[]; };
 // For each coarse cell a bit for each light that may reach it: words of 32 lights, after words of 32
 // bits that say which of those words are not 0.
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_MASKS, std430) buffer MaskBlock { uint light_masks[]; };

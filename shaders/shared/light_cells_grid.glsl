@@ -29,12 +29,13 @@ void light_extent(LightBounds light, out ivec3 low, out ivec3 high) {
     high = ivec3(clamp(floor((centre + light.radius) / size + 0.01), vec3(-1.0), most - 1.0));
 }
 
-Piece coarse_piece(uvec3 at, CoarseCell cell) {
+Piece coarse_piece(uvec3 at, LightCell cell) {
     vec3 size = lists.grid_cell.xyz * float(LIST_COARSE_CELLS);
     return grid_piece(lists.grid_origin.xyz + vec3(at) * size, size);
 }
 
-bool is_empty(CoarseCell cell) { return false; }
+uint depths_of(LightBounds light) { return 0u; }
+bool holds_depths(LightCell cell, uint depths) { return true; }
 
 // The cell of an invocation; a workgroup is a coarse cell.
 uvec3 cell_at(uvec3 group, uint invocation) {

@@ -2,6 +2,7 @@
 // A coarse cell is 8 × 8 tiles.
 #ifndef PRELIGHT_LIGHT_CELLS_SCREEN_GLSL
 #define PRELIGHT_LIGHT_CELLS_SCREEN_GLSL
+#include "shared/depth_bits.glsl"
 #include "shared/gbuffer.glsl"
 #include "shared/light_bounds.glsl"
 #include "shared/light_lists.h"
@@ -80,12 +81,22 @@ void light_extent(LightBounds light, out ivec3 low, out ivec3 high) {
     high = ivec3(clamp(floor((to + 1.0) * coarse + 0.01), vec2(-1.0), most - 1.0), 0);
 }
 
-Piece coarse_piece(uvec3 at, CoarseCell cell) {
+Piece coarse_piece(uvec3 at, LightCell cell) {
     vec2 low = vec2(at.xy) * float(LIST_COARSE_TILES * tile_size);
     return screen_piece(low, low + float(LIST_COARSE_TILES * tile_size), cell.nearest, cell.farthest);
 }
 
-bool is_empty(CoarseCell cell) { return cell.nearest > cell.farthest; }
+// The stored depths within the light's reach, as depth_bits().
+uint depths_of(LightBounds light) {
+    float z = dot(light.centre, frame.forward.xyz);
+    float near = z - light.radius, far = z + light.radius;
+    if (linear_depth)
+        return depth_bits(near, far);
+    // Nearer than the near plane (1) nothing is stored; an orthographic camera's depth may lie beyond the far one.
+    bool before = frame.forward.w < 0.5 || near > 0.0;
+    return depth_bits(before ? min(device_depth(near), 1.0) : 1.0, far > 0.0 || frame.forward.w < 0.5 ? device_depth(far) : 1.0);
+}
+bool holds_depths(LightCell cell, uint depths) { return (cell.depths & depths) != 0u; }
 
 // The cell of an invocation; a workgroup is a coarse cell.
 uvec3 cell_at(uvec3 group, uint invocation) {

@@ -20,16 +20,13 @@ struct LightListConstants {
     vec4 grid_cell;     // xyz: a cell's size, metres
 };
 
-// A tile or a cell of the grid, and where its lists lie in the entries. Sliced: the entries at `first`
-// begin with one end (exclusive) for each slice in use, then the lists follow.
+// A tile, a cell of the grid or a coarse cell, and where its lists lie in the entries. Sliced: the entries at
+// `first` begin with one end (exclusive) for each slice in use, then the lists follow.
 struct LightCell {
     float nearest, farthest;  // view depth of its surfaces; nearest > farthest: there are none
+    uint depths;              // screen: a bit for each depth_bit() of its surfaces
     uint slices;              // slices in use; 0: nothing, or its lists did not fit and `first` is all lights
     uint first, count;
-};
-
-struct CoarseCell {
-    float nearest, farthest;
 };
 
 SHARED_END

@@ -31,7 +31,7 @@ public:
                 uint64_t first_room)
         : frame_(frame), grid_(grid), guesses_(first_room == 0), constants_(std::make_shared<LightListConstants>(layout)),
           cells(make_storage(frame, "light cells", uint64_t(layout.cells.w) * sizeof(shared::LightCell))),
-          coarse(make_storage(frame, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::CoarseCell))),
+          coarse(make_storage(frame, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::LightCell))),
           masks(make_storage(frame, "light masks", uint64_t(layout.coarse.w) * layout.lights.w * sizeof(uint32_t))),
           slices(make_storage(frame, "depth slices", (LIST_SLICES + 1) * sizeof(float))),
           total(make_storage(frame, "light list total", sizeof(uint32_t), gpu::BufferPlace::readback)) {
@@ -125,8 +125,6 @@ public:
         const auto each_light = [](const LightListConstants& c) {
             return VkExtent3D{groups_of(c.lights.x + c.lights.y, LIST_GROUP), 1, 1};
         };
-        const auto once = [](const LightListConstants&) { return VkExtent3D{1, 1, 1}; };
-
         const std::string kind = inputs_.surface ? ".comp" : "+grid.comp";
         if (inputs_.surface) {
             graph::Pass& range = add("depth-range", "depth_range.comp", whole);
@@ -145,8 +143,14 @@ public:
                 .storage(INPUT_DEPTH_SLICES, slices_, true);
 
         add(name_ + "-lists scatter", "light_lists_scatter" + kind, each_light)
-            .storage(INPUT_COARSE_CELLS, coarse_, false)
+            .storage(INPUT_COARSE_CELLS, coarse_, true)
             .storage(INPUT_LIGHT_MASKS, masks_, true)
+            .storage(INPUT_LIGHT_ENTRIES, entries_, true);
+
+        add_offsets("-lists coarse offsets", coarse_, true);
+        add(name_ + "-lists candidates", "light_lists_candidates" + kind, each_coarse)
+            .storage(INPUT_COARSE_CELLS, coarse_, false)
+            .storage(INPUT_LIGHT_MASKS, masks_, false)
             .storage(INPUT_LIGHT_ENTRIES, entries_, true);
 
         for (const bool fill : {false, true}) {
@@ -154,15 +158,13 @@ public:
                                      whole, {{CONSTANT_LIST_FILL, fill}});
             // Counting writes the cells and filling the entries; both stand in the one shader.
             pass.storage(INPUT_LIGHT_CELLS, cells_, true)
-                .storage(INPUT_LIGHT_MASKS, masks_, false)
+                .storage(INPUT_COARSE_CELLS, coarse_, false)
                 .storage(INPUT_LIGHT_ENTRIES, entries_, true)
                 .storage(INPUT_DEPTH_SLICES, slices_, false);
             if (inputs_.surface)
                 read_depth(pass);
             if (!fill)
-                add(name_ + "-lists offsets", "light_lists_offsets.comp", once)
-                    .storage(INPUT_LIGHT_CELLS, cells_, true)
-                    .storage(INPUT_LIST_TOTAL, total_, true);
+                add_offsets("-lists offsets", cells_, false);
         }
         return {.cells = cells_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
                 .tile_size = inputs_.tile_size, .sliced = inputs_.sliced};
@@ -193,6 +195,12 @@ private:
         });
         return pass;
     }
+    void add_offsets(const char* what, graph::BufferId cells, bool coarse) {
+        add(name_ + what, "light_lists_offsets.comp", once, {{CONSTANT_LIST_COARSE, coarse}})
+            .storage(INPUT_LIGHT_CELLS, cells, true)
+            .storage(INPUT_LIST_TOTAL, total_, true);
+    }
+    static VkExtent3D once(const LightListConstants&) { return {1, 1, 1}; }
     void read_depth(graph::Pass& pass) const { pass.sample(INPUT_DEPTH, inputs_.surface->depth_source); }
 
     graph::FrameGraph& graph_;

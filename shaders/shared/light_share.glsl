@@ -1,0 +1,10 @@
+// What one invocation of a subgroup has loaded, handed to the others: software devices load one lane after
+// another, and shuffle eight at once.
+#ifndef PRELIGHT_LIGHT_SHARE_GLSL
+#define PRELIGHT_LIGHT_SHARE_GLSL
+#extension GL_KHR_shader_subgroup_shuffle : require
+
+vec2 shuffled(vec2 v, uint lane) { return vec2(subgroupShuffle(v.x, lane), subgroupShuffle(v.y, lane)); }
+vec3 shuffled(vec3 v, uint lane) { return vec3(shuffled(v.xy, lane), subgroupShuffle(v.z, lane)); }
+vec4 shuffled(vec4 v, uint lane) { return vec4(shuffled(v.xy, lane), shuffled(v.zw, lane)); }
+#endif
