@@ -13,13 +13,17 @@ void main() {
     ivec2 low = ivec2(at.xy) * tile_size, last = ivec2(frame.size.xy) - 1;
     float least = 3e38, most = 0.0; // stored depth
     uint depths = 0u;
-    for (int y = 0; y < tile_size; ++y)
-        for (int x = 0; x < tile_size; ++x) {
+    // Loops that are left at their end: see light_list.comp.
+    int y = 0;
+    do {
+        int x = 0;
+        do {
             float stored = read_depth(min(low + ivec2(x, y), last));
             least = min(least, stored > 0.0 ? stored : 3e38);
             most = max(most, stored);
             depths |= stored > 0.0 ? depth_bit(stored) : 0u;
-        }
+        } while (++x < tile_size);
+    } while (++y < tile_size);
     LightCell cell = LightCell(1.0, 0.0, depths, 0u, 0u, 0u);
     if (most > 0.0) {
         cell.nearest = linear_depth ? least : view_depth(most);

@@ -1,8 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // All lights of a tile [V6], summed and written once, for devices that read buffers slowly: each invocation
-// of a subgroup loads another light of the list, then all of them take each in turn from their
-// neighbours. A workgroup is an 8 × 8 block of one tile, an invocation `rows` of its pixels.
+// of a subgroup loads another light, then all of them take each in turn from their neighbours. A workgroup is
+// an 8 × 8 block of pixels, an invocation `rows` of them. The lights come as the tile's list, or (masked) as
+// the bits of its 8 × 8 tiles' list.
 #define STORAGE_TARGET
 #include "shared/light_sums.glsl"
 #include "shared/light_lists.glsl"
@@ -10,8 +11,14 @@
 
 layout(constant_id = CONSTANT_LIST_TILE_SIZE) const int tile_size = 16;
 layout(constant_id = CONSTANT_LIST_ROWS) const int rows = 8;
+layout(constant_id = CONSTANT_LIST_MASKED) const bool masked = false;
 layout(constant_id = CONSTANT_AMBIENT_TOO) const bool ambient_too = false;
 layout(local_size_x = 8, local_size_y_id = CONSTANT_LIST_GROUP_ROWS) in; // times `rows`: 8
+
+LitPixel pixels[rows];
+LightSums sums[rows];
+uint contributing[rows];
+uint evaluated = 0u;
 
 Lamp shuffled(Lamp mine, uint lane) {
     return Lamp(shuffled(mine.position, lane), shuffled(mine.colour, lane), subgroupShuffle(mine.luminance, lane),
@@ -19,15 +26,58 @@ Lamp shuffled(Lamp mine, uint lane) {
                 subgroupShuffle(mine.shininess, lane), subgroupShuffle(mine.falloff, lane));
 }
 
+// One light from each of the first `count` invocations; of none, nothing comes.
+//
+// Loops here are left at their end: a software device runs the rest of a body once more for no invocation when
+// the condition stands before it, and both sides of an `if`.
+void add_lights(LightData own, bool wanted, uint count) {
+    Lamp mine = lamp_of(own);
+    mine.colour = wanted ? mine.colour : vec3(0.0);
+    mine.luminance = wanted ? mine.luminance : 0.0;
+    uint lane = 0u;
+    do {
+        Lamp lamp = shuffled(mine, lane);
+        for (int row = 0; row < rows; ++row)
+            contributing[row] += add_light(sums[row], pixels[row], lamp) && lane < count ? 1u : 0u;
+    } while (++lane < count);
+}
+
+void walk(LightList list) {
+    uint begin = 0u;
+    do {
+        uint index = begin + gl_SubgroupInvocationID;
+        add_lights(lights[listed_light(list, index)], index < list.count, min(gl_SubgroupSize, list.count - begin));
+        begin += gl_SubgroupSize;
+    } while (begin < list.count);
+    evaluated = list.count;
+}
+
+void walk_masked(MaskedList list) {
+    uint chunk = 0u;
+    do {
+        uint own_bits = mask_word(list, chunk + gl_SubgroupInvocationID);
+        uint last = min(gl_SubgroupSize, list.words - chunk), word = 0u;
+        uint bits = subgroupShuffle(own_bits, 0u);
+        do {
+            uint index = 0u, count = 0u; // of the lights that the invocations take
+            do {
+                bool found = bits != 0u;
+                uint next = (chunk + word) * 32u + uint(max(findLSB(bits), 0));
+                index = found && gl_SubgroupInvocationID == count ? next : index;
+                count += found ? 1u : 0u;
+                word += found ? 0u : 1u;
+                bits = found ? bits & (bits - 1u) : subgroupShuffle(own_bits, min(word, gl_SubgroupSize - 1u));
+            } while (word < last && count < gl_SubgroupSize);
+            add_lights(lights[masked_light(list, index)], gl_SubgroupInvocationID < count, count);
+            evaluated += count;
+        } while (word < last);
+        chunk += gl_SubgroupSize;
+    } while (chunk < list.words);
+}
+
 void main() {
     ivec2 first = ivec2(gl_WorkGroupID.xy) * 8 + ivec2(gl_LocalInvocationID.x, gl_LocalInvocationID.y * uint(rows));
     ivec2 last = ivec2(frame.size.xy) - 1;
-    uvec2 tile = gl_WorkGroupID.xy / uint(tile_size / 8);
-    LightList list = list_of(tile.y * lists.cells.x + tile.x, 0u);
-
-    LitPixel pixels[rows];
-    LightSums sums[rows];
-    uint contributing[rows];
     for (int row = 0; row < rows; ++row) {
         pixels[row] = read_pixel(min(first + ivec2(0, row), last));
         sums[row] = no_light();
@@ -35,21 +85,17 @@ void main() {
         if (ambient_too)
             add_ambient(sums[row]);
     }
-    for (uint begin = 0u; begin < list.count; begin += gl_SubgroupSize) {
-        Lamp mine = lamp_of(lights[listed_light(list, begin + gl_SubgroupInvocationID)]);
-        uint count = min(gl_SubgroupSize, list.count - begin);
-        for (uint lane = 0u; lane < count; ++lane) {
-            Lamp lamp = shuffled(mine, lane);
-            for (int row = 0; row < rows; ++row)
-                contributing[row] += add_light(sums[row], pixels[row], lamp) ? 1u : 0u;
-        }
-    }
+    uvec2 tile = gl_WorkGroupID.xy * 8u / uint(tile_size);
+    if (masked)
+        walk_masked(masked_list_of(tile));
+    else
+        walk(list_of(tile.y * lists.cells.x + tile.x, 0u));
     for (int row = 0; row < rows; ++row) {
         ivec2 pixel = first + ivec2(0, row);
         if (any(greaterThan(pixel, last)))
             continue;
         if (pixels[row].point.surface)
-            count_lights(pixel, list.count, contributing[row]);
+            count_lights(pixel, evaluated, contributing[row]);
         write_sums(pixel, sums[row]);
     }
 }

@@ -4,41 +4,30 @@
 // written where light_lists_offsets.comp has made room. One invocation a cell; all invocations of a workgroup
 // walk the same lights, so that each loads another one and hands it to its neighbours.
 #include "shared/light_cells.glsl"
-#include "shared/light_share.glsl"
+#include "shared/shared_bounds.glsl"
 #extension GL_KHR_shader_subgroup_vote : require
 
 layout(constant_id = CONSTANT_LIST_FILL) const bool fill = false;
 
 layout(local_size_x = LIST_GROUP) in;
 
-LightBounds shuffled(LightBounds mine, uint lane) {
-    LightBounds bounds;
-    bounds.centre = shuffled(mine.centre, lane);
-    bounds.radius = subgroupShuffle(mine.radius, lane);
-    bounds.axis = shuffled(mine.axis, lane);
-    bounds.cone = shuffled(mine.cone, lane);
-    return bounds;
-}
-
 // Number of lights in the piece; writes them from `to` on. Without `wanted` none, but the invocation must come.
 uint visit(LightCell coarse, bool wanted, LightCell cell, Piece piece, uint to) {
-    uint count = 0u;
-    for (uint begin = 0u; begin < coarse.count; begin += gl_SubgroupSize) {
-        uint own = light_entries[coarse.first + min(begin + gl_SubgroupInvocationID, coarse.count - 1u)];
-        LightBounds own_bounds = bounds_of(lights[own]);
-        uint own_depths = depths_of(own_bounds);
-        uint some = min(gl_SubgroupSize, coarse.count - begin);
-        for (uint lane = 0u; lane < some; ++lane) {
-            uint light = subgroupShuffle(own, lane);
-            bool hit = wanted && holds_depths(cell, subgroupShuffle(own_depths, lane)) &&
-                       touches(piece, shuffled(own_bounds, lane));
-            if (hit) {
+    uint count = 0u, begin = 0u;
+    wanted = wanted && coarse.count > 0u;
+    do { // loops that are left at their end: see light_list.comp
+        SharedBounds own = load_bounds(coarse, begin);
+        uint some = min(gl_SubgroupSize, coarse.count - begin), lane = 0u;
+        do {
+            uint light = subgroupShuffle(own.light, lane);
+            if (reaches(own, lane, cell, piece) && wanted) {
                 if (fill)
                     light_entries[to + count] = light;
                 ++count;
             }
-        }
-    }
+        } while (++lane < some);
+        begin += gl_SubgroupSize;
+    } while (begin < coarse.count);
     return count;
 }
 

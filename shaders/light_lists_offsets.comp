@@ -7,6 +7,7 @@
 #include "shared/light_lists.h"
 
 layout(constant_id = CONSTANT_LIST_COARSE) const bool coarse = false; // the coarse cells, which come first
+layout(constant_id = CONSTANT_LIST_MASKED) const bool masked = false; // and their tiles' masks
 layout(local_size_x = LIST_SCAN_GROUP) in;
 layout(push_constant) uniform ListBlock { LightListConstants lists; };
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_CELLS, std430) buffer CellBlock { LightCell cells[]; };
@@ -16,6 +17,12 @@ shared uint sums[LIST_SCAN_GROUP];
 // Stays at the largest number instead of beginning at 0 again.
 uint add(uint a, uint b) { return a + min(b, ~a); }
 
+// What a list of `count` lights takes, masks included.
+uint room_of(uint count) {
+    uint words = masked ? (count / 32u + (count % 32u > 0u ? 1u : 0u)) : 0u;
+    return words > 0xffffffffu / LIST_GROUP ? 0xffffffffu : add(count, words * LIST_GROUP);
+}
+
 void main() {
     uint me = gl_LocalInvocationIndex;
     uint all = coarse ? lists.coarse.w : lists.cells.w;
@@ -23,7 +30,7 @@ void main() {
     uint begin = min(me * each, all), end = min(begin + each, all);
     uint sum = 0u;
     for (uint i = begin; i < end; ++i)
-        sum = add(sum, cells[min(i, all - 1u)].count);
+        sum = add(sum, room_of(cells[min(i, all - 1u)].count));
     sums[me] = sum;
     uint first = coarse ? lists.lights.x + lists.lights.y : list_total;
     barrier();
@@ -31,7 +38,7 @@ void main() {
         first = add(first, sums[i]);
     for (uint i = begin; i < end; ++i) {
         uint count = cells[min(i, all - 1u)].count;
-        uint after = add(first, count);
+        uint after = add(first, room_of(count));
         cells[i].first = first;
         if (after > lists.lights.z) {
             cells[i].slices = 0u;

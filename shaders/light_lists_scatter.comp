@@ -21,17 +21,21 @@ void main() {
     uint depths = depths_of(light);
     ivec3 low, high;
     light_extent(light, low, high);
-    for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x) {
-                uvec3 at = uvec3(x, y, z);
-                uint coarse = index_in(at, lists.coarse.xyz);
-                LightCell cell = coarse_cells[coarse];
-                if (!holds_depths(cell, depths) || !touches(coarse_piece(at, cell), light))
-                    continue;
-                uint start = mask_start(coarse);
-                atomicOr(light_masks[start + bit / 1024u], 1u << (bit / 32u & 31u));
-                atomicOr(light_masks[start + summary_words() + bit / 32u], 1u << (bit & 31u));
-                atomicAdd(coarse_cells[coarse].count, 1u);
-            }
+    ivec3 size = max(high - low + 1, ivec3(0));
+    int left = size.x * size.y * size.z;
+    ivec3 step = ivec3(0);
+    do { // one loop, left at its end: see light_list.comp
+        uvec3 at = uvec3(clamp(low + step, ivec3(0), ivec3(lists.coarse.xyz) - 1));
+        uint coarse = index_in(at, lists.coarse.xyz);
+        LightCell cell = coarse_cells[coarse];
+        if (left > 0 && holds_depths(cell, depths) && touches(coarse_piece(at, cell), light)) {
+            uint start = mask_start(coarse);
+            atomicOr(light_masks[start + bit / 1024u], 1u << (bit / 32u & 31u));
+            atomicOr(light_masks[start + summary_words() + bit / 32u], 1u << (bit & 31u));
+            atomicAdd(coarse_cells[coarse].count, 1u);
+        }
+        ++step.x;
+        step = step.x < size.x ? step : ivec3(0, step.y + 1, step.z);
+        step = step.y < size.y ? step : ivec3(0, 0, step.z + 1);
+    } while (--left > 0);
 }

@@ -3,9 +3,8 @@
 #ifndef PRELIGHT_LIGHT_BOUNDS_GLSL
 #define PRELIGHT_LIGHT_BOUNDS_GLSL
 #include "shared/frame.glsl"
+#include "shared/light_kinds.glsl"
 
-layout(constant_id = CONSTANT_LIGHT_KINDS) const uint light_kinds = LIGHT_KINDS_ALL;
-const bool has_cones = (light_kinds & LIGHT_KIND_SPOT) != 0u;
 
 // Points p with low <= p·w <= high, |p·u − middle.x| <= half_size.x + slope.x p·w, and the same for
 // v and y: a box (slopes 0), or a part of a pyramid whose apex is the origin.
@@ -28,7 +27,7 @@ LightBounds bounds_of(LightData light) {
     float range = 1.0 / light.colour.w;
     LightBounds b = LightBounds(light.position.xyz, range * 1.0005, light.axis.xyz, vec2(-2.0, 0.0));
     b.radius += 1e-5 * (range + length(light.position.xyz));
-    if (has_cones && light.cone.x > 0.0) {
+    if (may_be(LIGHT_KIND_SPOT) && light.cone.x > 0.0) {
         float cosine = clamp(-light.cone.y / light.cone.x, -1.0, 1.0);
         b.cone = vec2(cosine, sqrt(max(1.0 - cosine * cosine, 0.0)));
     }
@@ -61,7 +60,7 @@ bool cone_touches(Piece p, LightBounds light) {
 
 bool touches(Piece p, LightBounds light) {
     bool hit = sphere_touches(p, light);
-    if (has_cones)
+    if (may_be(LIGHT_KIND_SPOT))
         hit = hit && (light.cone.x < -1.5 || cone_touches(p, light));
     return hit;
 }

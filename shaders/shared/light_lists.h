@@ -22,6 +22,8 @@ struct LightListConstants {
 
 // A tile, a cell of the grid or a coarse cell, and where its lists lie in the entries. Sliced: the entries at
 // `first` begin with one end (exclusive) for each slice in use, then the lists follow.
+// A coarse cell whose tiles have masks: after its `count` lights a bit for each of them, for each of LIST_GROUP
+// tiles, in words that belong to one tile.
 struct LightCell {
     float nearest, farthest;  // view depth of its surfaces; nearest > farthest: there are none
     uint depths;              // screen: a bit for each depth_bit() of its surfaces

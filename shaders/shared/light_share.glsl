@@ -1,5 +1,5 @@
-// What one invocation of a subgroup has loaded, handed to the others: software devices load one lane after
-// another, and shuffle eight at once.
+// What the invocations of a subgroup know, handed to each other: software devices load one lane after another,
+// and shuffle all at once. Every invocation of the subgroup must come.
 #ifndef PRELIGHT_LIGHT_SHARE_GLSL
 #define PRELIGHT_LIGHT_SHARE_GLSL
 #extension GL_KHR_shader_subgroup_shuffle : require

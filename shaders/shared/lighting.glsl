@@ -3,11 +3,11 @@
 #ifndef PRELIGHT_LIGHTING_GLSL
 #define PRELIGHT_LIGHTING_GLSL
 #include "shared/frame.glsl"
+#include "shared/light_kinds.glsl"
 #include "shared/shininess.glsl"
 #include "shared/reflectance.glsl"
 
 layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
-layout(constant_id = CONSTANT_LIGHT_KINDS) const uint light_kinds = LIGHT_KINDS_ALL;
 layout(constant_id = CONSTANT_SPECULAR_STEP_GATE) const bool specular_step_gate = false;
 layout(constant_id = CONSTANT_REFLECTION_VECTOR) const bool reflection_vector = false;
 layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_STORED;
@@ -50,8 +50,6 @@ Lamp lamp_of(LightData light) {
     return Lamp(light.position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
                 light.axis.xyz, light.cone.xy, light.axis.w, light.cone.z);
 }
-
-bool may_be(uint kind) { return (light_kinds & kind) != 0u; }
 
 // KHR_lights_punctual: clamp(1 − (d/range)⁴, 0, 1) / max(d, 0.01 m)², times the cone. `d2` is the squared
 // distance, `inverse` 1 / d, `l` the unit vector to the light; for a directional light the result is 1.

@@ -31,15 +31,16 @@ uint32_t rows_of(uint32_t lanes) { return std::clamp(block * block / std::max(la
 
 } // namespace
 
-bool takes_compute(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
-    if (inputs.list_shading == ListShading::fragment)
-        return false;
+ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
+    const ListShading asked = inputs.list_shading;
+    if (asked == ListShading::fragment)
+        return asked;
     const std::string why_not = obstacle(graph, frame, inputs);
-    if (inputs.list_shading == ListShading::automatic)
-        return why_not.empty() && frame.context().is_software();
-    if (!why_not.empty())
-        graph.note(fmt::format("list-shading=compute: {}, fragment is taken", why_not));
-    return why_not.empty();
+    if (!why_not.empty() && asked != ListShading::automatic)
+        graph.note(fmt::format("list-shading: compute {}, fragment is taken", why_not));
+    if (!why_not.empty() || (asked == ListShading::automatic && !frame.context().is_software()))
+        return ListShading::fragment;
+    return ListShading::compute;
 }
 
 void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
@@ -62,6 +63,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
         constants.insert(constants.end(), own.begin(), own.end());
         constants.insert(constants.end(), {{CONSTANT_LIST_ROWS, rows},
                                            {CONSTANT_LIST_GROUP_ROWS, block / rows},
+                                           {CONSTANT_LIST_MASKED, lists.masked},
                                            {CONSTANT_AMBIENT_TOO, AmbientDraw::needed(inputs)}});
         *pipeline = gpu::ComputePipeline(frame.context(), {.name = "light lists",
                                                            .shader = "light_list" + inputs.target.variant + ".comp",

@@ -4,9 +4,9 @@
 
 namespace prelight::passes {
 
-/// Whether light lists are walked by light_list_compute_pass(), as `inputs.list_shading` and the device have
-/// it. A note in the graph says why compute was asked for and cannot be had.
-bool takes_compute(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs);
+/// `inputs.list_shading` as the device and the other inputs have it, never automatic. A note in the graph says why
+/// what was asked for cannot be had.
+ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs);
 
 /// The lights of each tile by a compute pass that writes the target as storage images, once a pixel: each
 /// invocation of a subgroup loads another light and hands it to its neighbours. Ambient light, if it is

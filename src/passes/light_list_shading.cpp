@@ -42,13 +42,18 @@ private:
 
 void light_list_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                      const LightingInputs& inputs) {
+    const ListShading shading = list_shading_of(graph, frame, inputs);
     const LightLists lists =
         light_list_passes(graph, frame, name,
                           {.surface = &inputs.surface,
                            .tile_size = inputs.tile_size,
                            .sliced = frame.culling() == resident::LightCulling::clusters,
+                           // Only lists of tiles' own can be trimmed.
+                           .masked = shading == ListShading::compute && inputs.list_contents == ListContents::built,
                            .first_room = inputs.list_room});
-    if (takes_compute(graph, frame, inputs))
+    if (inputs.list_contents != ListContents::built)
+        trim_light_lists(graph, frame, name, inputs, lists);
+    if (shading != ListShading::fragment)
         return light_list_compute_pass(graph, frame, name, inputs, lists);
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);

@@ -153,6 +153,17 @@ public:
             .storage(INPUT_LIGHT_MASKS, masks_, false)
             .storage(INPUT_LIGHT_ENTRIES, entries_, true);
 
+        LightLists lists{.cells = coarse_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
+                         .tile_size = inputs_.tile_size, .sliced = inputs_.sliced, .masked = inputs_.masked};
+        if (lists.masked) {
+            graph::Pass& masks = add(name_ + "-lists masks", "light_lists_masks.comp", whole);
+            masks.storage(INPUT_LIGHT_CELLS, cells_, false)
+                .storage(INPUT_COARSE_CELLS, coarse_, false)
+                .storage(INPUT_LIGHT_ENTRIES, entries_, true)
+                .storage(INPUT_DEPTH_SLICES, slices_, false);
+            read_depth(masks);
+            return lists;
+        }
         for (const bool fill : {false, true}) {
             graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), "light_lists_cells" + kind,
                                      whole, {{CONSTANT_LIST_FILL, fill}});
@@ -166,8 +177,8 @@ public:
             if (!fill)
                 add_offsets("-lists offsets", cells_, false);
         }
-        return {.cells = cells_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
-                .tile_size = inputs_.tile_size, .sliced = inputs_.sliced};
+        lists.cells = cells_;
+        return lists;
     }
 
 private:
@@ -196,7 +207,7 @@ private:
         return pass;
     }
     void add_offsets(const char* what, graph::BufferId cells, bool coarse) {
-        add(name_ + what, "light_lists_offsets.comp", once, {{CONSTANT_LIST_COARSE, coarse}})
+        add(name_ + what, "light_lists_offsets.comp", once, {{CONSTANT_LIST_COARSE, coarse}, {CONSTANT_LIST_MASKED, inputs_.masked}})
             .storage(INPUT_LIGHT_CELLS, cells, true)
             .storage(INPUT_LIST_TOTAL, total_, true);
     }
@@ -241,8 +252,8 @@ LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& fr
     return Builder(graph, frame, name, inputs, layout, grid).build();
 }
 
-void declare_light_lists(graph::Pass& pass, const LightLists& lists) {
-    pass.storage(INPUT_LIGHT_CELLS, lists.cells, false).storage(INPUT_LIGHT_ENTRIES, lists.entries, false);
+void declare_light_lists(graph::Pass& pass, const LightLists& lists, bool writes) {
+    pass.storage(INPUT_LIGHT_CELLS, lists.cells, writes).storage(INPUT_LIGHT_ENTRIES, lists.entries, writes);
     if (lists.tile_size > 0)
         pass.storage(INPUT_DEPTH_SLICES, lists.slices, false);
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "depth_normal.hpp"
+#include "lighting.hpp"
 #include <shared/light_lists.h>
 
 namespace prelight::passes {
@@ -13,6 +13,7 @@ struct LightLists {
     std::shared_ptr<const shared::LightListConstants> constants;
     uint32_t tile_size = 0; ///< screen: pixels
     bool sliced = false;
+    bool masked = false; ///< `cells` are coarse ones, of whose lists each tile has a mask
 };
 
 /// Where the lists' cells lie.
@@ -20,6 +21,7 @@ struct LightListInputs {
     const SurfaceBuffers* surface = nullptr; ///< tiles and clusters
     uint32_t tile_size = 8;                  ///< tiles and clusters: 8, 16 or 32 pixels
     bool sliced = false;                     ///< clusters; without `surface`: a grid over the world
+    bool masked = false;                     ///< tiles: masks of the lists of 8 × 8 tiles instead of lists
     /// Room for lists in the first frame, in lights; 0: a guess. It grows by itself.
     uint64_t first_room = 0;
 };
@@ -31,8 +33,12 @@ struct LightListInputs {
 LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                              const LightListInputs& inputs);
 
+/// Takes lights out of tiles' lists: ListContents. A pass of its own, "NAME-lists perfect" or "NAME-lists empty".
+void trim_light_lists(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                      const LightingInputs& inputs, const LightLists& lists);
+
 /// The lists as bindings of a pass that walks them, and its constants.
-void declare_light_lists(graph::Pass& pass, const LightLists& lists);
+void declare_light_lists(graph::Pass& pass, const LightLists& lists, bool writes = false);
 gpu::Constants light_list_constants(const LightLists& lists);
 
 } // namespace prelight::passes

@@ -59,6 +59,17 @@ ListShading list_shading(const std::string& value) {
                                 : ListShading::automatic;
 }
 
+SettingInfo list_contents_setting() {
+    return {"light-lists", {"built", "perfect", "empty"}, "built",
+            "tiles, for measuring only: lists of contributing lights alone (a slow pass makes them), or no lights"};
+}
+
+ListContents list_contents(const std::string& value) {
+    return value == "perfect" ? ListContents::perfect
+           : value == "empty" ? ListContents::empty
+                              : ListContents::built;
+}
+
 std::vector<SettingInfo> volume_settings() {
     return {{"spot-volume", {"cone", "box"}, "cone", "volumes, stencil: shape around a spot of less than 80°"},
             {"volume-depth-test", {"on", "off"}, "on", "volumes: off leaves only the cull mode by camera position"},

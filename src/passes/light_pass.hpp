@@ -18,6 +18,8 @@ SettingInfo light_culling_setting();
 SettingInfo tile_size_setting();
 /// Of light lists: who walks them.
 SettingInfo list_shading_setting();
+SettingInfo list_contents_setting();
+ListContents list_contents(const std::string& value);
 ListShading list_shading(const std::string& value);
 resident::LightCulling light_culling(const std::string& value);
 

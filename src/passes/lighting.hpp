@@ -13,9 +13,13 @@ struct LightTarget {
     gpu::Constants constants;           ///< of the variant
 };
 
-/// How light lists are walked: by a full-screen draw, or by a compute pass whose subgroups share what they
-/// load (tiles only). Automatic: compute on software devices, which load slowly.
+/// How light lists are walked: by a full-screen draw, or (tiles only) by a compute pass whose subgroups share what
+/// they load. Automatic: compute on software devices, which load slowly.
 enum class ListShading { automatic, fragment, compute };
+
+/// Light lists as they are built; or, for measuring and for tiles only, without the lights that contribute to
+/// no pixel of their tile (the limit of what lists can be), or without any.
+enum class ListContents { built, perfect, empty };
 
 /// What every light pass gets, however it finds its pixels: [V1] … [V7].
 struct LightingInputs {
@@ -27,6 +31,7 @@ struct LightingInputs {
     bool count_pairs = false;
     uint32_t tile_size = 8;     ///< light lists: pixels of a tile's side, 8, 16 or 32
     ListShading list_shading = ListShading::automatic;
+    ListContents list_contents = ListContents::built;
     uint64_t list_room = 0;     ///< light lists: LightListInputs::first_room
     bool write_once = false; ///< all of a pixel's lights in one loop, instead of blended one by one
 };

@@ -50,7 +50,8 @@ private:
                                         .pair_counters = &pair_counters(),
                                         .count_pairs = options().count_pairs,
                                         .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
-                                        .list_shading = passes::list_shading(settings().get("list-shading"))};
+                                        .list_shading = passes::list_shading(settings().get("list-shading")),
+                                        .list_contents = passes::list_contents(settings().get("light-lists"))};
         passes::light_pass(graph, frame, "light", lighting);
         const auto linear = passes::light_resolve_pass(graph, frame, gbuffer);
         const auto final = passes::tonemap_pass(graph, frame, linear, options().tonemap);
@@ -90,6 +91,7 @@ RendererInfo deferred_info() {
                      passes::light_culling_setting(),
                      passes::tile_size_setting(),
                  passes::list_shading_setting(),
+                 passes::list_contents_setting(),
                      {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                      {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
                      {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",

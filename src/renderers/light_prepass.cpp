@@ -51,6 +51,7 @@ private:
                                         .count_pairs = options().count_pairs,
                                         .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
                                         .list_shading = passes::list_shading(settings().get("list-shading")),
+                                        .list_contents = passes::list_contents(settings().get("light-lists")),
                                         .write_once = settings().is("light-writes", "once")};
         passes::light_pass(graph, frame, "light", lighting);
         const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_};
@@ -106,6 +107,7 @@ RendererInfo light_prepass_info() {
                  passes::light_culling_setting(),
                  passes::tile_size_setting(),
                  passes::list_shading_setting(),
+                 passes::list_contents_setting(),
                  {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                   "bilinear: level 0 only, for comparing with the reference"}},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",

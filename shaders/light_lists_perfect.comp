@@ -1,0 +1,42 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// For measuring: leaves in each tile's list only lights that contribute to one of its pixels at least, or none at
+// all. One invocation a tile; slow, and not part of any frame that is timed.
+#include "shared/lit_pixel.glsl"
+#define LIGHT_LISTS_ACCESS
+#include "shared/light_lists.glsl"
+
+layout(constant_id = CONSTANT_LIST_TILE_SIZE) const int tile_size = 16;
+layout(constant_id = CONSTANT_LIST_EMPTY) const bool empty = false;
+layout(local_size_x = LIST_GROUP) in;
+
+bool contributes(uvec2 tile, Lamp lamp) {
+    ivec2 low = ivec2(tile) * tile_size, high = min(low + tile_size, ivec2(frame.size.xy));
+    for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x)
+            if (light_terms(lamp, read_pixel(ivec2(x, y)).point).contributes)
+                return true;
+    return false;
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= lists.cells.w)
+        return;
+    LightCell cell = light_cells[index];
+    if (empty) {
+        light_cells[index].count = 0u;
+        return;
+    }
+    if (cell.first == lists.lights.x)
+        return; // did not fit: all lights
+    uint kept = 0u;
+    for (uint i = 0u; i < cell.count; ++i) {
+        uint light = light_entries[cell.first + i];
+        if (contributes(uvec2(index % lists.cells.x, index / lists.cells.x), lamp_of(lights[light]))) {
+            light_entries[cell.first + kept] = light;
+            ++kept;
+        }
+    }
+    light_cells[index].count = kept;
+}
