@@ -86,6 +86,8 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--stats", text.stats, "FILE", "Write the run's figures as JSON");
     sub.add_flag("--count-pairs", command.options.count_pairs,
                  "Count light x pixel pairs for --stats (not for timing)");
+    sub.add_flag("--pass-cpu", command.options.pass_cpu,
+                 "Each pass's CPU time for --stats: as many frames more, each pass submitted alone");
     sub.add_flag("--validate", command.validate,
                  "Run with Vulkan validation; any message is a failure");
     sub.add_flag("--watch", command.watch, "Render again whenever the scene file changes");

@@ -8,7 +8,7 @@ namespace {
 /// What one contender's frames took, milliseconds.
 struct Samples {
     std::vector<double> wall, cpu, gpu;
-    std::vector<std::vector<double>> passes;
+    std::vector<std::vector<double>> passes, passes_cpu;
     double spent = 0;
 
     void add(const Stats& frame, double cost_ms) {
@@ -16,8 +16,12 @@ struct Samples {
         cpu.push_back(frame.cpu_ms.median);
         gpu.push_back(frame.gpu_ms.median);
         passes.resize(frame.passes.size());
-        for (size_t i = 0; i < passes.size(); ++i)
+        passes_cpu.resize(frame.passes.size());
+        for (size_t i = 0; i < passes.size(); ++i) {
             passes[i].push_back(frame.passes[i].gpu_ms.median);
+            if (frame.passes[i].cpu_ms)
+                passes_cpu[i].push_back(frame.passes[i].cpu_ms->median);
+        }
         spent += cost_ms;
     }
 
@@ -26,8 +30,11 @@ struct Samples {
         stats.wall_ms = spread(wall);
         stats.cpu_ms = spread(cpu);
         stats.gpu_ms = spread(gpu);
-        for (size_t i = 0; i < passes.size(); ++i)
+        for (size_t i = 0; i < passes.size(); ++i) {
             stats.passes[i].gpu_ms = spread(passes[i]);
+            if (!passes_cpu[i].empty())
+                stats.passes[i].cpu_ms = spread(passes_cpu[i]);
+        }
     }
 };
 

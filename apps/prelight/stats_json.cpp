@@ -16,12 +16,12 @@ Json spread_json(const Spread& spread) {
 Json stats_entry(const std::string& scene, const std::string& renderer,
                  const RenderOptions& options, const Stats& stats) {
     Json passes = Json::array();
-    // A pass's own CPU time would need it submitted alone: no figure here, rather than a wrong one.
+    // A pass's own CPU time wants it submitted alone: without that no figure, rather than a wrong one.
     for (const PassStats& pass : stats.passes)
         passes.push_back(
             {{"name", pass.name},
              {"gpu_ms", spread_json(pass.gpu_ms)},
-             {"cpu_ms", nullptr},
+             {"cpu_ms", pass.cpu_ms ? spread_json(*pass.cpu_ms) : Json(nullptr)},
              {"bytes_read", pass.bytes_read},
              {"bytes_written", pass.bytes_written}});
     return {

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <prelight/image.hpp>
 #include <prelight/scene.hpp>
 #include <span>
@@ -26,6 +27,8 @@ struct RenderOptions {
     double exposure = 0;           ///< EV: scene-linear values are multiplied by 2^exposure
     uint32_t msaa = 1;
     bool count_pairs = false;      ///< fill Stats::pairs (slower)
+    /// Fill PassStats::cpu_ms: after the timed frames as many more, each pass submitted alone.
+    bool pass_cpu = false;
     std::string preset;
     std::map<std::string, std::string> settings; ///< --set KEY=VALUE; checked by the renderer
     std::vector<std::string> views;              ///< buffers that `read` will be asked for
@@ -61,6 +64,9 @@ struct PassStats {
     /// By the formats of the frame's images: each that the pass reads or writes counts once, whole.
     /// An attachment that is cleared is written; one that is kept or blended is read and written.
     uint64_t bytes_read = 0, bytes_written = 0;
+    /// CPU time of the whole process (user + system, all threads) while the pass is recorded, submitted
+    /// alone and waited for. Only with RenderOptions::pass_cpu; its frames are in no other figure.
+    std::optional<Spread> cpu_ms = {};
 };
 
 struct Stats {

@@ -74,33 +74,49 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
     vkCmdBeginRendering(commands, &info);
 }
 
+void FrameGraph::record_begin() {
+    for (const auto& callback : before_frame_)
+        callback();
+}
+
+void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_pixel) const {
+    const Pass& pass = *passes_[index];
+    context_.begin_label(commands, pass.name_);
+    // Before the barrier: lavapipe notes the time when it next waits, and a dispatch waits for nothing.
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * index);
+    pipeline_barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
+    const bool renders = !pass.colours_.empty() || pass.depth_;
+    PassContext pass_context{commands, pass.sets_[0], {}};
+    if (renders) {
+        const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
+        pass_context.extent = images_[target.index].desc.extent;
+        begin_rendering(commands, index, pass_context.extent);
+        cover(commands, pass_context.extent, one_pixel ? VkExtent2D{1, 1} : pass_context.extent);
+    }
+    pass.record_(pass_context);
+    if (renders)
+        vkCmdEndRendering(commands);
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * index + 1);
+    context_.end_label(commands);
+}
+
+void FrameGraph::record_end(VkCommandBuffer commands) const { pipeline_barrier(commands, {}, host_barriers_); }
+
+void FrameGraph::record_pass(VkCommandBuffer commands, size_t index) {
+    vkCmdResetQueryPool(commands, queries_, static_cast<uint32_t>(2 * index), 2);
+    record_pass(commands, static_cast<uint32_t>(index), false);
+    if (index + 1 == passes_.size())
+        record_end(commands);
+}
+
 void FrameGraph::record(VkCommandBuffer commands, bool one_pixel) {
     if (passes_.empty())
         return;
-    for (const auto& callback : before_frame_)
-        callback();
+    record_begin();
     vkCmdResetQueryPool(commands, queries_, 0, static_cast<uint32_t>(2 * passes_.size()));
-    for (uint32_t p = 0; p < passes_.size(); ++p) {
-        const Pass& pass = *passes_[p];
-        context_.begin_label(commands, pass.name_);
-        // Before the barrier: lavapipe notes the time when it next waits, and a dispatch waits for nothing.
-        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * p);
-        pipeline_barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
-        const bool renders = !pass.colours_.empty() || pass.depth_;
-        PassContext pass_context{commands, pass.sets_[0], {}};
-        if (renders) {
-            const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
-            pass_context.extent = images_[target.index].desc.extent;
-            begin_rendering(commands, p, pass_context.extent);
-            cover(commands, pass_context.extent, one_pixel ? VkExtent2D{1, 1} : pass_context.extent);
-        }
-        pass.record_(pass_context);
-        if (renders)
-            vkCmdEndRendering(commands);
-        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * p + 1);
-        context_.end_label(commands);
-    }
-    pipeline_barrier(commands, {}, host_barriers_);
+    for (uint32_t p = 0; p < passes_.size(); ++p)
+        record_pass(commands, p, one_pixel);
+    record_end(commands);
 }
 
 std::vector<std::pair<std::string, double>> FrameGraph::pass_times() const {

@@ -138,6 +138,12 @@ public:
     void compile();
     /// Records one frame, with a debug label and two timestamps for each pass.
     void record(VkCommandBuffer commands) { record(commands, false); }
+    /// One frame pass by pass, each in a command buffer of its own: record_begin(), then
+    /// record_pass() with 0 … passes() − 1, submitted in this order. For timing each alone.
+    void record_begin();
+    void record_pass(VkCommandBuffer commands, size_t index);
+    /// Living passes.
+    size_t passes() const { return passes_.size(); }
     /// Records a frame whose draws touch one pixel: every pipeline is compiled after it, for software
     /// devices compile at the first draw.
     void record_warm_up(VkCommandBuffer commands) { record(commands, true); }
@@ -182,6 +188,8 @@ private:
     Access everything_that_shares_memory(const GraphImage& image) const;
     void prepare_passes();
     void record(VkCommandBuffer commands, bool one_pixel);
+    void record_pass(VkCommandBuffer commands, uint32_t index, bool one_pixel) const;
+    void record_end(VkCommandBuffer commands) const;
     void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent) const;
     Access sampled_access(const Pass& pass, ImageId image) const;
     uint64_t texels_bytes(ImageId image) const;

@@ -90,18 +90,39 @@ void DeviceRenderer::build_graph() {
     graph_ = std::move(graph); // none while one could not be made
 }
 
-void DeviceRenderer::render_frame(VkCommandBuffer commands, bool warm_up) {
-    std::fill_n(pair_counters_.mapped<uint32_t>(), size_t(options_.height) * 2, 0u);
+void DeviceRenderer::submit(VkCommandBuffer commands, const std::function<void()>& record) {
     gpu::check(vkResetCommandPool(context_.device(), pool_, 0), "command pool");
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     gpu::check(vkBeginCommandBuffer(commands, &begin), "frame");
-    if (warm_up)
-        graph_->record_warm_up(commands);
-    else
-        graph_->record(commands);
+    record();
     gpu::check(vkEndCommandBuffer(commands), "frame");
     context_.submit_and_wait(commands);
+}
+
+void DeviceRenderer::clear_pairs() {
+    std::fill_n(pair_counters_.mapped<uint32_t>(), size_t(options_.height) * 2, 0u);
+}
+
+void DeviceRenderer::render_frame(VkCommandBuffer commands, bool warm_up) {
+    clear_pairs();
+    submit(commands, [&] {
+        if (warm_up)
+            graph_->record_warm_up(commands);
+        else
+            graph_->record(commands);
+    });
+}
+
+void DeviceRenderer::time_passes(VkCommandBuffer commands, std::vector<std::vector<double>>& times) {
+    clear_pairs();
+    graph_->record_begin();
+    times.resize(graph_->passes());
+    for (size_t p = 0; p < times.size(); ++p) {
+        const double start = process_ms();
+        submit(commands, [&] { graph_->record_pass(commands, p); });
+        times[p].push_back(process_ms() - start);
+    }
 }
 
 void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
@@ -135,6 +156,11 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
         }
         gpu_total.push_back(total);
     }
+    std::vector<std::vector<double>> pass_cpu;
+    for (uint32_t f = 0; options_.pass_cpu && f < frames; ++f) {
+        frame_->update(camera);
+        time_passes(commands, pass_cpu);
+    }
     vkFreeCommandBuffers(context_.device(), pool_, 1, &commands);
 
     stats_ = {};
@@ -155,6 +181,8 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     for (size_t p = 0; p < stats_.passes.size(); ++p) {
         stats_.passes[p].bytes_read = traffic[p].bytes_read;
         stats_.passes[p].bytes_written = traffic[p].bytes_written;
+        if (options_.pass_cpu)
+            stats_.passes[p].cpu_ms = spread(pass_cpu[p]);
     }
     stats_.attachment_bytes = graph_->memory_bytes();
     stats_.attachment_bytes_unshared = graph_->unshared_bytes();

@@ -1,5 +1,6 @@
 #pragma once
 #include "settings.hpp"
+#include <functional>
 #include <graph/frame_graph.hpp>
 #include <memory>
 #include <optional>
@@ -39,7 +40,12 @@ protected:
 
 private:
     void build_graph();
+    /// Records commands with `record`, submits them and waits.
+    void submit(VkCommandBuffer commands, const std::function<void()>& record);
     void render_frame(VkCommandBuffer commands, bool warm_up);
+    /// One more frame, pass by pass: adds each pass's CPU time to `times`.
+    void time_passes(VkCommandBuffer commands, std::vector<std::vector<double>>& times);
+    void clear_pairs();
     void count_pairs();
 
     const gpu::Context& context_;
