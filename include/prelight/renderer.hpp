@@ -69,6 +69,21 @@ struct PassStats {
     std::optional<Spread> cpu_ms = {};
 };
 
+/// What the host had the device's driver make.
+struct CreatedObjects {
+    uint64_t allocations = 0; ///< of device memory
+    uint64_t pipelines = 0, buffers = 0, images = 0, descriptor_pools = 0;
+    bool operator==(const CreatedObjects&) const = default;
+};
+
+/// CPU time of the calling thread for one frame, milliseconds.
+struct HostTimes {
+    Spread lights;  ///< the lights' records: what of each light shaders read
+    Spread culling; ///< which lights reach the picture or an object, in which group, with which bounds
+    Spread objects; ///< the objects' records
+    Spread record;  ///< recording and submitting the frame's commands
+};
+
 struct Stats {
     std::string device, driver;
     std::map<std::string, std::string> settings; ///< every setting with the value in force
@@ -78,6 +93,9 @@ struct Stats {
     Spread wall_ms, cpu_ms, gpu_ms;
     std::vector<PassStats> passes;
     uint64_t attachment_bytes = 0, device_bytes = 0;
+    uint64_t device_bytes_peak = 0; ///< the most device memory held at once since the device was made
+    CreatedObjects created;         ///< during the last frame: nothing, once all has been drawn
+    std::optional<HostTimes> host_ms = {}; ///< renderers on a device
     uint64_t attachment_bytes_unshared = 0; ///< the same images, if none shared memory with another
     uint64_t pairs_evaluated = 0, pairs_contributing = 0;
     bool pairs_counted = false;
@@ -95,7 +113,8 @@ public:
     /// another render() first. Throws Error before set_world(), or when the device
     /// cannot hold so many.
     virtual void set_lights(std::span<const PlacedLight> lights) = 0;
-    /// Renders `frames` ≥ 1 frames after warming every pipeline. Throws Error.
+    /// Renders `frames` ≥ 1 frames. Where something was built since the last call, every pipeline is
+    /// warmed first, by a frame of one pixel that counts in no figure. Throws Error.
     virtual void render(const PlacedCamera& camera, uint32_t frames = 1) = 0;
     /// A buffer of the last frame: "final" is display-encoded 0 … 1, "linear" is the exposed
     /// scene-linear picture, the others are drawn so that a person can read them (display-encoded).

@@ -14,6 +14,7 @@ Buffer::Buffer(const Context& context, std::string_view name, uint64_t size, VkB
     VkBuffer handle = VK_NULL_HANDLE;
     check(vkCreateBuffer(context.device(), &info, nullptr, &handle), name);
     buffer_ = {context.device(), handle};
+    context.count_created(Context::Kind::buffer);
     context.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(handle), name);
 
     VkMemoryRequirements requirements{};

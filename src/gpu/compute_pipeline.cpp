@@ -13,6 +13,7 @@ ComputePipeline::ComputePipeline(const Context& context, const ComputePipelineDe
     check(vkCreateComputePipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle),
           desc.name);
     pipeline_ = {context.device(), handle};
+    context.count_created(Context::Kind::pipeline);
     context.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(handle), desc.name);
 }
 

@@ -168,6 +168,14 @@ void Context::submit_and_wait(VkCommandBuffer commands) const {
     check(vkWaitSemaphores(device_, &wait, UINT64_MAX), name());
 }
 
+void Context::memory_taken(uint64_t bytes) const {
+    const uint64_t held = device_bytes_ += bytes;
+    uint64_t peak = device_bytes_peak_;
+    while (held > peak && !device_bytes_peak_.compare_exchange_weak(peak, held)) {
+    }
+    count_created(Kind::allocation);
+}
+
 void Context::set_name(VkObjectType type, uint64_t handle, std::string_view text) const {
     if (!set_object_name_)
         return;

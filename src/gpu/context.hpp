@@ -1,6 +1,7 @@
 #pragma once
 #include "device_selection.hpp"
 #include "handle.hpp"
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <functional>
@@ -48,8 +49,17 @@ public:
     void begin_label(VkCommandBuffer commands, std::string_view name) const;
     void end_label(VkCommandBuffer commands) const;
 
-    /// Device memory held now; Allocation keeps it.
-    std::atomic<uint64_t>& device_bytes() const { return device_bytes_; }
+    /// Device memory held now, and the most that was held at once.
+    uint64_t device_bytes() const { return device_bytes_; }
+    uint64_t device_bytes_peak() const { return device_bytes_peak_; }
+    /// Allocation counts itself here.
+    void memory_taken(uint64_t bytes) const;
+    void memory_freed(uint64_t bytes) const { device_bytes_ -= bytes; }
+    /// What has been made on this device so far; each owner counts what it makes. A steady frame adds
+    /// nothing.
+    enum class Kind : size_t { allocation, pipeline, buffer, image, descriptor_pool, count };
+    uint64_t created(Kind kind) const { return created_[static_cast<size_t>(kind)]; }
+    void count_created(Kind kind) const { ++created_[static_cast<size_t>(kind)]; }
 
 private:
     void create_device();
@@ -67,7 +77,8 @@ private:
     UniqueCommandPool pool_;
     UniqueSemaphore timeline_;
     mutable uint64_t timeline_value_ = 0;
-    mutable std::atomic<uint64_t> device_bytes_ = 0;
+    mutable std::atomic<uint64_t> device_bytes_ = 0, device_bytes_peak_ = 0;
+    mutable std::array<std::atomic<uint64_t>, static_cast<size_t>(Kind::count)> created_{};
     PFN_vkSetDebugUtilsObjectNameEXT set_object_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;

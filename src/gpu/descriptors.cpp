@@ -91,6 +91,7 @@ DescriptorSets::DescriptorSets(const Context& context, std::string_view name,
     VkDescriptorPool pool = VK_NULL_HANDLE;
     check(vkCreateDescriptorPool(context.device(), &info, nullptr, &pool), name);
     pool_ = {context.device(), pool};
+    context.count_created(Context::Kind::descriptor_pool);
     context.set_name(VK_OBJECT_TYPE_DESCRIPTOR_POOL, reinterpret_cast<uint64_t>(pool), name);
 
     const std::vector<VkDescriptorSetLayout> layouts(sets.size(), layout);

@@ -12,7 +12,7 @@ Allocation::Allocation(const Context& context, uint64_t size, uint32_t memory_ty
     info.memoryTypeIndex = memory_type;
     check(vkAllocateMemory(context.device(), &info, nullptr, &memory_),
           fmt::format("{}: {} bytes of memory", context.name(), size));
-    context.device_bytes() += size;
+    context.memory_taken(size);
     if (map)
         check(vkMapMemory(context.device(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), "map memory");
 }
@@ -21,7 +21,7 @@ Allocation::~Allocation() {
     if (!memory_)
         return;
     vkFreeMemory(context_->device(), memory_, nullptr);
-    context_->device_bytes() -= size_;
+    context_->memory_freed(size_);
 }
 
 void Allocation::swap(Allocation& other) {

@@ -129,6 +129,7 @@ GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelin
     check(vkCreateGraphicsPipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle),
           desc.name);
     pipeline_ = {context.device(), handle};
+    context.count_created(Context::Kind::pipeline);
     context.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(handle), desc.name);
 }
 

@@ -67,6 +67,7 @@ Texture::Texture(const Context& context, MemoryPool& pool, const TextureImage& i
     VkImage handle = VK_NULL_HANDLE;
     check(vkCreateImage(context.device(), &info, nullptr, &handle), name);
     image_ = {context.device(), handle};
+    context.count_created(Context::Kind::image);
     context.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(handle), name);
     VkMemoryRequirements requirements{};
     vkGetImageMemoryRequirements(context.device(), handle, &requirements);

@@ -44,6 +44,7 @@ void FrameGraph::create_images() {
         VkImage handle = VK_NULL_HANDLE;
         gpu::check(vkCreateImage(context_.device(), &info, nullptr, &handle), image.name);
         image.image = {context_.device(), handle};
+        context_.count_created(gpu::Context::Kind::image);
         context_.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(handle), image.name);
         vkGetImageMemoryRequirements(context_.device(), handle, &image.requirements);
     }

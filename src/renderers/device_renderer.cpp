@@ -31,6 +31,16 @@ Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D e
     return image;
 }
 
+/// What has been made on the device, less `before`.
+CreatedObjects created_since(const gpu::Context& context, const CreatedObjects& before) {
+    using Kind = gpu::Context::Kind;
+    return {.allocations = context.created(Kind::allocation) - before.allocations,
+            .pipelines = context.created(Kind::pipeline) - before.pipelines,
+            .buffers = context.created(Kind::buffer) - before.buffers,
+            .images = context.created(Kind::image) - before.images,
+            .descriptor_pools = context.created(Kind::descriptor_pool) - before.descriptor_pools};
+}
+
 } // namespace
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
@@ -81,7 +91,7 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
 }
 
 void DeviceRenderer::build_graph() {
-    drawn_ = false;
+    drawn_ = warm_ = false;
     auto graph = std::make_unique<graph::FrameGraph>(context_);
     views_ = build(*graph, *frame_);
     for (const auto& [name, image] : views_)
@@ -135,12 +145,17 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     gpu::check(vkAllocateCommandBuffers(context_.device(), &allocate, &commands), "command buffer");
 
-    frame_->update(camera);
-    render_frame(commands, true);
+    if (!warm_) {
+        frame_->update(camera);
+        render_frame(commands, true);
+        warm_ = true;
+    }
 
     std::vector<double> wall, cpu, gpu_total;
+    CreatedObjects created; // before the last frame
     std::vector<std::pair<std::string, std::vector<double>>> passes;
     for (uint32_t f = 0; f < frames; ++f) {
+        created = created_since(context_, {});
         const double wall_start = wall_ms(), cpu_start = process_ms();
         frame_->update(camera);
         render_frame(commands, false);
@@ -156,6 +171,7 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
         }
         gpu_total.push_back(total);
     }
+    created = created_since(context_, created);
     std::vector<std::vector<double>> pass_cpu;
     for (uint32_t f = 0; options_.pass_cpu && f < frames; ++f) {
         frame_->update(camera);
@@ -187,6 +203,8 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     stats_.attachment_bytes = graph_->memory_bytes();
     stats_.attachment_bytes_unshared = graph_->unshared_bytes();
     stats_.device_bytes = context_.device_bytes();
+    stats_.device_bytes_peak = context_.device_bytes_peak();
+    stats_.created = created;
     count_pairs();
     drawn_ = true;
 }

@@ -58,6 +58,7 @@ private:
     std::unique_ptr<graph::FrameGraph> graph_;
     Views views_;
     bool drawn_ = false; ///< the graph's images hold a frame
+    bool warm_ = false;  ///< every pipeline of the graph has drawn once
     Stats stats_;
 };
 

@@ -168,7 +168,10 @@ TEST(Render, StatsHoldWhatTheContractNames) {
     EXPECT_LE(stats.at("light_pixel_pairs").at("contributing"),
               stats.at("light_pixel_pairs").at("evaluated"));
     EXPECT_GE(stats.at("attachment_bytes_unshared"), 64 * 36 * 8);
-    EXPECT_EQ(stats.size(), 21u) << "a key that the contract does not name";
+    EXPECT_GE(stats.at("device_bytes_peak"), stats.at("device_bytes"));
+    for (const char* key : {"allocations", "pipelines", "buffers", "images", "descriptor_pools"})
+        EXPECT_EQ(stats.at("steady_frame").at(key), 0) << key;
+    EXPECT_EQ(stats.size(), 23u) << "a key that the contract does not name";
 }
 
 TEST(Render, PassCpuGivesEachPassAFigure) {

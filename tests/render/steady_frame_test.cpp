@@ -1,0 +1,110 @@
+// A frame that draws what was drawn before makes nothing: no memory, no pipeline, no buffer.
+#include "garden.hpp"
+#include "vulkan_calls.hpp"
+#include <prelight/vary.hpp>
+
+namespace prelight {
+namespace {
+
+/// Each renderer on a device once for each value of the settings that say how lights meet pixels.
+std::vector<Shot> every_way(const Shot& shot) {
+    std::vector<Shot> shots;
+    for (const RendererInfo& info : renderer_infos())
+        for (const SettingInfo& setting : info.settings)
+            if (info.needs_device &&
+                (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order"))
+                for (const std::string& value : setting.values) {
+                    shots.push_back(shot);
+                    shots.back().renderer = info.name;
+                    shots.back().settings = {{setting.key, value}};
+                }
+    return shots;
+}
+
+TEST(SteadyFrame, MakesNothingWhileLightsAndCameraMove) {
+    Garden garden;
+    garden.add_lights(40, 3, 4);
+    for (int i = 0; i < 5; ++i)
+        garden.add_light(garden.spot(0.6f, 5, 6), garden.at(i - 2, 3, 0), {0, -1, 0.1});
+    for (Shot shot : every_way(garden.shot())) {
+        SCOPED_TRACE(shot.renderer + " " + shot.settings.begin()->second);
+        shot.width = 160, shot.height = 90;
+        const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+        renderer->set_world(garden.world);
+        std::vector<PlacedLight> lights = garden.world.lights;
+        PlacedCamera camera = garden.camera;
+        for (int frame = 0; frame < 8; ++frame) {
+            const VulkanCalls calls;
+            rotate_lights(lights, garden.at(0, 0, 0), 0.05);
+            camera.position += glm::dvec3(0.05, 0.02, -0.05);
+            renderer->set_lights(lights);
+            renderer->render(camera);
+            const Stats stats = renderer->stats();
+            EXPECT_GE(stats.device_bytes_peak, stats.device_bytes);
+            if (frame > 0) { // the first one's camera and lights may have built what is missing
+                EXPECT_EQ(calls.pipelines, 0u) << "frame " << frame;
+            }
+            if (frame < 3)
+                continue; // lists find out how much room they need
+            EXPECT_EQ(calls.allocations, 0u) << "frame " << frame;
+            EXPECT_EQ(calls.buffers + calls.images + calls.descriptor_pools, 0u) << "frame " << frame;
+            EXPECT_EQ(stats.created, CreatedObjects{}) << "frame " << frame;
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
+// The count would be 0 as well if nobody counted: a frame whose lights need more room makes it.
+TEST(SteadyFrame, CountsTheRoomThatListsTake) {
+    Garden garden;
+    garden.add_lights(300, 0.1f, 1);
+    std::vector<PlacedLight> wide = garden.world.lights;
+    for (PlacedLight& light : wide)
+        light.light.range = 30;
+    Shot shot = garden.shot();
+    shot.settings["light-culling"] = "tiles";
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+    renderer->set_world(garden.world);
+    renderer->render(garden.camera);
+    renderer->set_lights(wide);
+    const VulkanCalls calls;
+    CreatedObjects created;
+    for (int frame = 0; frame < 3; ++frame) {
+        renderer->render(garden.camera);
+        created.buffers += renderer->stats().created.buffers;
+        created.allocations += renderer->stats().created.allocations;
+    }
+    EXPECT_GE(created.buffers, 1u);
+    EXPECT_EQ(created.buffers, calls.buffers);
+    EXPECT_EQ(created.allocations, calls.allocations);
+    expect_validation_clean(test_device());
+}
+
+// A frame after the first of its graph is one frame's work: the warm-up is not drawn again.
+TEST(SteadyFrame, WarmsPipelinesOnlyAfterSomethingWasBuilt) {
+    Garden garden;
+    garden.add_lights(20, 3, 4);
+    const Shot shot = garden.shot();
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+    renderer->set_world(garden.world);
+    const auto drawn_frames = [&] {
+        const VulkanCalls calls;
+        renderer->render(garden.camera, 3);
+        renderer->stats();
+        return calls.submits;
+    };
+    EXPECT_EQ(drawn_frames(), 4u);
+    EXPECT_EQ(drawn_frames(), 3u);
+    renderer->set_lights(garden.world.lights);
+    EXPECT_EQ(drawn_frames(), 3u);
+    std::vector<PlacedLight> more = garden.world.lights;
+    more.push_back({garden.spot(0.6f, 5, 6), garden.at(0, 3, 0), {0, -1, 0}}); // the first spot
+    renderer->set_lights(more);
+    EXPECT_EQ(drawn_frames(), 4u);
+    renderer->set_world(garden.world);
+    EXPECT_EQ(drawn_frames(), 4u);
+    expect_validation_clean(test_device());
+}
+
+} // namespace
+} // namespace prelight

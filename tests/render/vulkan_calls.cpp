@@ -1,0 +1,71 @@
+#include "vulkan_calls.hpp"
+#include <dlfcn.h>
+#include <vulkan/vulkan_core.h>
+
+namespace prelight {
+namespace {
+
+VulkanCalls*& active() {
+    static VulkanCalls* calls = nullptr;
+    return calls;
+}
+
+/// The loader's own function, after counting one call.
+template <class Function>
+Function pass_on(Function, const char* name, uint64_t VulkanCalls::*count, uint64_t by = 1) {
+    if (active())
+        active()->*count += by;
+    return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+} // namespace
+
+VulkanCalls::VulkanCalls() { active() = this; }
+VulkanCalls::~VulkanCalls() { active() = nullptr; }
+
+} // namespace prelight
+
+using prelight::VulkanCalls, prelight::pass_on;
+
+extern "C" {
+
+VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
+    return pass_on(&vkQueueSubmit2, "vkQueueSubmit2", &VulkanCalls::submits)(queue, count, infos, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
+                                                const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
+    return pass_on(&vkAllocateMemory, "vkAllocateMemory", &VulkanCalls::allocations)(device, info, allocator, memory);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateGraphicsPipelines(VkDevice device, VkPipelineCache cache, uint32_t count,
+                                                         const VkGraphicsPipelineCreateInfo* infos,
+                                                         const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    return pass_on(&vkCreateGraphicsPipelines, "vkCreateGraphicsPipelines", &VulkanCalls::pipelines, count)(
+        device, cache, count, infos, allocator, pipelines);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipelineCache cache, uint32_t count,
+                                                        const VkComputePipelineCreateInfo* infos,
+                                                        const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    return pass_on(&vkCreateComputePipelines, "vkCreateComputePipelines", &VulkanCalls::pipelines, count)(
+        device, cache, count, infos, allocator, pipelines);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateBuffer(VkDevice device, const VkBufferCreateInfo* info,
+                                              const VkAllocationCallbacks* allocator, VkBuffer* buffer) {
+    return pass_on(&vkCreateBuffer, "vkCreateBuffer", &VulkanCalls::buffers)(device, info, allocator, buffer);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateImage(VkDevice device, const VkImageCreateInfo* info,
+                                             const VkAllocationCallbacks* allocator, VkImage* image) {
+    return pass_on(&vkCreateImage, "vkCreateImage", &VulkanCalls::images)(device, info, allocator, image);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateDescriptorPool(VkDevice device, const VkDescriptorPoolCreateInfo* info,
+                                                      const VkAllocationCallbacks* allocator, VkDescriptorPool* pool) {
+    return pass_on(&vkCreateDescriptorPool, "vkCreateDescriptorPool", &VulkanCalls::descriptor_pools)(device, info,
+                                                                                                     allocator, pool);
+}
+
+} // extern "C"
