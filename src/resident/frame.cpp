@@ -76,6 +76,7 @@ void Frame::update(const PlacedCamera& camera) {
                              half_max / static_cast<float>(settings_.light_scale));
     next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, 0, 0);
     constants = next;
+    clip_from_world_ = next.clip_from_world;
 
     shared::LightData* lights = lights_.mapped<shared::LightData>();
     for (size_t i = 0; i < placed_.size(); ++i)

@@ -40,6 +40,8 @@ public:
     const LightReach& reach() const { return reach_; }
     /// The camera's position of the last update(), world space: the origin of what shaders call world.
     glm::dvec3 eye() const { return eye_; }
+    /// World relative to eye() → clip space, of the last update().
+    const glm::mat4& clip_from_world() const { return clip_from_world_; }
     LightCulling culling() const { return settings_.culling; }
     const VolumeOptions& volumes() const { return settings_.volumes; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
@@ -66,6 +68,7 @@ private:
     LightGroups groups_;
     LightReach reach_;
     glm::dvec3 eye_{0};
+    glm::mat4 clip_from_world_{1};
 };
 
 } // namespace prelight::resident
