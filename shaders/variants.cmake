@@ -22,4 +22,6 @@ set(PRELIGHT_SHADER_VARIANTS
     "light_lists_candidates+grid.comp|light_lists_candidates.comp|-DGRID_CELLS"
     "light_lists_cells+grid.comp|light_lists_cells.comp|-DGRID_CELLS"
     "light_loop+packed.frag|light_loop.frag|-DONE_TARGET"
-    "light_loop+count.frag|light_loop.frag|-DCOUNT_TARGET")
+    "light_loop+count.frag|light_loop.frag|-DCOUNT_TARGET"
+    "plain_forward+textured.vert|plain_forward.vert|-DTEXTURED"
+    "plain_forward+textured.frag|plain_forward.frag|-DTEXTURED")

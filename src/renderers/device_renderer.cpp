@@ -12,7 +12,7 @@ namespace {
 
 Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D extent) {
     Image image(extent.width, extent.height);
-    if (format == VK_FORMAT_R8G8B8A8_UNORM) {
+    if (format == VK_FORMAT_R8G8B8A8_UNORM || format == VK_FORMAT_R8G8B8A8_SRGB) { // the bytes as stored
         for (size_t i = 0; i < image.pixels.size(); ++i)
             for (int c = 0; c < 3; ++c)
                 image.pixels[i][c] = static_cast<float>(texels[4 * i + size_t(c)]) / 255.0f;

@@ -1,6 +1,7 @@
 #include "deferred.hpp"
 #include "light_prepass.hpp"
 #include "multipass.hpp"
+#include "plain_forward.hpp"
 #include "z_prepass.hpp"
 #include <fmt/format.h>
 #include <prelight/error.hpp>
@@ -20,7 +21,8 @@ std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
                       : name == "multipass"   ? make_multipass
                       : name == "z-prepass"   ? make_z_prepass
                       : name == "deferred"    ? make_deferred
-                                              : nullptr;
+                      : name == "plain-forward" ? make_plain_forward // of bench: in no list
+                                                : nullptr;
     if (!make)
         throw UsageError(fmt::format("--renderer {}: no such renderer (prelight renderers lists them)", name));
     if (!device)

@@ -1,0 +1,153 @@
+// The yardstick F: one plain forward pass without lights, as cheap as it honestly can be. One draw an
+// object that the view holds, nearest first; base colour under ambient light and emissive light, tone
+// mapping in the same shader, straight into the final picture. Everything else is measured in units of it,
+// so whatever makes it cheaper belongs here.
+#include "plain_forward.hpp"
+#include "device_renderer.hpp"
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <gpu/pipeline.hpp>
+#include <shared/bindings.h>
+
+namespace prelight {
+namespace {
+
+constexpr uint32_t textures = FEATURE_BASE_COLOUR_TEXTURE | FEATURE_EMISSIVE_TEXTURE;
+constexpr uint32_t features = textures | FEATURE_ALPHA_MASK | FEATURE_UNLIT; ///< that the shaders know
+
+/// The six planes of what a camera sees; a point relative to the eye is inside where all are ≥ 0.
+std::array<glm::vec4, 6> frustum_planes(const glm::mat4& clip_from_world) {
+    const glm::mat4 rows = glm::transpose(clip_from_world);
+    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
+            rows[3] - rows[1], rows[2],           rows[3] - rows[2]};
+}
+
+/// Whether a box, relative to the eye, has a point on the inner side of each plane.
+bool may_be_seen(const std::array<glm::vec4, 6>& planes, const glm::vec3& low, const glm::vec3& high) {
+    return std::ranges::all_of(planes, [&](const glm::vec4& plane) {
+        const glm::vec3 normal(plane);
+        const glm::vec3 most = glm::mix(low, high, glm::greaterThan(normal, glm::vec3(0)));
+        return glm::dot(normal, most) + plane.w >= 0;
+    });
+}
+
+class PlainForward final : public DeviceRenderer {
+public:
+    PlainForward(Device& device, const RenderOptions& options, Settings settings)
+        : DeviceRenderer(device, options, std::move(settings)) {}
+
+private:
+    resident::FrameSettings frame_settings() const override {
+        resident::FrameSettings frame = DeviceRenderer::frame_settings();
+        frame.texture_filter = settings().is("texture-filter", "bilinear") ? gpu::TextureFilter::bilinear
+                                                                           : gpu::TextureFilter::anisotropic;
+        return frame;
+    }
+
+    uint64_t draws(const resident::Frame&) const override { return visible_.size(); }
+
+    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
+        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
+        // What encodes while it stores saves the shader a power for each channel.
+        const auto final = graph.image("final", frame.extent(), {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM});
+        graph.pass("plain-forward")
+            .colour(final, graph::Load::clear)
+            .depth_write(depth)
+            .prepare([this, &frame](const graph::PassInterface& interface) { make_pipelines(frame, interface); })
+            .record([this, &frame](const graph::PassContext& pass) { record(frame, pass); });
+        return {{"final", final}};
+    }
+
+    void make_pipelines(const resident::Frame& frame, const graph::PassInterface& interface) {
+        using resident::VertexAttributes;
+        pipelines_.clear();
+        gpu::GraphicsPipelineDesc desc;
+        desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes)};
+        desc.colour_formats = interface.colour_formats;
+        desc.depth_format = interface.depth_format;
+        desc.depth = gpu::DepthTest::write_nearer;
+        desc.sets = {frame.layout(), interface.inputs, frame.materials().layout};
+        for (const resident::Draw& draw : frame.geometry().draws) {
+            const uint32_t kind = draw.features & features;
+            if (pipelines_.contains(kind))
+                continue;
+            const std::string variant = kind & textures ? "+textured" : "";
+            desc.name = "plain forward features " + std::to_string(kind);
+            desc.vertex = "plain_forward" + variant + ".vert";
+            desc.fragment = "plain_forward" + variant + ".frag";
+            desc.attributes = {{VERTEX_POSITION, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
+                               {VERTEX_COLOUR, 1, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)}};
+            if (kind & textures) {
+                desc.attributes.push_back(
+                    {VERTEX_TEXCOORD_0, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
+                desc.attributes.push_back(
+                    {VERTEX_TEXCOORD_1, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)});
+            }
+            desc.constants = {{CONSTANT_MATERIAL_FEATURES, kind},
+                              {CONSTANT_TONEMAP, static_cast<uint32_t>(options().tonemap)},
+                              {CONSTANT_TARGET_ENCODES, desc.colour_formats[0] == VK_FORMAT_R8G8B8A8_SRGB}};
+            pipelines_.emplace(kind, gpu::GraphicsPipeline(frame.context(), desc));
+        }
+    }
+
+    /// What the view holds, nearest first, so that most hidden pixels are never shaded.
+    void find_visible(const resident::Frame& frame) {
+        const auto planes = frustum_planes(frame.clip_from_world());
+        const glm::vec4 away = glm::transpose(frame.clip_from_world())[3]; // w: view depth
+        visible_.clear();
+        for (const resident::Draw& draw : frame.geometry().draws) {
+            const glm::vec3 low(draw.low - frame.eye()), high(draw.high - frame.eye());
+            if (may_be_seen(planes, low, high))
+                visible_.emplace_back(glm::dot(glm::vec3(away), 0.5f * (low + high)), &draw);
+        }
+        std::ranges::stable_sort(visible_, {}, &std::pair<float, const resident::Draw*>::first);
+    }
+
+    void record(const resident::Frame& frame, const graph::PassContext& pass) {
+        find_visible(frame);
+        const resident::Geometry& geometry = frame.geometry();
+        const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle()};
+        const VkDeviceSize offsets[] = {0, 0};
+        vkCmdBindVertexBuffers(pass.commands, 0, 2, buffers, offsets);
+        vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+        const gpu::GraphicsPipeline* bound = nullptr;
+        std::optional<uint32_t> material;
+        for (const auto& [depth, draw] : visible_) {
+            const gpu::GraphicsPipeline& pipeline = pipelines_.at(draw->features & features);
+            if (&pipeline != bound) {
+                pipeline.bind(pass.commands);
+                pipeline.bind_set(pass.commands, SET_FRAME, frame.set());
+                pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
+                bound = &pipeline;
+                material.reset();
+            }
+            if (material != draw->material)
+                pipeline.bind_set(pass.commands, SET_MATERIAL, frame.materials().sets[draw->material]);
+            material = draw->material;
+            vkCmdSetCullMode(pass.commands, draw->double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+            vkCmdSetFrontFace(pass.commands, draw->mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+            vkCmdDrawIndexed(pass.commands, draw->index_count, 1, draw->first_index, draw->vertex_offset, draw->object);
+        }
+    }
+
+    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features
+    std::vector<std::pair<float, const resident::Draw*>> visible_; ///< with view depth of the middle
+};
+
+RendererInfo plain_forward_info() {
+    return {.name = "plain-forward",
+            .description = "one forward pass without lights: the unit F of bench",
+            .settings = {{"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
+                          "bilinear: level 0 only, for comparing with the reference"}},
+            .views = {"final"},
+            .presets = {}};
+}
+
+} // namespace
+
+std::unique_ptr<Renderer> make_plain_forward(Device& device, const RenderOptions& options) {
+    return std::make_unique<PlainForward>(device, options, Settings(plain_forward_info(), options));
+}
+
+} // namespace prelight
