@@ -89,6 +89,20 @@ std::pair<std::string, std::string> parse_pair(std::string_view option, const st
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+std::optional<Moment> parse_moment(const std::string& time, const std::string& animation) {
+    if (time.empty() && animation.empty())
+        return {};
+    Moment moment;
+    if (!time.empty())
+        moment.time = parse_number("--time", time, 0, 1e6);
+    return moment;
+}
+
+Shading parse_shading(const std::string& text) {
+    return parse_word<Shading>("--shading", text,
+                               {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
+}
+
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(),

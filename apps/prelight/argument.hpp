@@ -23,6 +23,10 @@ double parse_number(std::string_view option, const std::string& text, double lea
 /// "KEY=VALUE", neither empty.
 std::pair<std::string, std::string> parse_pair(std::string_view option, const std::string& text);
 
+/// Any animation that is named moves the scene off its rest, at 0 s when no time is given.
+std::optional<Moment> parse_moment(const std::string& time, const std::string& animation);
+Shading parse_shading(const std::string& text);
+
 template <typename T>
 T parse_word(std::string_view option, const std::string& text,
              const std::vector<std::pair<std::string_view, T>>& words) {

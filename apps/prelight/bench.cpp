@@ -1,5 +1,6 @@
 #include "bench.hpp"
 
+#include "bench_scene/bench_scene.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 #include "validation.hpp"
@@ -30,10 +31,16 @@ std::string bench_names() {
     return names;
 }
 
+bool is_bench(std::string_view name) {
+    return std::ranges::find(benches, name, &Bench::name) != benches.end();
+}
+
 void run(const BenchCommand& command) {
+    if (command.kind == BenchCommand::Kind::scene)
+        return bench_scene(command);
+    if (command.kind == BenchCommand::Kind::report)
+        return bench_report(command);
     const auto bench = std::ranges::find(benches, std::string_view(command.what), &Bench::name);
-    if (bench == benches.end())
-        throw UsageError(fmt::format("{}: not a bench ({})", command.what, bench_names()));
     if (!command.json.empty())
         check_writable(command.json);
     const auto device = Device::create({.select = command.device, .validate = command.validate});

@@ -18,6 +18,7 @@ struct Bench {
 
 /// "encodings, …" for messages.
 std::string bench_names();
+bool is_bench(std::string_view name);
 
 nlohmann::ordered_json bench_encodings_table(const BenchCommand& command, Device& device);
 nlohmann::ordered_json bench_light_buffers_table(const BenchCommand& command, Device& device);

@@ -1,8 +1,8 @@
-// The only unit that includes CLI11: it takes seconds to compile.
+// This and bench_arguments.cpp are the only units that include CLI11: it takes seconds to compile.
 #include "command_line.hpp"
 
 #include "argument.hpp"
-#include "bench.hpp"
+#include "bench_arguments.hpp"
 
 #include <CLI/CLI.hpp>
 #include <prelight/error.hpp>
@@ -16,7 +16,7 @@ constexpr const char* program_footer = R"(Examples:
   prelight compare city -o report
   prelight make spheres -o spheres.glb
   prelight renderers light-prepass
-  prelight bench encodings --json encodings.json
+  prelight bench city --light-counts 64,1024 --limit --json city.json
 Exit status: 0 done, 1 the work failed, 2 wrong usage.)";
 
 constexpr const char* render_footer = R"(Examples:
@@ -136,47 +136,6 @@ void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
     sub.add_option("--seed", text.seed, "Seed of what is random (default 1)")->type_name("S");
 }
 
-Shading parse_shading(const std::string& text) {
-    return parse_word<Shading>("--shading", text,
-                               {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
-}
-
-/// What `bench` is given as text.
-struct BenchText {
-    std::string size, lights, seed = "1", frames, json;
-};
-
-void add_bench(CLI::App& app, BenchCommand& command, BenchText& text) {
-    auto& sub = *app.add_subcommand("bench", "Measure, and print a table");
-    const auto option = [&](const char* names, auto& target, const char* word, const char* help) {
-        return sub.add_option(names, target, help)->type_name(word)->allow_extra_args(false);
-    };
-    sub.footer("Example:\n  prelight bench encodings --json encodings.json\nBenches: " +
-               bench_names() + ".");
-    sub.add_option("WHAT", command.what, "One of the benches below")->required()->type_name("");
-    option("--scene", command.scene, "SCENE", "File or built-in scene (default spheres)");
-    option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
-    option("--size", text.size, "WxH", "Picture size in pixels (default is the bench's own)");
-    option("--lights", text.lights, "N",
-           "Light count of a built-in scene; adds N random point lights to any other");
-    option("--seed", text.seed, "S", "Seed of what is random (default 1)");
-    option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
-    option("--frames", text.frames, "N", "claims: frames of each way to time, interleaved (default 5)");
-    option("--json", text.json, "FILE", "Write the figures as JSON too");
-    sub.add_flag("--validate", command.validate,
-                 "Run with Vulkan validation; any message is a failure");
-}
-
-/// Any animation that is named moves the scene off its rest, at 0 s when no time is given.
-std::optional<Moment> parse_moment(const std::string& time, const std::string& animation) {
-    if (time.empty() && animation.empty())
-        return {};
-    Moment moment;
-    if (!time.empty())
-        moment.time = parse_number("--time", time, 0, 1e6);
-    return moment;
-}
-
 void finish(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
     command.options.shading = parse_shading(text.shading);
@@ -225,17 +184,6 @@ void finish(MakeCommand& command, const MakeText& text) {
         command.lights = parse_count("--lights", text.lights, 1);
 }
 
-void finish(BenchCommand& command, const BenchText& text) {
-    if (!text.size.empty())
-        std::tie(command.width, command.height) = parse_size("--size", text.size);
-    command.seed = parse_seed("--seed", text.seed);
-    if (!text.lights.empty())
-        command.lights = parse_count("--lights", text.lights, 1);
-    if (!text.frames.empty())
-        command.frames = parse_count("--frames", text.frames, 1);
-    command.json = text.json;
-}
-
 /// CLI11 would only say that a command is missing, not that this one is unknown.
 void check_command(CLI::App& app, int argc, const char* const* argv) {
     if (argc < 2 || argv[1][0] == '-')
@@ -264,12 +212,11 @@ Command parse_command_line(int argc, const char* const* argv) {
     MakeCommand make;
     MakeText make_text;
     RenderersCommand renderers;
-    BenchCommand bench;
-    BenchText bench_text;
+    BenchArguments bench;
     add_render(app, render, render_text);
     add_compare(app, compare, compare_text);
     add_make(app, make, make_text);
-    add_bench(app, bench, bench_text);
+    bench.add(app);
     app.add_subcommand("devices", "Show the Vulkan devices and which would be taken");
     auto& list = *app.add_subcommand("renderers", "List renderers, or what one of them can do");
     list.add_option("NAME", renderers.name, "Show keys, values, views, presets")->type_name("");
@@ -298,10 +245,8 @@ Command parse_command_line(int argc, const char* const* argv) {
         finish(make, make_text);
         return make;
     }
-    if (app.got_subcommand("bench")) {
-        finish(bench, bench_text);
-        return bench;
-    }
+    if (app.got_subcommand("bench"))
+        return bench.command();
     if (app.got_subcommand("renderers"))
         return renderers;
     return DevicesCommand{};

@@ -72,18 +72,33 @@ struct RenderersCommand {
     std::string name; ///< empty: all, one line each
 };
 
-/// `prelight bench WHAT`: a table of figures, measured here and now.
+/// `prelight bench WHAT`: figures, measured here and now; or a page of figures that were.
 struct BenchCommand {
-    std::string what;            ///< one of bench_names()
+    enum class Kind { table, scene, report };
+    Kind kind = Kind::table;
+    std::string what; ///< table: one of bench_names()
     std::string scene = "spheres";
     std::string camera; ///< name or index; empty: the scene's first
-    uint32_t width = 0, height = 0; ///< 0: the bench's own
+    uint32_t width = 0, height = 0; ///< table: 0 is the bench's own
     std::optional<uint32_t> lights;
     std::optional<uint32_t> frames; ///< that are timed; absent: the bench's own
     uint64_t seed = 1;
     std::string device = "auto";
     bool validate = false;
     std::filesystem::path json; ///< empty: none
+
+    // Of Kind::scene.
+    RenderOptions options;              ///< what all contenders share; settings: those of --set
+    std::vector<Variant> variants;      ///< empty: light-prepass and deferred
+    std::vector<uint32_t> light_counts; ///< rising; empty: the scene's own number
+    std::optional<Moment> moment;       ///< absent: the scene at rest
+    std::string animation;              ///< name or index; empty: all
+    bool limit = false;
+    std::filesystem::path baseline; ///< empty: none
+
+    // Of Kind::report.
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path output;
 };
 
 /// `--help`, `--version`: text that goes to stdout, and nothing else to do.

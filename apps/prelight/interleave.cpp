@@ -51,10 +51,12 @@ void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& 
             if (!contender.error.empty() || (round > 0 && samples[i].spent >= rounds.most_ms))
                 continue;
             try {
-                contender.renderer->render(camera, 1);
-                contender.stats = contender.renderer->stats();
-                samples[i].add(contender.stats, rounds.cost_ms ? rounds.cost_ms(contender.stats)
-                                                               : contender.stats.wall_ms.median);
+                for (uint32_t repeat = 0; repeat < contender.repeats; ++repeat) {
+                    contender.renderer->render(camera, 1);
+                    contender.stats = contender.renderer->stats();
+                    samples[i].add(contender.stats, rounds.cost_ms ? rounds.cost_ms(contender.stats)
+                                                                   : contender.stats.wall_ms.median);
+                }
             } catch (const Error& error) {
                 contender.error = error.what();
             }

@@ -11,6 +11,7 @@ struct Contender {
     Renderer* renderer = nullptr;
     Stats stats;       ///< of the frames that were rendered: their spreads, and the rest of the last one
     std::string error; ///< why it gave up; empty: it did not
+    uint32_t repeats = 1; ///< frames each time that it is its turn: a short one is measured more often
 };
 
 struct Rounds {

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "device_type.hpp"
 #include "output.hpp"
+#include "page.hpp"
 #include "pictures.hpp"
 #include "renderer_info.hpp"
 #include "stats_json.hpp"
@@ -103,7 +104,7 @@ void run(const CompareCommand& command) {
     const nlohmann::ordered_json json = report_json(report);
     folder.write([&](const std::filesystem::path& path) {
         save_text(json_text(json), path / "report.json");
-        save_text(report_page(json), path / "index.html");
+        save_text(fill_page(report_page, json), path / "index.html");
     });
     folder.publish();
     const auto failed = std::ranges::count_if(

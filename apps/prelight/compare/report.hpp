@@ -39,7 +39,5 @@ struct Report {
 
 /// report.json: docs/compare.md describes it.
 nlohmann::ordered_json report_json(const Report& report);
-/// index.html: the page with its style, its program and `report` inside.
-std::string report_page(const nlohmann::ordered_json& report);
 
 } // namespace prelight::app

@@ -1,0 +1,25 @@
+// `prelight bench report`: the page of saved figures.
+#include "bench_scene.hpp"
+#include "saved_bench.hpp"
+
+#include "output.hpp"
+#include "page.hpp"
+
+#include <fmt/format.h>
+
+namespace prelight::app {
+
+void bench_report(const BenchCommand& command) {
+    check_writable(command.output);
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    size_t runs = 0;
+    for (const std::filesystem::path& file : command.files) {
+        SavedBench bench = load_bench(file);
+        runs += bench.runs.size();
+        files.push_back({{"file", file.filename().string()}, {"bench", std::move(bench.json)}});
+    }
+    save_text(fill_page(bench_page, files), command.output);
+    fmt::print("{}: {} run(s) of {} file(s)\n", command.output.string(), runs, command.files.size());
+}
+
+} // namespace prelight::app

@@ -1,0 +1,164 @@
+#include "measure.hpp"
+
+#include "compare/times.hpp"
+#include "interleave.hpp"
+#include "progress.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+namespace {
+
+constexpr double share_of_survey = 0.2; ///< of the progress bar
+/// All figures are divided by F, and it is short.
+constexpr uint32_t unit_repeats = 3;
+
+/// The jobs on their way through the stops.
+class Measurement {
+public:
+    Measurement(const std::vector<Job>& jobs, const std::vector<Stop>& stops, const SceneSeries& scenes,
+                const BenchCommand& command, Device& device, bool pass_cpu)
+        : jobs_(jobs), stops_(stops), scenes_(scenes), command_(command), device_(device), pass_cpu_(pass_cpu), scene_(scenes.make()),
+          camera_(camera_of(scene_->world, command.camera)), usable_(jobs.size(), true) {
+        out_.triangles = scene_->world.triangles;
+        out_.camera = camera_.camera.name;
+        for (const Stop& stop : stops)
+            lights_.push_back(stop.count ? scenes.lights(*stop.count) : scene_->world.lights);
+    }
+
+    Measured run() {
+        for (size_t j = 0; j < jobs_.size(); ++j)
+            survey(j);
+        std::vector<std::unique_ptr<Renderer>> renderers(jobs_.size());
+        for (size_t j = 0; j < jobs_.size(); ++j)
+            if (usable_[j]) {
+                progress_.show(share_of_survey, "upload for " + jobs_[j].name());
+                RenderOptions options = jobs_[j].options;
+                options.pass_cpu = pass_cpu_;
+                renderers[j] = create_renderer(jobs_[j].variant.renderer, &device_, options);
+                renderers[j]->set_world(scene_->world);
+            }
+        for (size_t s = 0; s < stops_.size(); ++s)
+            time(s, renderers);
+        return std::move(out_);
+    }
+
+private:
+    std::span<const PlacedLight> lights_of(const Job& job, size_t stop) const {
+        if (job.role == Role::no_lights)
+            return {};
+        return lights_[stop];
+    }
+
+    std::string place(const Job& job, size_t stop) const {
+        return fmt::format("{}: {}, {} light{}", command_.scene, job.name(), stops_[stop].lights,
+                           stops_[stop].lights == 1 ? "" : "s");
+    }
+
+    /// One job by itself at each stop.
+    void survey(size_t j) {
+        const Job& job = jobs_[j];
+        RenderOptions options = job.options;
+        options.count_pairs = job.role != Role::unit && job.role != Role::no_lights;
+        size_t stop = 0;
+        try {
+            const auto renderer = create_renderer(job.variant.renderer, &device_, options);
+            renderer->set_world(scene_->world);
+            for (; stop < stops_.size(); ++stop) {
+                progress_.show(share_of_survey * double(j * stops_.size() + stop) / double(jobs_.size() * stops_.size()),
+                               "pairs of " + place(job, stop));
+                renderer->set_lights(lights_of(job, stop));
+                renderer->render(camera_, 2); // lists that did not fit have grown for the second
+                alone_.push_back({&job, stops_[stop], renderer->stats()});
+            }
+        } catch (const Error& error) {
+            fail(j, stop, error);
+        }
+    }
+
+    void fail(size_t j, size_t stop, const Error& error) {
+        const std::string line = fmt::format("{}: {}", place(jobs_[j], stop), error.what());
+        if (jobs_[j].role == Role::contender && dynamic_cast<const UsageError*>(&error))
+            throw UsageError(line);
+        if (jobs_[j].role == Role::contender || jobs_[j].role == Role::unit)
+            throw Error(line);
+        usable_[j] = false;
+        out_.missing.push_back(line);
+    }
+
+    /// All jobs at one stop, interleaved.
+    void time(size_t s, std::vector<std::unique_ptr<Renderer>>& renderers) {
+        std::vector<Contender> contenders;
+        std::vector<const Job*> owners;
+        for (size_t j = 0; j < jobs_.size(); ++j) {
+            if (!usable_[j])
+                continue;
+            show(s, 0, "warm-up of " + jobs_[j].name());
+            renderers[j]->set_lights(lights_of(jobs_[j], s));
+            renderers[j]->render(camera_);
+            contenders.push_back({.renderer = renderers[j].get(),
+                                  .stats = {},
+                                  .error = {},
+                                  .repeats = jobs_[j].role == Role::unit ? unit_repeats : 1});
+            owners.push_back(&jobs_[j]);
+        }
+        const uint32_t frames = command_.frames.value_or(1);
+        const double all = double(frames) * double(contenders.size());
+        double done = 0;
+        render_interleaved(contenders, camera_, {.frames = frames}, [&](const Contender& contender) {
+            show(s, done++ / all, owners[static_cast<size_t>(&contender - contenders.data())]->name());
+        });
+        for (size_t i = 0; i < contenders.size(); ++i) {
+            if (!contenders[i].error.empty())
+                throw Error(fmt::format("{}: {}", place(*owners[i], s), contenders[i].error));
+            keep(owners[i], stops_[s], std::move(contenders[i].stats));
+        }
+    }
+
+    void keep(const Job* job, const Stop& stop, Stats stats) {
+        for (const Run& alone : alone_)
+            if (alone.job == job && alone.stop.lights == stop.lights) {
+                stats.device_bytes = alone.stats.device_bytes;
+                stats.pairs_counted = alone.stats.pairs_counted;
+                stats.pairs_evaluated = alone.stats.pairs_evaluated;
+                stats.pairs_contributing = alone.stats.pairs_contributing;
+            }
+        out_.runs.push_back({job, stop, std::move(stats)});
+    }
+
+    void show(size_t s, double part, const std::string& what) {
+        progress_.show(share_of_survey + (1 - share_of_survey) * (double(s) + part) / double(stops_.size()),
+                       fmt::format("{} lights: {}", stops_[s].lights, what));
+    }
+
+    const std::vector<Job>& jobs_;
+    const std::vector<Stop>& stops_;
+    const SceneSeries& scenes_;
+    const BenchCommand& command_;
+    Device& device_;
+    bool pass_cpu_;
+    Progress progress_;
+    std::unique_ptr<LoadedScene> scene_;
+    PlacedCamera camera_;
+    std::vector<bool> usable_;
+    std::vector<std::vector<PlacedLight>> lights_; ///< by stop
+    std::vector<Run> alone_;
+    Measured out_;
+};
+
+} // namespace
+
+const Run* Measured::find(const Job* job, const Stop& stop) const {
+    const auto found = std::ranges::find_if(
+        runs, [&](const Run& run) { return run.job == job && run.stop.lights == stop.lights; });
+    return found == runs.end() ? nullptr : &*found;
+}
+
+Measured measure(const std::vector<Job>& jobs, const std::vector<Stop>& stops, const SceneSeries& scenes,
+                 const BenchCommand& command, Device& device, bool pass_cpu) {
+    return Measurement(jobs, stops, scenes, command, device, pass_cpu).run();
+}
+
+} // namespace prelight::app
