@@ -129,15 +129,18 @@ TEST(Baseline, TellsAChangeFromNoiseAndCountsExactly) {
     before.pairs_evaluated = 1000;
     after.pairs_evaluated = 1001;
     const auto changes = changes_of(before, &unit_before, after, &unit_after);
-    EXPECT_EQ(change_of(changes, "CPU ms").verdict, Judgement::beyond);
+    EXPECT_EQ(change_of(changes, "CPU ms").verdict, Judgement::unit_changed);
     EXPECT_EQ(change_of(changes, "CPU ms").difference(), "+100.0 %");
+    EXPECT_EQ(change_of(changes, "F, CPU ms").verdict, Judgement::beyond);
     EXPECT_EQ(change_of(changes, "CPU, in F").verdict, Judgement::within);
     EXPECT_DOUBLE_EQ(change_of(changes, "CPU, in F").after, 5);
     EXPECT_EQ(change_of(changes, "wall ms").verdict, Judgement::within);
     EXPECT_TRUE(change_of(changes, "pairs evaluated").counted);
     EXPECT_EQ(change_of(changes, "pairs evaluated").after, 1001);
     EXPECT_EQ(change_of(changes, "device bytes").difference(), "0 %");
-    EXPECT_THROW(change_of(changes_of(before, nullptr, after, &unit_after), "CPU, in F"), Error);
+    const auto without = changes_of(before, nullptr, after, &unit_after);
+    EXPECT_EQ(change_of(without, "CPU ms").verdict, Judgement::beyond);
+    EXPECT_THROW(change_of(without, "CPU, in F"), Error);
 }
 
 TEST(Baseline, ComparesCountsAloneAcrossDevices) {
@@ -277,6 +280,11 @@ TEST_F(Limits, TakeThePassesCpuTimeWhereAllHaveIt) {
     EXPECT_DOUBLE_EQ(*figures.at(0).light_ms, 180);
     EXPECT_DOUBLE_EQ(*figures.at(0).lists_over_light(), 12.0 / 180);
     EXPECT_DOUBLE_EQ(*figures.at(0).geometry_in_f(), 2.5);
+}
+
+TEST_F(Limits, LeavesGeometryOutWhereAPassLightsToo) {
+    measured.runs[0].stats.passes.push_back({.name = "opaque", .gpu_ms = steady(1)});
+    EXPECT_EQ(limit_figures(measured, jobs, true).at(0).geometry_in_f(), std::nullopt);
 }
 
 TEST_F(Limits, InventNothingThatWasNotMeasured) {

@@ -56,12 +56,20 @@ bool same_device(const SavedRun& a, const SavedRun& b) {
 
 void add_times(std::vector<Change>& changes, const SavedRun& before, const SavedRun* unit_before,
                const SavedRun& after, const SavedRun* unit_after) {
+    const auto judged = [&](const Figure& a, const Figure& b) { return judge(a, b, before.frames, after.frames); };
+    bool unit_changed = false;
+    if (unit_before && unit_after && unit_before->cpu_ms.median > 0 && unit_after->cpu_ms.median > 0) {
+        const Figure f_before = figure_of(unit_before->cpu_ms), f_after = figure_of(unit_after->cpu_ms);
+        const Figure a = figure_of(before.cpu_ms) / f_before, b = figure_of(after.cpu_ms) / f_after;
+        changes.push_back({"CPU, in F", a.value, b.value, false, judged(a, b)});
+        changes.push_back({"F, CPU ms", f_before.value, f_after.value, false, judged(f_before, f_after)});
+        unit_changed = changes.back().verdict == Judgement::beyond;
+    }
     const auto add = [&](std::string name, const Figure& a, const Figure& b) {
-        changes.push_back({std::move(name), a.value, b.value, false, judge(a, b, before.frames, after.frames)});
+        const Judgement judgement = judged(a, b);
+        changes.push_back({std::move(name), a.value, b.value, false,
+                           judgement == Judgement::beyond && unit_changed ? Judgement::unit_changed : judgement});
     };
-    if (unit_before && unit_after && unit_before->cpu_ms.median > 0 && unit_after->cpu_ms.median > 0)
-        add("CPU, in F", figure_of(before.cpu_ms) / figure_of(unit_before->cpu_ms),
-            figure_of(after.cpu_ms) / figure_of(unit_after->cpu_ms));
     add("CPU ms", figure_of(before.cpu_ms), figure_of(after.cpu_ms));
     add("wall ms", figure_of(before.wall_ms), figure_of(after.wall_ms));
     add("device ms", figure_of(before.gpu_ms), figure_of(after.gpu_ms));
@@ -130,7 +138,7 @@ Json print_changes(const SavedBench& before, const SavedBench& after, const std:
         entry["settings_changed"] = settings;
         for (const Change& change : changes_of(*old, find_unit(before.units, run), run, find_unit(after.units, run))) {
             const int digits = change.counted ? 0 : change.after >= 100 ? 1 : change.after >= 10 ? 2 : 3;
-            fmt::print("    {:<28} {:>13.{}f} → {:>13.{}f}  {:>10}  {}\n", change.figure, change.before, digits,
+            fmt::print("    {:<36} {:>13.{}f} → {:>13.{}f}  {:>10}  {}\n", change.figure, change.before, digits,
                        change.after, digits, change.difference(), verdict_text(change));
             entry["changes"].push_back(change_json(change));
         }

@@ -20,7 +20,7 @@ struct Change {
 };
 
 /// All figures that both have; counts alone when they were made on different devices. In units of F where
-/// both files have F at that number of lights.
+/// both files have F at that number of lights; where F has changed, milliseconds are not judged.
 std::vector<Change> changes_of(const SavedRun& before, const SavedRun* unit_before, const SavedRun& after,
                                const SavedRun* unit_after);
 

@@ -40,7 +40,9 @@ LimitFigures figures_of(const Measured& measured, const Run& run, const Run& uni
     for (const Job* job : jobs_for(*run.job, Role::no_lights, jobs))
         if (const Run* dark = measured.find(job, run.stop))
             figures.no_lights_ms = frame(dark->stats);
-    figures.geometry_ms = sum(passes_ms(run.stats, PassKind::geometry, cpu), passes_ms(run.stats, PassKind::material, cpu));
+    if (!passes_ms(run.stats, PassKind::other, cpu)) // forward passes light and shade at once
+        figures.geometry_ms =
+            sum(passes_ms(run.stats, PassKind::geometry, cpu), passes_ms(run.stats, PassKind::material, cpu));
     figures.light_ms = passes_ms(run.stats, PassKind::light, cpu);
     figures.lists_ms = passes_ms(run.stats, PassKind::lists, cpu);
     const Fastest perfect = fastest_light(measured, run, Role::perfect, jobs, cpu);

@@ -12,7 +12,8 @@ struct LimitFigures {
     bool passes_by_cpu = false;   ///< passes likewise
     double frame_ms = 0, unit_ms = 0;
     std::optional<double> no_lights_ms; ///< the frame without any light
-    std::optional<double> geometry_ms;  ///< geometry and material passes of the contender
+    /// Geometry and material passes of the contender; none where a pass does more than that.
+    std::optional<double> geometry_ms;
     std::optional<double> unit_pass_ms; ///< F's pass by the clock of passes
     std::optional<double> light_ms, lists_ms; ///< evaluating lights; building lists for that
     std::optional<double> perfect_ms, empty_ms; ///< the light pass over perfect and empty lists, fastest tile

@@ -24,6 +24,7 @@ std::string_view judgement_name(Judgement verdict) {
     switch (verdict) {
     case Judgement::within: return "within noise";
     case Judgement::beyond: return "beyond noise";
+    case Judgement::unit_changed: return "F changed too";
     default: return "too few frames to tell";
     }
 }

@@ -16,8 +16,13 @@ Figure figure_of(const Spread& times);
 /// One over the other; the shares that each may be off add up. `b.value` > 0.
 Figure operator/(const Figure& a, const Figure& b);
 
-enum class Judgement { within, beyond, unknown };
-/// "within noise", "beyond noise", "too few frames to tell".
+enum class Judgement {
+    within,
+    beyond,
+    unknown,     ///< too few frames
+    unit_changed ///< so did F, which has nothing to do with it: the machine is not what it was
+};
+/// "within noise", "beyond noise", "too few frames to tell", "F changed too".
 std::string_view judgement_name(Judgement verdict);
 
 /// Below this a spread says nothing.

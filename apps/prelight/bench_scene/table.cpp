@@ -40,13 +40,21 @@ const LimitFigures* find(const std::vector<LimitFigures>& limits, const Run& run
     return found == limits.end() ? nullptr : &*found;
 }
 
+/// Each pass; those that build lists, which are many and short, together.
 void print_passes(const Stats& stats) {
     const bool cpu = has_pass_cpu(stats);
-    std::string line = fmt::format("    {} ms:", cpu ? "CPU" : "device");
-    for (const PassStats& pass : stats.passes)
-        line += fmt::format("{} {} {}", &pass == stats.passes.data() ? "" : ",", pass.name,
-                            ms(cpu ? pass.cpu_ms->median : pass.gpu_ms.median));
-    fmt::print("{}\n", line);
+    std::string line;
+    bool lists = false;
+    for (const PassStats& pass : stats.passes) {
+        const bool of_lists = kind_of(pass.name) == PassKind::lists;
+        if (of_lists && lists)
+            continue;
+        lists = lists || of_lists;
+        const double time = of_lists ? *passes_ms(stats, PassKind::lists, cpu)
+                                     : (cpu ? *pass.cpu_ms : pass.gpu_ms).median;
+        line += fmt::format("{}{} {}", line.empty() ? "" : ", ", of_lists ? "building lists" : pass.name, ms(time));
+    }
+    fmt::print("    {} ms: {}\n", cpu ? "CPU" : "device", line);
 }
 
 void print_run(const Run& run, const LimitFigures* limit, size_t width) {
@@ -78,7 +86,7 @@ void print_runs(const Measured& measured, const std::vector<LimitFigures>& limit
         if (lights != run.stop.lights)
             fmt::print("\n{:<{}}  {:>22}  {:>7}  {:>8}  {:>9}  {:>9}  {:>7}  {:>7}  {:>7}  {:>8}\n",
                        fmt::format("{} light{}", run.stop.lights, run.stop.lights == 1 ? "" : "s"), width,
-                       "CPU ms [min … max]", "F", "wall ms", "device ms", "pairs, M", "÷ need", "B/pixel", "moved MB",
+                       "CPU ms [min … max]", "F", "wall ms", "device ms", "pairs, M", "÷ contr", "B/pixel", "moved MB",
                        "device MB");
         lights = run.stop.lights;
         print_run(run, find(limits, run), width);
