@@ -212,6 +212,11 @@ TEST(SavedBench, SaysWhatIsNotAsItShouldBe) {
     EXPECT_THAT(message({{"runs", {saved_run()}}, {"limit", 1}}), HasSubstr("limit"));
     EXPECT_THAT(message({{"runs", {saved_run()}}, {"limit", {{"figures", {1}}, {"runs", Json::array()}}}}),
                 HasSubstr("figures[0]"));
+    const Json figures = {{"variant", "a"}, {"lights", 1}, {"unit_ms", 1.0}, {"frame_in_f", 2.0}, {"frames_by", "sun"}};
+    EXPECT_THAT(message({{"runs", {saved_run()}}, {"limit", {{"figures", {figures}}, {"runs", Json::array()}}}}),
+                HasSubstr("frames_by: is no clock"));
+    EXPECT_THAT(message({{"runs", {saved_run()}}, {"baseline", {{"file", "b"}, {"runs", {1}}}}}),
+                HasSubstr("f: baseline: runs[0]: is no object"));
 }
 
 /// Jobs and figures as if a light pass had been measured with its limits.

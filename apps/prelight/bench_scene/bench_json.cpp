@@ -1,5 +1,6 @@
 #include "bench_json.hpp"
 
+#include "pass_kind.hpp"
 #include "stats_json.hpp"
 
 namespace prelight::app {
@@ -46,6 +47,8 @@ Json run_json(const std::string& scene, const Run& run) {
                  {"role", role_name(job.role)},
                  {"light_count", run.stop.count ? Json(*run.stop.count) : Json(nullptr)}};
     json.update(stats_entry(scene, job.variant.renderer, job.options, run.stats));
+    for (Json& pass : json["passes"])
+        pass["kind"] = pass_kind_name(kind_of(pass["name"].get<std::string>()));
     json["notes"] = run.stats.notes;
     return json;
 }

@@ -34,6 +34,17 @@ PassKind kind_of(std::string_view pass) {
     return found == beginnings.end() ? PassKind::other : found->kind;
 }
 
+const char* pass_kind_name(PassKind kind) {
+    switch (kind) {
+    case PassKind::geometry: return "geometry";
+    case PassKind::lists: return "lists";
+    case PassKind::light: return "light";
+    case PassKind::material: return "material";
+    case PassKind::display: return "display";
+    default: return "other";
+    }
+}
+
 bool has_pass_cpu(const Stats& stats) {
     return !stats.passes.empty() &&
            std::ranges::all_of(stats.passes, [](const PassStats& pass) { return pass.cpu_ms.has_value(); });

@@ -139,6 +139,40 @@ SavedRun run_of(const Reader& entry) {
     return run;
 }
 
+/// F, and what the page draws.
+void take_limit(SavedBench& bench, const Reader& limit) {
+    for (const Reader& figures : limit.list("figures")) {
+        figures.text("variant");
+        figures.count("lights");
+        figures.time("unit_ms");
+        figures.time("frame_in_f");
+        if (const std::string by = figures.text("frames_by"); by != "cpu_ms" && by != "gpu_ms")
+            figures.refuse("frames_by", "no clock");
+    }
+    if (const Json& missing = limit.at("missing"); !missing.is_array())
+        limit.refuse("missing", "no list");
+    for (const Reader& entry : limit.list("runs")) {
+        SavedRun run = run_of(entry);
+        if (entry.text_or("role", "") == "plain-forward")
+            bench.units.push_back(std::move(run));
+    }
+}
+
+/// For the page too.
+void check_changes(const Reader& baseline) {
+    baseline.text("file");
+    for (const Reader& run : baseline.list("runs")) {
+        run.text("variant");
+        run.count("lights");
+        for (const Reader& change : run.list("changes")) {
+            change.text("figure");
+            change.time("before");
+            change.time("after");
+            change.text("verdict");
+        }
+    }
+}
+
 } // namespace
 
 SavedBench saved_bench(Json json, const std::string& name) {
@@ -150,16 +184,10 @@ SavedBench saved_bench(Json json, const std::string& name) {
         bench.runs.push_back(run_of(entry));
     if (bench.runs.empty())
         throw Error(name + ": runs: there is none");
-    if (!file.has("limit"))
-        return bench;
-    const Reader limit = file.object("limit");
-    for (const Reader& figures : limit.list("figures"))
-        figures.text("variant"), figures.count("lights"), figures.time("frame_in_f");
-    for (const Reader& entry : limit.list("runs")) {
-        SavedRun run = run_of(entry);
-        if (entry.text_or("role", "") == "plain-forward")
-            bench.units.push_back(std::move(run));
-    }
+    if (file.has("limit"))
+        take_limit(bench, file.object("limit"));
+    if (file.has("baseline"))
+        check_changes(file.object("baseline"));
     return bench;
 }
 

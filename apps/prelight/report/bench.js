@@ -111,10 +111,20 @@ function showLines(lines, metrics) {
   new ResizeObserver(draw).observe(document.querySelector(".charts"));
 }
 
+/** Parts of a bar: each pass, and those that build lists, which are many and short, as one. */
+function partsOf(run, of) {
+  const parts = new Map();
+  for (const pass of run.passes) {
+    const name = pass.kind === "lists" ? "building lists" : pass.name;
+    parts.set(name, (parts.get(name) ?? 0) + of(pass));
+  }
+  return [...parts].map(([name, ms]) => ({ name, ms }));
+}
+
 function showBars(runs, several) {
   const cpu = runs.every((run) => run.passes.every((pass) => pass.cpu_ms));
-  const of = (pass) => (cpu ? pass.cpu_ms : pass.gpu_ms).median;
-  const names = [...new Set(runs.flatMap((run) => run.passes.map((pass) => pass.name)))];
+  const partsIn = (run) => partsOf(run, (pass) => (cpu ? pass.cpu_ms : pass.gpu_ms).median);
+  const names = [...new Set(runs.flatMap((run) => partsIn(run).map((part) => part.name)))];
   const select = document.getElementById("count"), shares = document.getElementById("shares"), place = document.getElementById("bars");
   const counts = [...new Set(runs.map((run) => run.lights))].sort((a, b) => a - b);
   select.append(...counts.map((count) => element("option", { value: count, selected: count === counts[counts.length - 1] }, whole.format(count))));
@@ -122,15 +132,15 @@ function showBars(runs, several) {
     `${cpu ? "CPU time of each pass, submitted alone" : "Device time of each pass"}; medians. Hover over a part for its figure, or see the tables below.`;
   const draw = () => {
     const shown = runs.filter((run) => String(run.lights) === select.value);
-    const used = names.filter((name) => shown.some((run) => run.passes.some((pass) => pass.name === name)));
+    const parts = shown.map(partsIn), used = names.filter((name) => parts.some((all) => all.some((part) => part.name === name)));
     document.getElementById("legend").replaceChildren(...used.map((name) =>
       element("li", {}, element("span", { class: "swatch", style: `background:${colour(names.indexOf(name))}` }), name)));
-    const totals = shown.map((run) => run.passes.reduce((total, pass) => total + of(pass), 0));
+    const totals = parts.map((all) => all.reduce((total, part) => total + part.ms, 0));
     place.replaceChildren(...shown.map((run, index) => {
       const full = (shares.checked ? totals[index] : Math.max(...totals)) || 1;
-      const track = element("div", { class: "track", role: "img", "aria-label": run.passes.map((pass) => `${pass.name} ${milliseconds(of(pass))}`).join(", ") },
-        ...run.passes.map((pass) => element("div", { title: `${pass.name}: ${milliseconds(of(pass))}, ${percent(of(pass) / (totals[index] || 1))}`,
-          style: `width:${(of(pass) / full) * 100}%;background:${colour(names.indexOf(pass.name))}` })));
+      const track = element("div", { class: "track", role: "img", "aria-label": parts[index].map((part) => `${part.name} ${milliseconds(part.ms)}`).join(", ") },
+        ...parts[index].map((part) => element("div", { title: `${part.name}: ${milliseconds(part.ms)}, ${percent(part.ms / (totals[index] || 1))}`,
+          style: `width:${(part.ms / full) * 100}%;background:${colour(names.indexOf(part.name))}` })));
       return element("div", { class: "bar" }, element("div", { class: "name" }, nameIn(run, several)), track,
         element("div", { class: "total" }, milliseconds(totals[index])));
     }));
