@@ -96,9 +96,8 @@ void FrameGraph::derive_buffer_barriers(uint32_t index) {
         b.dstStageMask = stages;
         b.dstAccessMask = access;
         b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-        b.buffer = buffers_[index].handle;
         b.size = VK_WHOLE_SIZE;
-        return b;
+        return Pass::BufferBarrier{{index}, b};
     };
     // The first use waits for the frame before, the host for all of this one.
     Access before = everything;

@@ -2,6 +2,7 @@
 #include "frame_graph.hpp"
 #include <cstring>
 #include <gpu/check.hpp>
+#include <utility>
 
 namespace prelight::graph {
 namespace {
@@ -74,19 +75,36 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
     vkCmdBeginRendering(commands, &info);
 }
 
-void FrameGraph::record_begin() {
+void FrameGraph::record_begin(const gpu::FrameTurn& turn) {
+    turn_ = turn;
+    ++frame_;
     for (const auto& callback : before_frame_)
-        callback();
+        callback(turn);
+    for (const BufferId id : std::exchange(stale_[turn.slot], {}))
+        bind_anew(id, turn.slot);
+    // A slot's frame is done before the slot's next one begins: two frames on, nobody has it.
+    std::erase_if(retired_, [&](const Retired& old) {
+        return turn.alone || old.frame + gpu::frames_in_flight - 1 <= frame_;
+    });
+}
+
+void FrameGraph::barrier(VkCommandBuffer commands, const std::vector<VkImageMemoryBarrier2>& images,
+                         const std::vector<Pass::BufferBarrier>& buffers) const {
+    std::vector<VkBufferMemoryBarrier2> filled;
+    for (const Pass::BufferBarrier& one : buffers)
+        filled.emplace_back(one.barrier).buffer = buffers_[one.buffer.index].handles[turn_.slot];
+    pipeline_barrier(commands, images, filled);
 }
 
 void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_pixel) const {
     const Pass& pass = *passes_[index];
+    const uint32_t query = first_query(turn_.slot) + 2 * index;
     context_.begin_label(commands, pass.name_);
     // Before the barrier: lavapipe notes the time when it next waits, and a dispatch waits for nothing.
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * index);
-    pipeline_barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query);
+    barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
     const bool renders = !pass.colours_.empty() || pass.depth_;
-    PassContext pass_context{commands, pass.sets_[0], {}};
+    PassContext pass_context{commands, pass.sets_[turn_.slot], {}, turn_.slot};
     if (renders) {
         const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
         pass_context.extent = images_[target.index].desc.extent;
@@ -96,34 +114,34 @@ void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_
     pass.record_(pass_context);
     if (renders)
         vkCmdEndRendering(commands);
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 2 * index + 1);
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query + 1);
     context_.end_label(commands);
 }
 
-void FrameGraph::record_end(VkCommandBuffer commands) const { pipeline_barrier(commands, {}, host_barriers_); }
+void FrameGraph::record_end(VkCommandBuffer commands) const { barrier(commands, {}, host_barriers_); }
 
 void FrameGraph::record_pass(VkCommandBuffer commands, size_t index) {
-    vkCmdResetQueryPool(commands, queries_, static_cast<uint32_t>(2 * index), 2);
+    vkCmdResetQueryPool(commands, queries_, first_query(turn_.slot) + static_cast<uint32_t>(2 * index), 2);
     record_pass(commands, static_cast<uint32_t>(index), false);
     if (index + 1 == passes_.size())
         record_end(commands);
 }
 
-void FrameGraph::record(VkCommandBuffer commands, bool one_pixel) {
+void FrameGraph::record(VkCommandBuffer commands, const gpu::FrameTurn& turn, bool one_pixel) {
     if (passes_.empty())
         return;
-    record_begin();
-    vkCmdResetQueryPool(commands, queries_, 0, static_cast<uint32_t>(2 * passes_.size()));
+    record_begin(turn);
+    vkCmdResetQueryPool(commands, queries_, first_query(turn.slot), static_cast<uint32_t>(2 * passes_.size()));
     for (uint32_t p = 0; p < passes_.size(); ++p)
         record_pass(commands, p, one_pixel);
     record_end(commands);
 }
 
-std::vector<std::pair<std::string, double>> FrameGraph::pass_times() const {
+std::vector<std::pair<std::string, double>> FrameGraph::pass_times(uint32_t slot) const {
     if (passes_.empty())
         return {};
     std::vector<uint64_t> ticks(2 * passes_.size());
-    gpu::check(vkGetQueryPoolResults(context_.device(), queries_, 0, static_cast<uint32_t>(ticks.size()),
+    gpu::check(vkGetQueryPoolResults(context_.device(), queries_, first_query(slot), static_cast<uint32_t>(ticks.size()),
                                      ticks.size() * 8, ticks.data(), 8,
                                      VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT), "timestamps");
     std::vector<std::pair<std::string, double>> times;

@@ -102,25 +102,34 @@ void FrameGraph::note(const std::string& line) {
 }
 
 BufferId FrameGraph::buffer(std::string name, const gpu::Buffer& buffer) {
-    buffers_.push_back({std::move(name), buffer.handle()});
+    GraphBuffer& added = buffers_.emplace_back();
+    added.name = std::move(name);
+    added.handles.fill(buffer.handle());
     return {static_cast<uint32_t>(buffers_.size() - 1)};
 }
 
+BufferId FrameGraph::buffer(std::string name, const gpu::PerFrame<gpu::Buffer>& buffers) {
+    const BufferId id = buffer(std::move(name), buffers[0]);
+    for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+        buffers_[id.index].handles[slot] = buffers[slot].handle();
+    return id;
+}
+
 void FrameGraph::rebind(BufferId id, const gpu::Buffer& buffer) {
-    const VkBuffer old = std::exchange(buffers_[id.index].handle, buffer.handle());
-    const auto replace = [&](std::vector<VkBufferMemoryBarrier2>& barriers) {
-        for (VkBufferMemoryBarrier2& barrier : barriers)
-            if (barrier.buffer == old)
-                barrier.buffer = buffer.handle();
-    };
-    replace(host_barriers_);
+    buffers_[id.index].handles.fill(buffer.handle());
+    for (std::vector<BufferId>& slot : stale_)
+        slot.push_back(id);
+}
+
+void FrameGraph::retire(gpu::Buffer buffer) { retired_.push_back({frame_, std::move(buffer)}); }
+
+void FrameGraph::bind_anew(BufferId id, uint32_t slot) {
     for (const auto& pass : passes_) {
-        replace(pass->buffer_barriers_);
         std::vector<gpu::Binding> bindings;
         for (const auto& [binding, used] : pass->storages_)
             if (used.index == id.index)
-                bindings.push_back(gpu::Binding::storage(binding, buffer.handle()));
-        pass->sets_.update(context_, 0, bindings);
+                bindings.push_back(gpu::Binding::storage(binding, buffers_[id.index].handles[slot]));
+        pass->sets_.update(context_, slot, bindings);
     }
 }
 
@@ -156,7 +165,7 @@ void FrameGraph::compile() {
 
     VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    info.queryCount = static_cast<uint32_t>(2 * passes_.size());
+    info.queryCount = first_query(gpu::frames_in_flight);
     VkQueryPool pool = VK_NULL_HANDLE;
     gpu::check(vkCreateQueryPool(context_.device(), &info, nullptr, &pool), "timestamps");
     queries_ = {context_.device(), pool};
@@ -181,21 +190,28 @@ void FrameGraph::cull_passes() {
     std::erase_if(passes_, [](const auto& pass) { return !pass->alive_; });
 }
 
+std::vector<gpu::Binding> FrameGraph::bindings(const Pass& pass, uint32_t slot) const {
+    std::vector<gpu::Binding> bindings;
+    for (const auto& [binding, image] : pass.sampled_) {
+        const GraphImage& source = images_[image.index];
+        bindings.push_back(gpu::Binding::sampled(
+            binding, has_stencil(source.desc.format) ? source.depth_only_view : source.view,
+            sampled_access(pass, image).layout));
+    }
+    for (const auto& [binding, image] : pass.stored_)
+        bindings.push_back(gpu::Binding::storage_image(binding, images_[image.index].view));
+    for (const auto& [binding, buffer] : pass.storages_)
+        bindings.push_back(gpu::Binding::storage(binding, buffers_[buffer.index].handles[slot]));
+    return bindings;
+}
+
 void FrameGraph::prepare_passes() {
     for (const auto& pass : passes_) {
-        std::vector<gpu::Binding> bindings;
-        for (const auto& [binding, image] : pass->sampled_) {
-            const GraphImage& source = images_[image.index];
-            bindings.push_back(gpu::Binding::sampled(
-                binding, has_stencil(source.desc.format) ? source.depth_only_view : source.view,
-                sampled_access(*pass, image).layout));
-        }
-        for (const auto& [binding, image] : pass->stored_)
-            bindings.push_back(gpu::Binding::storage_image(binding, images_[image.index].view));
-        for (const auto& [binding, buffer] : pass->storages_)
-            bindings.push_back(gpu::Binding::storage(binding, buffers_[buffer.index].handle));
-        pass->layout_ = gpu::make_set_layout(context_, pass->name_, bindings);
-        pass->sets_ = gpu::DescriptorSets(context_, pass->name_, pass->layout_, {{bindings}});
+        std::vector<std::vector<gpu::Binding>> sets;
+        for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+            sets.push_back(bindings(*pass, slot));
+        pass->layout_ = gpu::make_set_layout(context_, pass->name_, sets[0]);
+        pass->sets_ = gpu::DescriptorSets(context_, pass->name_, pass->layout_, sets);
 
         PassInterface interface{.inputs = pass->layout_, .colour_formats = {}};
         for (const Pass::Attachment& attachment : pass->colours_)

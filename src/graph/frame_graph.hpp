@@ -4,6 +4,7 @@
 #include <functional>
 #include <gpu/buffer.hpp>
 #include <gpu/descriptors.hpp>
+#include <gpu/frames_in_flight.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,6 +28,7 @@ struct PassContext {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkDescriptorSet inputs = VK_NULL_HANDLE;
     VkExtent2D extent{};
+    uint32_t slot = 0; ///< gpu::FrameTurn::slot
 };
 
 /// One pass: what it reads, what it writes, how it records. Barriers, layouts, load and store
@@ -70,6 +72,10 @@ private:
         BufferId buffer;
         Access access;
     };
+    struct BufferBarrier {
+        BufferId buffer;
+        VkBufferMemoryBarrier2 barrier; ///< without its buffer: each slot may have another
+    };
     void use(ImageId image, const Access& access);
 
     std::string name_;
@@ -88,9 +94,9 @@ private:
     // Set by FrameGraph::compile.
     bool alive_ = true;
     std::vector<VkImageMemoryBarrier2> image_barriers_;
-    std::vector<VkBufferMemoryBarrier2> buffer_barriers_;
+    std::vector<BufferBarrier> buffer_barriers_;
     gpu::UniqueSetLayout layout_;
-    gpu::DescriptorSets sets_;
+    gpu::DescriptorSets sets_; ///< one a slot
 };
 
 /// What a pass moves by the formats of its images: each image it reads and each it writes counts
@@ -122,11 +128,21 @@ public:
     void note(const std::string& line);
     /// A buffer of the caller's, alive as long as the graph; host writes before a frame are seen.
     BufferId buffer(std::string name, const gpu::Buffer& buffer);
+    /// A buffer for each frame in flight, alive as long as the graph: for what the host writes before a
+    /// frame, or reads after it, while the device may be busy with another frame.
+    BufferId buffer(std::string name, const gpu::PerFrame<gpu::Buffer>& buffers);
     /// Puts another buffer of the caller's in the place of `id`, in barriers and descriptor sets: for
-    /// buffers that grow. The device must be done with the frames before.
+    /// buffers that grow. Earlier frames that are still on their way keep the old one: see retire().
     void rebind(BufferId id, const gpu::Buffer& buffer);
-    /// Called at the start of each recording, where rebind() is allowed.
-    void before_frame(std::function<void()> callback) { before_frame_.push_back(std::move(callback)); }
+    /// Keeps a buffer alive until no frame on its way can use it any more.
+    void retire(gpu::Buffer buffer);
+    /// Called at the start of each recording, where rebind() and retire() are allowed.
+    void before_frame(std::function<void()> callback) {
+        before_frame_.push_back([callback = std::move(callback)](const gpu::FrameTurn&) { callback(); });
+    }
+    void before_frame(std::function<void(const gpu::FrameTurn&)> callback) {
+        before_frame_.push_back(std::move(callback));
+    }
     Pass& pass(std::string name);
     /// The image's content stays for read_back() after the frame.
     void keep(ImageId image);
@@ -136,19 +152,20 @@ public:
     /// Removes passes that nothing needs, places the images, derives the barriers, makes descriptor
     /// sets and lets each pass make its pipelines. Throws Error.
     void compile();
-    /// Records one frame, with a debug label and two timestamps for each pass.
-    void record(VkCommandBuffer commands) { record(commands, false); }
+    /// Records one frame, with a debug label and two timestamps for each pass. Without a turn the
+    /// device must be done with the frame before.
+    void record(VkCommandBuffer commands, const gpu::FrameTurn& turn = {}) { record(commands, turn, false); }
     /// One frame pass by pass, each in a command buffer of its own: record_begin(), then
     /// record_pass() with 0 … passes() − 1, submitted in this order. For timing each alone.
-    void record_begin();
+    void record_begin(const gpu::FrameTurn& turn = {});
     void record_pass(VkCommandBuffer commands, size_t index);
     /// Living passes.
     size_t passes() const { return passes_.size(); }
     /// Records a frame whose draws touch one pixel: every pipeline is compiled after it, for software
     /// devices compile at the first draw.
-    void record_warm_up(VkCommandBuffer commands) { record(commands, true); }
-    /// Device time of each living pass in the last frame, milliseconds; the frame must be done.
-    std::vector<std::pair<std::string, double>> pass_times() const;
+    void record_warm_up(VkCommandBuffer commands, const gpu::FrameTurn& turn = {}) { record(commands, turn, true); }
+    /// Device time of each living pass in the slot's last frame, milliseconds; the frame must be done.
+    std::vector<std::pair<std::string, double>> pass_times(uint32_t slot = 0) const;
     /// Bytes each living pass reads and writes in a frame, in the passes' order.
     std::vector<PassTraffic> traffic() const;
     /// Texels of a kept image, row by row, tightly packed. Submits and waits.
@@ -174,7 +191,11 @@ private:
     };
     struct GraphBuffer {
         std::string name;
-        VkBuffer handle = VK_NULL_HANDLE;
+        gpu::PerFrame<VkBuffer> handles{};
+    };
+    struct Retired {
+        uint64_t frame = 0; ///< the first that does without it
+        gpu::Buffer buffer;
     };
     void cull_passes();
     void find_lifetimes();
@@ -187,9 +208,14 @@ private:
     void derive_buffer_barriers(uint32_t index);
     Access everything_that_shares_memory(const GraphImage& image) const;
     void prepare_passes();
-    void record(VkCommandBuffer commands, bool one_pixel);
+    std::vector<gpu::Binding> bindings(const Pass& pass, uint32_t slot) const;
+    void bind_anew(BufferId id, uint32_t slot);
+    uint32_t first_query(uint32_t slot) const { return static_cast<uint32_t>(slot * 2 * passes_.size()); }
+    void record(VkCommandBuffer commands, const gpu::FrameTurn& turn, bool one_pixel);
     void record_pass(VkCommandBuffer commands, uint32_t index, bool one_pixel) const;
     void record_end(VkCommandBuffer commands) const;
+    void barrier(VkCommandBuffer commands, const std::vector<VkImageMemoryBarrier2>& images,
+                 const std::vector<Pass::BufferBarrier>& buffers) const;
     void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent) const;
     Access sampled_access(const Pass& pass, ImageId image) const;
     uint64_t texels_bytes(ImageId image) const;
@@ -200,8 +226,12 @@ private:
     std::vector<GraphImage> images_;
     std::vector<GraphBuffer> buffers_;
     std::vector<std::unique_ptr<Pass>> passes_;
-    std::vector<VkBufferMemoryBarrier2> host_barriers_; ///< at the frame's end
-    std::vector<std::function<void()>> before_frame_;
+    std::vector<Pass::BufferBarrier> host_barriers_; ///< at the frame's end
+    std::vector<std::function<void(const gpu::FrameTurn&)>> before_frame_;
+    gpu::FrameTurn turn_;                       ///< of the frame that is recorded
+    uint64_t frame_ = 0;                        ///< its number, from 1
+    gpu::PerFrame<std::vector<BufferId>> stale_; ///< rebound, and not yet in the slot's sets
+    std::vector<Retired> retired_;
     gpu::Allocation memory_;
     gpu::UniqueQueryPool queries_;
 };

@@ -145,6 +145,73 @@ TEST_P(FrameGraphBuffers, AReboundBufferTakesTheOldOnesPlace) {
         EXPECT_NE(barrier.buffer, first.handle());
 }
 
+// Two frames on their way, each with the buffers of its own slot.
+TEST_P(FrameGraphBuffers, EachFrameInFlightHasItsOwn) {
+    gpu::PerFrame<gpu::Buffer> first{make("first 0"), make("first 1")}, second{make("second 0"), make("second 1")};
+    for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+        for (uint32_t i = 0; i < count; ++i)
+            first[slot].mapped<uint32_t>()[i] = 3 * i + slot;
+    graph::FrameGraph graph(context());
+    mirrors(graph, graph.buffer("first", first), graph.buffer("second", second));
+    std::vector<gpu::FrameTurn> turns;
+    graph.before_frame([&](const gpu::FrameTurn& turn) { turns.push_back(turn); });
+    graph.compile();
+    const VulkanSpy spy;
+    context().run("two frames", [&](VkCommandBuffer commands) {
+        graph.record(commands, {0, true});
+        graph.record(commands, {1, false});
+    });
+    for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+        for (uint32_t i = 0; i < count; ++i)
+            ASSERT_EQ(second[slot].mapped<uint32_t>()[i], 2 * (3 * (count - 1 - i) + slot)) << "slot " << slot;
+    ASSERT_EQ(turns.size(), 2u);
+    EXPECT_EQ(turns[1].slot, 1u);
+    EXPECT_FALSE(turns[1].alone);
+    std::vector<VkBuffer> waited; // the first frame's buffer in its barriers, the second's in its own
+    for (const VkBufferMemoryBarrier2& barrier : spy.buffer_barriers)
+        waited.push_back(barrier.buffer);
+    ASSERT_EQ(waited.size(), 4u) << "before the pass and after it, twice";
+    EXPECT_EQ(waited[0], second[0].handle());
+    EXPECT_EQ(waited[1], second[0].handle());
+    EXPECT_EQ(waited[2], second[1].handle());
+    EXPECT_EQ(waited[3], second[1].handle());
+    for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+        EXPECT_GT(graph.pass_times(slot).at(0).second, 0) << "slot " << slot;
+}
+
+// A buffer grows while a frame on its way still uses the old one: that stays until the frame is done.
+TEST_P(FrameGraphBuffers, ARetiredBufferStaysForTheFrameOnItsWay) {
+    gpu::Buffer first = make("first");
+    const gpu::Buffer second = make("second"), grown = make("grown");
+    const uint64_t held = context().device_bytes();
+    graph::FrameGraph graph(context());
+    const graph::BufferId a = graph.buffer("first", first), b = graph.buffer("second", second);
+    counts(graph, a, 5);
+    mirrors(graph, a, b);
+    int frames = 0;
+    graph.before_frame([&] {
+        if (++frames == 2) {
+            graph.rebind(a, grown);
+            graph.retire(std::move(first));
+        }
+    });
+    graph.compile();
+    context().run("two frames", [&](VkCommandBuffer commands) {
+        graph.record(commands, {0, true});
+        graph.record(commands, {1, false});
+        EXPECT_EQ(context().device_bytes(), held);
+    });
+    for (uint32_t i = 0; i < count; ++i)
+        ASSERT_EQ(grown.mapped<uint32_t>()[i], i + 5);
+    std::fill_n(grown.mapped<uint32_t>(), count, 0u);
+    context().run("third frame", [&](VkCommandBuffer commands) { graph.record(commands, {0, false}); });
+    EXPECT_LT(context().device_bytes(), held);
+    for (uint32_t i = 0; i < count; ++i) {
+        ASSERT_EQ(grown.mapped<uint32_t>()[i], i + 5) << "slot 0 has the old buffer still";
+        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+    }
+}
+
 TEST_P(FrameGraphBuffers, ComputeReadsADrawnImage) {
     const gpu::Buffer target = make("target");
     graph::FrameGraph graph(context());
