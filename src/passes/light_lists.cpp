@@ -2,6 +2,7 @@
 #include "light_grid.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <gpu/compute_pipeline.hpp>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -33,17 +34,22 @@ public:
           cells(make_storage(frame, "light cells", uint64_t(layout.cells.w) * sizeof(shared::LightCell))),
           coarse(make_storage(frame, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::LightCell))),
           masks(make_storage(frame, "light masks", uint64_t(layout.coarse.w) * layout.lights.w * sizeof(uint32_t))),
-          slices(make_storage(frame, "depth slices", (LIST_SLICES + 1) * sizeof(float))),
-          total(make_storage(frame, "light list total", sizeof(uint32_t), gpu::BufferPlace::readback)) {
-        *total.mapped<uint32_t>() = 0;
+          slices(make_storage(frame, "depth slices", (LIST_SLICES + 1) * sizeof(float))) {
+        for (gpu::Buffer& one : total) {
+            one = make_storage(frame, "light list total", sizeof(uint32_t), gpu::BufferPlace::readback);
+            *one.mapped<uint32_t>() = 0;
+        }
         make_entries(all_lights() + first_room);
     }
 
-    /// Before each frame: true when `entries` is another buffer now.
-    bool update() {
+    /// Before each frame: the buffer whose place another one took as `entries`, if so.
+    std::optional<gpu::Buffer> update(const gpu::FrameTurn& turn) {
         const resident::LightGroups& lights = frame_.lights();
         const auto count = [&](resident::LightGroup group) { return lights.count[static_cast<size_t>(group)]; };
-        uint64_t needed = *total.mapped<uint32_t>();
+        uint64_t needed = 0; // by the frames that are done
+        for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+            if (turn.alone || slot == turn.slot)
+                needed = std::max<uint64_t>(needed, *total[slot].mapped<uint32_t>());
         // The first frame has no other to learn from, and neither has one with other lights.
         const uint32_t listed = count(resident::LightGroup::listed);
         if (guesses_ && std::exchange(listed_, listed) != listed)
@@ -55,7 +61,7 @@ public:
         constants_->grid_origin = glm::vec4(origin, 0);
         constants_->lights.x = count(resident::LightGroup::fullscreen);
         constants_->lights.y = listed;
-        return std::exchange(grew_, false);
+        return std::exchange(outgrown_, std::nullopt);
     }
     std::shared_ptr<const LightListConstants> constants() const { return constants_; }
 
@@ -76,23 +82,27 @@ private:
 
     /// A device without room keeps the lists it has: what does not fit walks all lights.
     void grow(uint64_t count) {
+        gpu::Buffer old = std::exchange(entries, gpu::Buffer());
         try {
             make_entries(count);
-            grew_ = true;
+            outgrown_ = std::move(old);
         } catch (const Error&) {
+            entries = std::move(old);
             full_ = true;
         }
     }
 
     const resident::Frame& frame_;
     LightGrid grid_;
-    bool grew_ = false, full_ = false;
+    bool full_ = false;
+    std::optional<gpu::Buffer> outgrown_;
     bool guesses_;
     uint32_t listed_ = 0; ///< lights of the last frame's lists
     std::shared_ptr<LightListConstants> constants_;
 
 public:
-    gpu::Buffer cells, coarse, masks, slices, total, entries;
+    gpu::Buffer cells, coarse, masks, slices, entries;
+    gpu::PerFrame<gpu::Buffer> total; ///< read by the host when its frame is done
 };
 
 /// All compute passes of one kind of list.
@@ -108,9 +118,11 @@ public:
         entries_ = graph.buffer("light lists", buffers_->entries);
         slices_ = graph.buffer("depth slices", buffers_->slices);
         total_ = graph.buffer("light list total", buffers_->total);
-        graph.before_frame([&graph, buffers = buffers_, entries = entries_] {
-            if (buffers->update())
+        graph.before_frame([&graph, buffers = buffers_, entries = entries_](const gpu::FrameTurn& turn) {
+            if (std::optional<gpu::Buffer> outgrown = buffers->update(turn)) {
                 graph.rebind(entries, buffers->entries);
+                graph.retire(std::move(*outgrown)); // frames on their way still read it
+            }
         });
         if (inputs.surface)
             constants_ = inputs.surface->format.constants();
