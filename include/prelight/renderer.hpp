@@ -90,6 +90,8 @@ struct Stats {
     std::vector<std::string> notes; ///< what the device could not give as asked for, one line each
     uint64_t lights = 0, triangles = 0, draws = 0;
     uint32_t frames = 0;
+    /// Wall and CPU time go from the end of one frame to the end of the next, for one is prepared while
+    /// another is drawn; a single frame's from the call of render().
     Spread wall_ms, cpu_ms, gpu_ms;
     std::vector<PassStats> passes;
     uint64_t attachment_bytes = 0, device_bytes = 0;
@@ -114,7 +116,9 @@ public:
     /// cannot hold so many.
     virtual void set_lights(std::span<const PlacedLight> lights) = 0;
     /// Renders `frames` ≥ 1 frames. Where something was built since the last call, every pipeline is
-    /// warmed first, by a frame of one pixel that counts in no figure. Throws Error.
+    /// warmed first, by a frame of one pixel that counts in no figure. May come back while the device
+    /// still draws: stats() and read() wait for it, and another set_lights() and render() need not.
+    /// Throws Error, which may be that of a frame before.
     virtual void render(const PlacedCamera& camera, uint32_t frames = 1) = 0;
     /// A buffer of the last frame: "final" is display-encoded 0 … 1, "linear" is the exposed
     /// scene-linear picture, the others are drawn so that a person can read them (display-encoded).

@@ -148,7 +148,7 @@ void Context::run(std::string_view label, const std::function<void(VkCommandBuff
     vkFreeCommandBuffers(device_, pool_, 1, &commands);
 }
 
-void Context::submit_and_wait(VkCommandBuffer commands) const {
+uint64_t Context::submit(VkCommandBuffer commands) const {
     VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
     buffer.commandBuffer = commands;
     VkSemaphoreSubmitInfo signal{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
@@ -161,11 +161,21 @@ void Context::submit_and_wait(VkCommandBuffer commands) const {
     submit.signalSemaphoreInfoCount = 1;
     submit.pSignalSemaphoreInfos = &signal;
     check(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), name());
+    return timeline_value_;
+}
+
+void Context::wait(uint64_t value) const {
     VkSemaphoreWaitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
     wait.semaphoreCount = 1;
     wait.pSemaphores = timeline_.address();
-    wait.pValues = &timeline_value_;
+    wait.pValues = &value;
     check(vkWaitSemaphores(device_, &wait, UINT64_MAX), name());
+}
+
+bool Context::is_done(uint64_t value) const {
+    uint64_t now = 0;
+    check(vkGetSemaphoreCounterValue(device_, timeline_, &now), name());
+    return now >= value;
 }
 
 void Context::memory_taken(uint64_t bytes) const {

@@ -42,7 +42,12 @@ public:
     /// Records and submits commands, and waits until they are done.
     void run(std::string_view label, const std::function<void(VkCommandBuffer)>& record) const;
     /// Submits one command buffer and waits for its end with the timeline semaphore. Throws Error.
-    void submit_and_wait(VkCommandBuffer commands) const;
+    void submit_and_wait(VkCommandBuffer commands) const { wait(submit(commands)); }
+    /// Submits one command buffer, and gives the value that the timeline semaphore has at its end.
+    uint64_t submit(VkCommandBuffer commands) const;
+    /// Waits until the timeline has come to `value`. Throws Error.
+    void wait(uint64_t value) const;
+    bool is_done(uint64_t value) const;
 
     /// Debug names and labels: nothing without VK_EXT_debug_utils.
     void set_name(VkObjectType type, uint64_t handle, std::string_view name) const;

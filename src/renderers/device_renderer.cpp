@@ -56,13 +56,9 @@ DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Set
     if (options.msaa != 1)
         throw UsageError(fmt::format("--msaa {}: this renderer has one sample a pixel", options.msaa));
     pair_counters_ = gpu::Buffer(context_, "pair counters", uint64_t(options.height) * 2 * sizeof(uint32_t),
-                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::readback);
-    VkCommandPoolCreateInfo info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-    info.queueFamilyIndex = context_.queue_family();
-    VkCommandPool pool = VK_NULL_HANDLE;
-    gpu::check(vkCreateCommandPool(context_.device(), &info, nullptr, &pool), "command pool");
-    pool_ = {context_.device(), pool};
-    context_.set_name(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<uint64_t>(pool), "frame commands");
+                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                 gpu::BufferPlace::readback);
+    queue_ = std::make_unique<FrameQueue>(context_);
 }
 
 bool DeviceRenderer::wants(std::string_view view) const {
@@ -74,8 +70,8 @@ resident::FrameSettings DeviceRenderer::frame_settings() const {
 }
 
 void DeviceRenderer::set_world(const World& world) {
+    drop_graph();     // before what its passes refer to
     world_ = nullptr; // until all of the new one is there
-    graph_.reset();   // before what its passes refer to
     frame_ = std::make_unique<resident::Frame>(context_, world, frame_settings());
     build_graph();
     world_ = &world;
@@ -84,10 +80,20 @@ void DeviceRenderer::set_world(const World& world) {
 void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     if (!world_)
         throw Error("renderer: set_world() comes before set_lights()");
+    if (lights.size() > frame_->light_capacity())
+        queue_->drain(); // their buffers are made anew
     if (frame_->set_lights(lights) && graph_)
         return;
-    graph_.reset();
+    drop_graph();
     build_graph();
+}
+
+void DeviceRenderer::drop_graph() {
+    queue_->drain();
+    if (drawn_)
+        stats_ = stats();
+    drawn_ = false;
+    graph_.reset();
 }
 
 void DeviceRenderer::build_graph() {
@@ -100,123 +106,125 @@ void DeviceRenderer::build_graph() {
     graph_ = std::move(graph); // none while one could not be made
 }
 
-void DeviceRenderer::submit(VkCommandBuffer commands, const std::function<void()>& record) {
-    gpu::check(vkResetCommandPool(context_.device(), pool_, 0), "command pool");
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    gpu::check(vkBeginCommandBuffer(commands, &begin), "frame");
-    record();
-    gpu::check(vkEndCommandBuffer(commands), "frame");
-    context_.submit_and_wait(commands);
+void DeviceRenderer::clear_pairs(VkCommandBuffer commands) const {
+    if (!options_.count_pairs)
+        return;
+    const auto barrier = [&](VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to,
+                             VkAccessFlags2 access) {
+        VkBufferMemoryBarrier2 b{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
+        b.srcStageMask = from;
+        b.srcAccessMask = wrote;
+        b.dstStageMask = to;
+        b.dstAccessMask = access;
+        b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+        b.buffer = pair_counters_.handle();
+        b.size = VK_WHOLE_SIZE;
+        VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+        info.bufferMemoryBarrierCount = 1;
+        info.pBufferMemoryBarriers = &b;
+        vkCmdPipelineBarrier2(commands, &info);
+    };
+    // The frame before may still count.
+    barrier(VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+            VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    vkCmdFillBuffer(commands, pair_counters_.handle(), 0, VK_WHOLE_SIZE, 0);
+    barrier(VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+            VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
 }
 
-void DeviceRenderer::clear_pairs() {
-    std::fill_n(pair_counters_.mapped<uint32_t>(), size_t(options_.height) * 2, 0u);
-}
-
-void DeviceRenderer::render_frame(VkCommandBuffer commands, bool warm_up) {
-    clear_pairs();
-    submit(commands, [&] {
-        if (warm_up)
-            graph_->record_warm_up(commands);
-        else
-            graph_->record(commands);
+void DeviceRenderer::warm_up(const PlacedCamera& camera) {
+    if (warm_)
+        return;
+    queue_->drain();
+    frame_->update(camera);
+    queue_->run([&](VkCommandBuffer commands) {
+        clear_pairs(commands);
+        graph_->record_warm_up(commands);
     });
+    warm_ = true;
 }
 
-void DeviceRenderer::time_passes(VkCommandBuffer commands, std::vector<std::vector<double>>& times) {
-    clear_pairs();
+void DeviceRenderer::render_frame(const PlacedCamera& camera) {
+    const CreatedObjects before = created_since(context_, {});
+    const gpu::FrameTurn turn = queue_->begin();
+    frame_->update(camera, turn.slot);
+    clear_pairs(queue_->commands());
+    graph_->record(queue_->commands(), turn);
+    queue_->submit(*graph_);
+    created_ = created_since(context_, before);
+}
+
+void DeviceRenderer::time_passes(const PlacedCamera& camera) {
+    queue_->drain();
+    frame_->update(camera);
+    queue_->run([&](VkCommandBuffer commands) { clear_pairs(commands); });
     graph_->record_begin();
-    times.resize(graph_->passes());
-    for (size_t p = 0; p < times.size(); ++p) {
+    pass_cpu_.resize(graph_->passes());
+    for (size_t p = 0; p < pass_cpu_.size(); ++p) {
         const double start = process_ms();
-        submit(commands, [&] { graph_->record_pass(commands, p); });
-        times[p].push_back(process_ms() - start);
+        queue_->run([&](VkCommandBuffer commands) { graph_->record_pass(commands, p); });
+        pass_cpu_[p].push_back(process_ms() - start);
     }
 }
 
 void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     if (!world_ || !graph_)
         throw Error("renderer: set_world() comes before render()");
-    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-    allocate.commandPool = pool_;
-    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    allocate.commandBufferCount = 1;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    gpu::check(vkAllocateCommandBuffers(context_.device(), &allocate, &commands), "command buffer");
-
-    if (!warm_) {
-        frame_->update(camera);
-        render_frame(commands, true);
-        warm_ = true;
-    }
-
-    std::vector<double> wall, cpu, gpu_total;
-    CreatedObjects created; // before the last frame
-    std::vector<std::pair<std::string, std::vector<double>>> passes;
-    for (uint32_t f = 0; f < frames; ++f) {
-        created = created_since(context_, {});
-        const double wall_start = wall_ms(), cpu_start = process_ms();
-        frame_->update(camera);
-        render_frame(commands, false);
-        cpu.push_back(process_ms() - cpu_start);
-        wall.push_back(wall_ms() - wall_start);
-        double total = 0;
-        const auto times = graph_->pass_times();
-        passes.resize(times.size());
-        for (size_t p = 0; p < times.size(); ++p) {
-            passes[p].first = times[p].first;
-            passes[p].second.push_back(times[p].second);
-            total += times[p].second;
-        }
-        gpu_total.push_back(total);
-    }
-    created = created_since(context_, created);
-    std::vector<std::vector<double>> pass_cpu;
-    for (uint32_t f = 0; options_.pass_cpu && f < frames; ++f) {
-        frame_->update(camera);
-        time_passes(commands, pass_cpu);
-    }
-    vkFreeCommandBuffers(context_.device(), pool_, 1, &commands);
-
-    stats_ = {};
-    stats_.device = context_.name();
-    stats_.driver = context_.driver();
-    stats_.settings = settings_.all();
-    stats_.notes = graph_->notes();
-    stats_.lights = frame_->placed_lights().size();
-    stats_.triangles = world_->triangles;
-    stats_.draws = draws(*frame_);
-    stats_.frames = frames;
-    stats_.wall_ms = spread(wall);
-    stats_.cpu_ms = spread(cpu);
-    stats_.gpu_ms = spread(gpu_total);
-    for (auto& [name, times] : passes)
-        stats_.passes.push_back({name, spread(times)});
-    const std::vector<graph::PassTraffic> traffic = graph_->traffic();
-    for (size_t p = 0; p < stats_.passes.size(); ++p) {
-        stats_.passes[p].bytes_read = traffic[p].bytes_read;
-        stats_.passes[p].bytes_written = traffic[p].bytes_written;
-        if (options_.pass_cpu)
-            stats_.passes[p].cpu_ms = spread(pass_cpu[p]);
-    }
-    stats_.attachment_bytes = graph_->memory_bytes();
-    stats_.attachment_bytes_unshared = graph_->unshared_bytes();
-    stats_.device_bytes = context_.device_bytes();
-    stats_.device_bytes_peak = context_.device_bytes_peak();
-    stats_.created = created;
-    count_pairs();
+    warm_up(camera);
+    queue_->start();
+    frames_ = frames;
+    pass_cpu_.clear();
+    for (uint32_t f = 0; f < frames; ++f)
+        render_frame(camera);
+    for (uint32_t f = 0; options_.pass_cpu && f < frames; ++f)
+        time_passes(camera);
     drawn_ = true;
 }
 
-void DeviceRenderer::count_pairs() {
-    stats_.pairs_counted = options_.count_pairs;
+Stats DeviceRenderer::stats() const {
+    if (!drawn_)
+        return stats_;
+    queue_->drain();
+    const FrameSamples& samples = queue_->samples();
+    Stats stats;
+    stats.device = context_.name();
+    stats.driver = context_.driver();
+    stats.settings = settings_.all();
+    stats.notes = graph_->notes();
+    stats.lights = frame_->placed_lights().size();
+    stats.triangles = world_->triangles;
+    stats.draws = draws(*frame_);
+    stats.frames = frames_;
+    stats.wall_ms = spread(samples.wall);
+    stats.cpu_ms = spread(samples.cpu);
+    stats.gpu_ms = spread(samples.gpu);
+    const std::vector<graph::PassTraffic> traffic = graph_->traffic();
+    for (size_t p = 0; p < samples.passes.size(); ++p) {
+        PassStats& pass = stats.passes.emplace_back();
+        pass.name = samples.passes[p].first;
+        pass.gpu_ms = spread(samples.passes[p].second);
+        pass.bytes_read = traffic[p].bytes_read;
+        pass.bytes_written = traffic[p].bytes_written;
+        if (options_.pass_cpu)
+            pass.cpu_ms = spread(pass_cpu_[p]);
+    }
+    stats.attachment_bytes = graph_->memory_bytes();
+    stats.attachment_bytes_unshared = graph_->unshared_bytes();
+    stats.device_bytes = context_.device_bytes();
+    stats.device_bytes_peak = context_.device_bytes_peak();
+    stats.created = created_;
+    count_pairs(stats);
+    return stats;
+}
+
+void DeviceRenderer::count_pairs(Stats& stats) const {
+    stats.pairs_counted = options_.count_pairs;
     if (!options_.count_pairs)
         return;
     const uint32_t* rows = pair_counters_.mapped<uint32_t>();
     for (size_t y = 0; y < options_.height; ++y) {
-        stats_.pairs_evaluated += rows[2 * y];
-        stats_.pairs_contributing += rows[2 * y + 1];
+        stats.pairs_evaluated += rows[2 * y];
+        stats.pairs_contributing += rows[2 * y + 1];
     }
 }
 
@@ -227,6 +235,7 @@ Image DeviceRenderer::read(std::string_view view) {
     if (found == views_.end())
         throw UsageError(fmt::format("--view {}: was not asked for when the renderer was made", view));
     const graph::ImageDesc& desc = graph_->desc(found->second);
+    queue_->drain();
     return unpack(graph_->read_back(found->second), desc.format, desc.extent);
 }
 

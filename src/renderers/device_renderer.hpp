@@ -1,6 +1,6 @@
 #pragma once
+#include "frame_queue.hpp"
 #include "settings.hpp"
-#include <functional>
 #include <graph/frame_graph.hpp>
 #include <memory>
 #include <optional>
@@ -10,13 +10,14 @@ namespace prelight {
 
 /// What every architecture on a Vulkan device has in common: it takes a world in, builds its frame
 /// graph once, records it once a frame, and keeps the figures. An architecture adds its passes.
+/// render() comes back while frames are still on their way; whatever needs their end waits for it.
 class DeviceRenderer : public Renderer {
 public:
     void set_world(const World& world) final;
     void set_lights(std::span<const PlacedLight> lights) final;
     void render(const PlacedCamera& camera, uint32_t frames) final;
     Image read(std::string_view view) final;
-    Stats stats() const final { return stats_; }
+    Stats stats() const final;
     uint64_t max_lights() const final {
         return context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
     }
@@ -39,27 +40,31 @@ protected:
     const gpu::Buffer& pair_counters() const { return pair_counters_; }
 
 private:
+    /// Waits for all frames and lets the graph go.
+    void drop_graph();
     void build_graph();
-    /// Records commands with `record`, submits them and waits.
-    void submit(VkCommandBuffer commands, const std::function<void()>& record);
-    void render_frame(VkCommandBuffer commands, bool warm_up);
-    /// One more frame, pass by pass: adds each pass's CPU time to `times`.
-    void time_passes(VkCommandBuffer commands, std::vector<std::vector<double>>& times);
-    void clear_pairs();
-    void count_pairs();
+    void warm_up(const PlacedCamera& camera);
+    void render_frame(const PlacedCamera& camera);
+    /// One more frame, pass by pass: adds each pass's CPU time to pass_cpu_.
+    void time_passes(const PlacedCamera& camera);
+    void clear_pairs(VkCommandBuffer commands) const;
+    void count_pairs(Stats& stats) const;
 
     const gpu::Context& context_;
     RenderOptions options_;
     Settings settings_;
     gpu::Buffer pair_counters_;
-    gpu::UniqueCommandPool pool_;
     const World* world_ = nullptr;
     std::unique_ptr<resident::Frame> frame_;
     std::unique_ptr<graph::FrameGraph> graph_;
     Views views_;
     bool drawn_ = false; ///< the graph's images hold a frame
     bool warm_ = false;  ///< every pipeline of the graph has drawn once
-    Stats stats_;
+    Stats stats_; ///< of a graph that is gone
+    uint32_t frames_ = 0;                        ///< of the last render()
+    CreatedObjects created_;                     ///< by its last frame
+    std::vector<std::vector<double>> pass_cpu_;  ///< its passes' samples
+    std::unique_ptr<FrameQueue> queue_;          ///< last: its end waits for the frames
 };
 
 } // namespace prelight

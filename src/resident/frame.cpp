@@ -27,30 +27,39 @@ Frame::Frame(const gpu::Context& context, const World& world, const FrameSetting
     : context_(context), world_(world), settings_(settings), placed_(world.lights),
       geometry_(upload_geometry(context, world, settings.motion)),
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)) {
-    constants_ = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
-                             VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);
-    objects_ = make_upload(context_, "objects", world_.instances.size(), sizeof(shared::ObjectData),
-                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    for (Slot& slot : slots_) {
+        slot.constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
+                                     VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);
+        slot.objects = make_upload(context_, "objects", world_.instances.size(), sizeof(shared::ObjectData),
+                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    }
     make_light_buffers(placed_.size());
 }
 
 void Frame::make_light_buffers(size_t lights) {
     constexpr auto storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    gpu::Buffer data = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
-    gpu::Buffer order = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
-    gpu::Buffer bounds = make_upload(context_, "light bounds", culling() == LightCulling::rectangles ? lights : 1,
-                                     sizeof(shared::LightScreenBounds), storage);
-    const std::vector<gpu::Binding> bindings{gpu::Binding::uniform(FRAME_CONSTANTS, constants_.handle()),
-                                             gpu::Binding::storage(FRAME_LIGHTS, data.handle()),
-                                             gpu::Binding::storage(FRAME_OBJECTS, objects_.handle()),
-                                             gpu::Binding::storage(FRAME_LIGHT_ORDER, order.handle()),
-                                             gpu::Binding::storage(FRAME_LIGHT_BOUNDS, bounds.handle())};
+    const size_t bounded = culling() == LightCulling::rectangles ? lights : 1;
+    gpu::PerFrame<Slot> made;
+    for (Slot& slot : made) { // all of it before anything is replaced
+        slot.lights = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
+        slot.order = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
+        slot.bounds = make_upload(context_, "light bounds", bounded, sizeof(shared::LightScreenBounds), storage);
+    }
+    std::vector<std::vector<gpu::Binding>> sets;
+    for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
+        sets.push_back({gpu::Binding::uniform(FRAME_CONSTANTS, slots_[s].constants.handle()),
+                        gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
+                        gpu::Binding::storage(FRAME_OBJECTS, slots_[s].objects.handle()),
+                        gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
+                        gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle())});
     if (!layout_)
-        layout_ = gpu::make_set_layout(context_, "frame", bindings);
-    sets_ = gpu::DescriptorSets(context_, "frame", layout_, {{bindings}});
-    lights_ = std::move(data);
-    order_ = std::move(order);
-    bounds_ = std::move(bounds);
+        layout_ = gpu::make_set_layout(context_, "frame", sets[0]);
+    sets_ = gpu::DescriptorSets(context_, "frame", layout_, sets);
+    for (uint32_t s = 0; s < gpu::frames_in_flight; ++s) {
+        slots_[s].lights = std::move(made[s].lights);
+        slots_[s].order = std::move(made[s].order);
+        slots_[s].bounds = std::move(made[s].bounds);
+    }
     capacity_ = lights;
 }
 
@@ -65,8 +74,9 @@ bool Frame::set_lights(std::span<const PlacedLight> lights) {
     return fits && (light_kinds() & ~known) == 0;
 }
 
-void Frame::update(const PlacedCamera& camera) {
-    shared::FrameConstants& constants = *constants_.mapped<shared::FrameConstants>();
+void Frame::update(const PlacedCamera& camera, uint32_t slot) {
+    slot_ = slot;
+    const Slot& target = slots_[slot];
     shared::FrameConstants next{};
     eye_ = camera.position;
     fill_camera(next, camera, settings_.width, settings_.height);
@@ -75,19 +85,19 @@ void Frame::update(const PlacedCamera& camera) {
     next.ambient = glm::vec4(world_.ambient * static_cast<float>(settings_.exposure),
                              half_max / static_cast<float>(settings_.light_scale));
     next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, 0, 0);
-    constants = next;
+    *target.constants.mapped<shared::FrameConstants>() = next;
     clip_from_world_ = next.clip_from_world;
 
-    shared::LightData* lights = lights_.mapped<shared::LightData>();
+    shared::LightData* lights = target.lights.mapped<shared::LightData>();
     for (size_t i = 0; i < placed_.size(); ++i)
         lights[i] = light_data(placed_[i], camera.position, settings_.exposure);
-    shared::ObjectData* objects = objects_.mapped<shared::ObjectData>();
+    shared::ObjectData* objects = target.objects.mapped<shared::ObjectData>();
     for (size_t i = 0; i < world_.instances.size(); ++i)
         objects[i] = object_data(world_.instances[i], camera.position);
     groups_ = group_lights(placed_, camera, next, settings_.culling,
                            context_.features().depth_clamp, settings_.volumes.spot_boxes);
-    std::copy(groups_.order.begin(), groups_.order.end(), order_.mapped<uint32_t>());
-    std::copy(groups_.bounds.begin(), groups_.bounds.end(), bounds_.mapped<shared::LightScreenBounds>());
+    std::copy(groups_.order.begin(), groups_.order.end(), target.order.mapped<uint32_t>());
+    std::copy(groups_.bounds.begin(), groups_.bounds.end(), target.bounds.mapped<shared::LightScreenBounds>());
     reach_ = find_reach(geometry_.draws, placed_, groups_.order, settings_.object_lights);
 }
 

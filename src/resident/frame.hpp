@@ -2,6 +2,7 @@
 #include "light_reach.hpp"
 #include "lights.hpp"
 #include "scene.hpp"
+#include <gpu/frames_in_flight.hpp>
 #include <prelight/renderer.hpp>
 
 namespace prelight::resident {
@@ -24,10 +25,12 @@ public:
     /// Throws Error when the world does not fit the device; no light is ever dropped.
     Frame(const gpu::Context& context, const World& world, const FrameSettings& settings);
     /// Takes other lights in place of the world's. False when what draws them must be built anew: their
-    /// buffers grew, or a kind or falloff came in that shaders leave out. The device must be idle.
+    /// buffers grew, or a kind or falloff came in that shaders leave out. The device must be idle when
+    /// they are more than light_capacity().
     bool set_lights(std::span<const PlacedLight> lights);
-    /// Writes constants, lights and objects for one picture; the device must be idle.
-    void update(const PlacedCamera& camera);
+    /// Writes constants, lights and objects for one picture into the slot's buffers, which no frame on
+    /// its way may use; set() is the slot's from then on.
+    void update(const PlacedCamera& camera, uint32_t slot = 0);
 
     const gpu::Context& context() const { return context_; }
     const World& world() const { return world_; }
@@ -46,7 +49,7 @@ public:
     const VolumeOptions& volumes() const { return settings_.volumes; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
     VkDescriptorSetLayout layout() const { return layout_; }
-    VkDescriptorSet set() const { return sets_[0]; }
+    VkDescriptorSet set() const { return sets_[slot_]; }
     /// The most lights that set_lights() takes without anything being built anew.
     size_t light_capacity() const { return capacity_; }
     /// LIGHT_KIND_… bits of the lights there are: shaders leave out what only the others need.
@@ -62,9 +65,14 @@ private:
     size_t capacity_ = 0; ///< lights that the buffers hold
     Geometry geometry_;
     Materials materials_;
-    gpu::Buffer constants_, lights_, objects_, order_, bounds_;
+    /// What the host writes for one frame.
+    struct Slot {
+        gpu::Buffer constants, lights, objects, order, bounds;
+    };
+    gpu::PerFrame<Slot> slots_;
+    uint32_t slot_ = 0; ///< of the last update()
     gpu::UniqueSetLayout layout_;
-    gpu::DescriptorSets sets_;
+    gpu::DescriptorSets sets_; ///< one a slot
     LightGroups groups_;
     LightReach reach_;
     glm::dvec3 eye_{0};

@@ -1,24 +1,24 @@
 #include "vulkan_calls.hpp"
 #include <dlfcn.h>
-#include <vulkan/vulkan_core.h>
+#include <shared/bindings.h>
 
 namespace prelight {
 namespace {
 
-VulkanCalls*& active() {
-    static VulkanCalls* calls = nullptr;
-    return calls;
-}
-
 /// The loader's own function, after counting one call.
 template <class Function>
 Function pass_on(Function, const char* name, uint64_t VulkanCalls::*count, uint64_t by = 1) {
-    if (active())
-        active()->*count += by;
+    if (VulkanCalls::active())
+        VulkanCalls::active()->*count += by;
     return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
 } // namespace
+
+VulkanCalls*& VulkanCalls::active() {
+    static VulkanCalls* calls = nullptr;
+    return calls;
+}
 
 VulkanCalls::VulkanCalls() { active() = this; }
 VulkanCalls::~VulkanCalls() { active() = nullptr; }
@@ -31,6 +31,20 @@ extern "C" {
 
 VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
     return pass_on(&vkQueueSubmit2, "vkQueueSubmit2", &VulkanCalls::submits)(queue, count, infos, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkWaitSemaphores(VkDevice device, const VkSemaphoreWaitInfo* info, uint64_t timeout) {
+    return pass_on(&vkWaitSemaphores, "vkWaitSemaphores", &VulkanCalls::waits)(device, info, timeout);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkCmdBindDescriptorSets(VkCommandBuffer commands, VkPipelineBindPoint point,
+                                                   VkPipelineLayout layout, uint32_t first, uint32_t count,
+                                                   const VkDescriptorSet* sets, uint32_t offset_count,
+                                                   const uint32_t* offsets) {
+    if (VulkanCalls* calls = VulkanCalls::active(); calls && first == SET_FRAME)
+        calls->frame_sets.insert(sets[0]);
+    reinterpret_cast<PFN_vkCmdBindDescriptorSets>(dlsym(RTLD_NEXT, "vkCmdBindDescriptorSets"))(
+        commands, point, layout, first, count, sets, offset_count, offsets);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,

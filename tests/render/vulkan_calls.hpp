@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <set>
+#include <vulkan/vulkan_core.h>
 
 namespace prelight {
 
@@ -11,8 +13,11 @@ public:
     ~VulkanCalls();
     VulkanCalls(const VulkanCalls&) = delete;
     VulkanCalls& operator=(const VulkanCalls&) = delete;
+    static VulkanCalls*& active();
 
     uint64_t submits = 0;
+    uint64_t waits = 0; ///< for semaphores
+    std::set<VkDescriptorSet> frame_sets; ///< that were bound as SET_FRAME
     uint64_t allocations = 0, pipelines = 0, buffers = 0, images = 0, descriptor_pools = 0;
 };
 

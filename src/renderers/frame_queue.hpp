@@ -1,0 +1,71 @@
+#pragma once
+#include <deque>
+#include <functional>
+#include <gpu/context.hpp>
+#include <gpu/frames_in_flight.hpp>
+#include <graph/frame_graph.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace prelight {
+
+/// Each frame's figures of one run, milliseconds.
+struct FrameSamples {
+    std::vector<double> wall, cpu, gpu;
+    std::vector<std::pair<std::string, std::vector<double>>> passes; ///< device time
+};
+
+/// Frames on their way: the host records one while the device works on the one before, and waits only
+/// for the frame whose buffers it needs again.
+///
+/// The device finishes frames one after the other, so a frame's wall and CPU time are what passed
+/// from the end of the frame before (or from start()) to its own end, as the host sees them: the
+/// distance between pictures. Between two ends lie one frame's work on the device and one frame's on
+/// the host, mostly that of the next one; a run's samples sum up to the run.
+class FrameQueue {
+public:
+    explicit FrameQueue(const gpu::Context& context);
+    ~FrameQueue();
+    FrameQueue(const FrameQueue&) = delete;
+    FrameQueue& operator=(const FrameQueue&) = delete;
+
+    /// Begins a run. Frames of the last one that are still on their way are in no run's samples.
+    void start();
+    /// Waits for the next slot's last frame and begins its commands. Throws Error.
+    gpu::FrameTurn begin();
+    VkCommandBuffer commands() const { return slots_[slot_].commands; }
+    /// Submits what was recorded since begin(), a frame of `graph`.
+    void submit(const graph::FrameGraph& graph);
+    /// Waits for all frames. Throws Error.
+    void drain();
+    /// Records commands, submits them and waits; no frame may be on its way, and none is counted.
+    void run(const std::function<void(VkCommandBuffer)>& record);
+    const FrameSamples& samples() const { return samples_; }
+
+private:
+    struct Slot {
+        gpu::UniqueCommandPool pool;
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+    };
+    struct Pending {
+        uint32_t slot = 0;
+        uint64_t value = 0; ///< of the context's timeline
+        uint64_t run = 0;
+        const graph::FrameGraph* graph = nullptr;
+    };
+    void begin_commands();
+    uint64_t end_commands();
+    void collect();
+
+    const gpu::Context& context_;
+    gpu::PerFrame<Slot> slots_;
+    uint32_t slot_ = 0;
+    bool drained_ = true; ///< since then no frame was submitted
+    std::deque<Pending> pending_;
+    uint64_t run_ = 0;
+    double last_wall_ = 0, last_cpu_ = 0; ///< at the end of the last frame
+    FrameSamples samples_;
+};
+
+} // namespace prelight
