@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Forward shading with the lights of the pixel's cell in a grid over the world [Z3]. It needs nothing of
 // the screen, so that transparent surfaces can take the same path.
+#include "shared/display.glsl"
 #include "shared/forward_light.glsl"
 #include "shared/light_lists.glsl"
 
@@ -32,5 +33,5 @@ void main() {
         return;
     }
     // Each half of what a half float holds.
-    out_colour = vec4(min(sum, vec3(32752.0)) + min(base_light(surface.base), vec3(32752.0)), 1.0);
+    out_colour = stored_colour(min(sum, vec3(32752.0)) + min(base_light(surface.base), vec3(32752.0)));
 }

@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
-// Deferred shading: accumulated light (RT0) → scene-linear light.
+// Deferred shading: accumulated light (RT0) → scene-linear light, or the picture.
+#include "shared/display.glsl"
 #include "shared/frame.glsl"
 #include "shared/gbuffer_layout.glsl"
 
@@ -16,5 +17,5 @@ void main() {
     if (clipped && max(stored.r, max(stored.g, stored.b)) >= 1.0)
         light *= max(1.0, stored.a * INTENSITY_RANGE / luminance(stored.rgb));
     // Blending may have gone past the largest half float.
-    out_colour = vec4(min(light, vec3(65504.0)), 1.0);
+    out_colour = stored_colour(min(light, vec3(65504.0)));
 }

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Stage 3: textured Blinn-Phong, equation 8.5.3, with the material's own shininess [L5]. From glTF
 // materials: specular colour = F0, exponent 2/α² − 2.
+#include "shared/display.glsl"
 #include "shared/light_buffer.glsl"
 #include "shared/shininess.glsl"
 #include "shared/surface.glsl"
@@ -17,7 +18,7 @@ void main() {
         return;
     }
     if (has(FEATURE_UNLIT)) {
-        out_colour = vec4(min(base * frame.light_buffer.y, vec3(65504.0)), 1.0);
+        out_colour = stored_colour(min(base * frame.light_buffer.y, vec3(65504.0)));
         return;
     }
     vec2 surface = metallic_roughness();
@@ -32,5 +33,5 @@ void main() {
     }
     vec3 ambient = ambient_as_light ? vec3(0.0) : frame.ambient.rgb * occlusion() * (diffuse_colour + specular_colour);
     vec3 colour = ambient + light.diffuse.rgb * diffuse_colour + specular * specular_colour + emissive();
-    out_colour = vec4(min(colour, vec3(65504.0)), 1.0);
+    out_colour = stored_colour(min(colour, vec3(65504.0)));
 }

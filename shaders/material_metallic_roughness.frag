@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Stage 3: glTF 2.0 metallic-roughness from the light buffer. Fresnel: weighted mean over the lights
 // (model=weighted), or at N·V as equation 8.5.8 suggests (nv, mono).
+#include "shared/display.glsl"
 #include "shared/light_buffer.glsl"
 #include "shared/surface.glsl"
 
@@ -17,7 +18,7 @@ void main() {
         return;
     }
     if (has(FEATURE_UNLIT)) {
-        out_colour = vec4(min(base * frame.light_buffer.y, vec3(65504.0)), 1.0);
+        out_colour = stored_colour(min(base * frame.light_buffer.y, vec3(65504.0)));
         return;
     }
     float metallic = metallic_roughness().x;
@@ -40,5 +41,5 @@ void main() {
     vec3 diffuse = diffuse_colour / 3.14159265 * (1.0 - f0 - (1.0 - f0) * grazing_diffuse) * light.diffuse.rgb;
     vec3 specular = (f0 + (1.0 - f0) * grazing_specular) * light.specular.rgb;
     vec3 ambient = ambient_as_light ? vec3(0.0) : frame.ambient.rgb * occlusion() * (diffuse_colour + f0);
-    out_colour = vec4(min(diffuse + specular + ambient + emissive(), vec3(65504.0)), 1.0);
+    out_colour = stored_colour(min(diffuse + specular + ambient + emissive(), vec3(65504.0)));
 }

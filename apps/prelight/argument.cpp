@@ -132,7 +132,8 @@ void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
     }
     for (const ViewFile& more : command.more_views)
         command.options.views.push_back(more.view);
-    command.options.views.push_back(command.view);
+    const bool exr = lower_extension(command.output) == ".exr"; // of the final picture, before tone mapping
+    command.options.views.push_back(exr ? "linear" : command.view);
     std::ranges::sort(command.options.views);
     const auto repeated = std::ranges::unique(command.options.views);
     command.options.views.erase(repeated.begin(), repeated.end());

@@ -76,6 +76,7 @@ Pair render_both(Device& device, const World& world, const PlacedCamera& camera,
     RenderOptions options;
     options.width = width;
     options.height = height;
+    options.views = {"linear"};
     const auto renderer = create_renderer("light-prepass", &device, options);
     renderer->set_world(world);
     renderer->render(camera);

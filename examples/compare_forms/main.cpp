@@ -31,6 +31,7 @@ void show(Device& device, const std::string& name, const World& world) {
     options.width = width;
     options.height = height;
     options.settings = {{"texture-filter", "bilinear"}};
+    options.views = {"linear"};
     const auto renderer = create_renderer("light-prepass", &device, options);
     renderer->set_world(world);
     renderer->render(camera);

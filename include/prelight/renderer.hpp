@@ -122,7 +122,9 @@ public:
     virtual void render(const PlacedCamera& camera, uint32_t frames = 1) = 0;
     /// A buffer of the last frame: "final" is display-encoded 0 … 1, "linear" is the exposed
     /// scene-linear picture, the others are drawn so that a person can read them (display-encoded).
-    /// Only names in RenderOptions::views, and "final" and "linear". Throws UsageError.
+    /// Only names in RenderOptions::views, and "final" and "linear". A "linear" that is not among them
+    /// may draw the frame again, for a picture that nobody looks at is not kept; stats() stay those of
+    /// render(). Throws UsageError.
     virtual Image read(std::string_view view) = 0;
     virtual Stats stats() const = 0;
     /// The most lights that a world may have here: what memory or the device's buffers hold.

@@ -160,7 +160,8 @@
 
 #define TONEMAP_PBR_NEUTRAL 0
 #define TONEMAP_ACES 1
-#define TONEMAP_NONE 2
+#define TONEMAP_NONE 2    // clamped and sRGB-encoded
+#define TONEMAP_LINEAR 3  // scene-linear light as it is, for passes that come after
 
 #define VIEW_DEPTH 0
 #define VIEW_NORMAL 1

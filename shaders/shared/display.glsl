@@ -1,6 +1,9 @@
 // Scene-linear light → display values.
 #ifndef PRELIGHT_DISPLAY_GLSL
 #define PRELIGHT_DISPLAY_GLSL
+#include "shared/bindings.h"
+
+layout(constant_id = CONSTANT_TONEMAP) const int tonemap_curve = TONEMAP_LINEAR;
 
 vec3 srgb_encode(vec3 linear) {
     linear = clamp(linear, 0.0, 1.0);
@@ -27,4 +30,15 @@ vec3 tonemap_pbr_neutral(vec3 colour) {
 
 // ACES filmic curve, Narkowicz 2015.
 vec3 tonemap_aces(vec3 x) { return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
+
+// What a pass stores of scene-linear light.
+vec4 stored_colour(vec3 colour) {
+    if (tonemap_curve == TONEMAP_LINEAR)
+        return vec4(colour, 1.0);
+    if (tonemap_curve == TONEMAP_PBR_NEUTRAL)
+        colour = tonemap_pbr_neutral(colour);
+    else if (tonemap_curve == TONEMAP_ACES)
+        colour = tonemap_aces(colour);
+    return vec4(srgb_encode(colour), 1.0);
+}
 #endif

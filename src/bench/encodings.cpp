@@ -47,7 +47,7 @@ public:
         settings["texture-filter"] = "bilinear";
         const auto renderer = create_renderer(
             "light-prepass", &device_,
-            {.width = options_.width, .height = options_.height, .settings = std::move(settings)});
+            {.width = options_.width, .height = options_.height, .settings = std::move(settings), .views = {"linear"}});
         renderer->set_world(world_);
         renderer->render(camera_);
         return compare(renderer->read("linear"), reference_.linear, left_out_);

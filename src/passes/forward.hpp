@@ -1,6 +1,7 @@
 #pragma once
 #include "forward_plan.hpp"
 #include "light_model.hpp"
+#include "tonemap.hpp"
 #include <graph/frame_graph.hpp>
 #include <functional>
 #include <resident/frame.hpp>
@@ -11,7 +12,8 @@ namespace prelight::passes {
 struct ForwardInputs {
     std::string name;
     graph::ImageId depth;
-    graph::ImageId colour;              ///< scene-linear, exposed, RGBA16F
+    graph::ImageId colour;              ///< picture_image(): scene-linear and exposed, or finished
+    Display display = {};               ///< forward_grid_pass(): how `colour` was made
     graph::Load load = graph::Load::clear;
     std::vector<StepKind> kinds;        ///< what the plan has; with base among them depth is written
     /// The draws of a frame, made anew for each from the lights of its objects.

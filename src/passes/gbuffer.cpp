@@ -52,12 +52,15 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     return out;
 }
 
-graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer) {
-    const graph::ImageId target = graph.image("linear", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+                                  Display display) {
+    const graph::ImageId target = picture_image(graph, frame, display);
     graph::Pass& pass = graph.pass("resolve");
     pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, gbuffer.light);
     const bool bytes = graph.desc(gbuffer.light).format == VK_FORMAT_R8G8B8A8_UNORM;
-    draw_fullscreen(pass, frame, "light_resolve.frag", {{CONSTANT_CLIPPED_LIGHT, bytes}});
+    gpu::Constants constants = display_constants(display);
+    constants.emplace_back(CONSTANT_CLIPPED_LIGHT, bytes);
+    draw_fullscreen(pass, frame, "light_resolve.frag", constants);
     return target;
 }
 

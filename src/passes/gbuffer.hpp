@@ -1,5 +1,6 @@
 #pragma once
 #include "lighting.hpp"
+#include "tonemap.hpp"
 
 namespace prelight::passes {
 
@@ -24,8 +25,9 @@ struct GBufferFormat {
 /// FrameSettings::motion.
 GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBufferFormat& format);
 
-/// RT0 → scene-linear, exposed, RGBA16F. Where bytes have clipped RGB, its intensity channel gives back
+/// RT0 → scene-linear and exposed, or with `display` the finished picture. Where bytes have clipped RGB, its intensity channel gives back
 /// the luminance, up to eight times as much.
-graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer);
+graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+                                  Display display = {});
 
 } // namespace prelight::passes

@@ -5,16 +5,17 @@
 namespace prelight::passes {
 namespace {
 
-graph::ImageId draw(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
-                    const char* name, uint32_t output, VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) {
-    const graph::ImageId target = graph.image(name, {format, frame.extent()});
-    graph::Pass& pass = graph.pass(output == MATERIAL_OUTPUT_SHADED ? "material" : name);
-    pass.colour(target, graph::Load::clear)
+void draw(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
+          const std::string& name, graph::ImageId target, uint32_t output, Display display = {}) {
+    graph::Pass& pass = graph.pass(name);
+    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f})
         .depth_test(inputs.depth)
         .sample(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse)
         .sample(INPUT_SPECULAR_LIGHT, inputs.light.specular);
     gpu::Constants constants = inputs.model.constants();
     constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
+    for (const auto& constant : display_constants(display))
+        constants.push_back(constant);
     const std::string shader = inputs.model.shading == Shading::ggx ? "material_metallic_roughness.frag"
                                                                     : "material_blinn_phong.frag";
     draw_surfaces(pass, frame,
@@ -23,26 +24,30 @@ graph::ImageId draw(graph::FrameGraph& graph, const resident::Frame& frame, cons
                    .constants = constants,
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false});
-    return target;
 }
 
 } // namespace
 
 graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                             const MaterialInputs& inputs) {
-    return draw(graph, frame, inputs, "linear", MATERIAL_OUTPUT_SHADED);
+                             const MaterialInputs& inputs, Display display) {
+    const graph::ImageId target = picture_image(graph, frame, display);
+    draw(graph, frame, inputs, "material", target, MATERIAL_OUTPUT_SHADED, display);
+    return target;
 }
 
 graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                               const MaterialInputs& inputs, bool specular) {
-    return draw(graph, frame, inputs, specular ? "specular-sum" : "diffuse-sum",
-                specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM,
-                VK_FORMAT_R32G32B32A32_SFLOAT);
+    const char* name = specular ? "specular-sum" : "diffuse-sum";
+    const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, frame.extent()});
+    draw(graph, frame, inputs, name, target, specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM);
+    return target;
 }
 
 graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                            const MaterialInputs& inputs) {
-    return draw(graph, frame, inputs, "albedo", MATERIAL_OUTPUT_ALBEDO);
+    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+    draw(graph, frame, inputs, "albedo", target, MATERIAL_OUTPUT_ALBEDO);
+    return target;
 }
 
 } // namespace prelight::passes

@@ -1,5 +1,6 @@
 #pragma once
 #include "lighting.hpp"
+#include "tonemap.hpp"
 
 namespace prelight::passes {
 
@@ -10,9 +11,9 @@ struct MaterialInputs {
 };
 
 /// Stage 3: every object once more with its own material, depth test EQUAL, light from the light
-/// buffer. The result is scene-linear, exposed, RGBA16F.
+/// buffer. The result is scene-linear and exposed; with `display`, the finished picture.
 graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                             const MaterialInputs& inputs);
+                             const MaterialInputs& inputs, Display display = {});
 
 /// The light buffer's sums as a material receives them, exposed and scene-linear, in full floats:
 /// diffuse light, or specular light with the material's own shininess [L5].

@@ -1,10 +1,20 @@
 #pragma once
+#include <gpu/pipeline.hpp>
 #include <graph/frame_graph.hpp>
+#include <optional>
 #include <resident/frame.hpp>
 
 namespace prelight::passes {
 
-/// [E4] Scene-linear `colour` → sRGB-encoded RGBA8.
+/// What a pass that shades makes of its colours: with a curve the finished picture, tone mapped by the
+/// pass itself, "final", sRGB-encoded RGBA8 [E4]; without one "linear", scene-linear RGBA16F for
+/// tonemap_pass() and others. The shader ends with stored_colour() of shaders/shared/display.glsl.
+using Display = std::optional<Tonemap>;
+graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display);
+/// The specialisation constant of stored_colour().
+gpu::Constants display_constants(Display display);
+
+/// [E4] Scene-linear `colour` → sRGB-encoded RGBA8, where something else needs the linear picture.
 graph::ImageId tonemap_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                             graph::ImageId colour, Tonemap curve);
 

@@ -3,7 +3,6 @@
 #include "deferred.hpp"
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
-#include <passes/tonemap.hpp>
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -53,10 +52,9 @@ private:
                                         .list_shading = passes::list_shading(settings().get("list-shading")),
                                         .list_contents = passes::list_contents(settings().get("light-lists"))};
         passes::light_pass(graph, frame, "light", lighting);
-        const auto linear = passes::light_resolve_pass(graph, frame, gbuffer);
-        const auto final = passes::tonemap_pass(graph, frame, linear, options().tonemap);
-
-        Views views{{"linear", linear}, {"final", final}};
+        Views views = picture_views(graph, frame, [&](passes::Display display) {
+            return passes::light_resolve_pass(graph, frame, gbuffer, display);
+        });
         using passes::ViewKind;
         const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
             if (wants(name))

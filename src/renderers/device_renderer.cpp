@@ -69,6 +69,19 @@ resident::FrameSettings DeviceRenderer::frame_settings() const {
     return {options_.width, options_.height, std::exp2(options_.exposure)};
 }
 
+DeviceRenderer::Views DeviceRenderer::linear_views(graph::FrameGraph& graph, const resident::Frame& frame,
+                                                   graph::ImageId linear) const {
+    Views views{{"final", passes::tonemap_pass(graph, frame, linear, options_.tonemap)}};
+    if (wants("linear"))
+        views["linear"] = linear;
+    return views;
+}
+
+DeviceRenderer::Views DeviceRenderer::picture_views(graph::FrameGraph& graph, const resident::Frame& frame,
+                                                    const std::function<graph::ImageId(passes::Display)>& draw) const {
+    return wants("linear") ? linear_views(graph, frame, draw({})) : Views{{"final", draw(options_.tonemap)}};
+}
+
 void DeviceRenderer::set_world(const World& world) {
     drop_graph();     // before what its passes refer to
     world_ = nullptr; // until all of the new one is there
@@ -179,6 +192,7 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     for (uint32_t f = 0; options_.pass_cpu && f < frames; ++f)
         time_passes(camera);
     drawn_ = true;
+    camera_ = camera;
 }
 
 Stats DeviceRenderer::stats() const {
@@ -231,6 +245,12 @@ void DeviceRenderer::count_pairs(Stats& stats) const {
 Image DeviceRenderer::read(std::string_view view) {
     if (!drawn_)
         throw Error("renderer: render() comes before read()");
+    if (view == "linear" && !views_.contains(view)) { // the graph has no such image: once more, with it
+        options_.views.emplace_back(view);
+        drop_graph();
+        build_graph();
+        render(camera_, 1);
+    }
     const auto found = views_.find(view);
     if (found == views_.end())
         throw UsageError(fmt::format("--view {}: was not asked for when the renderer was made", view));

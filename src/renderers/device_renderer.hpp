@@ -1,9 +1,11 @@
 #pragma once
 #include "frame_queue.hpp"
 #include "settings.hpp"
+#include <functional>
 #include <graph/frame_graph.hpp>
 #include <memory>
 #include <optional>
+#include <passes/tonemap.hpp>
 #include <resident/frame.hpp>
 
 namespace prelight {
@@ -25,10 +27,16 @@ public:
 protected:
     /// Throws UsageError and Error (a picture larger than the device can make).
     DeviceRenderer(Device& device, const RenderOptions& options, Settings settings);
-    /// Images that read() gives, by view name; "final" and "linear" among them.
+    /// Images that read() gives, by view name; "final" among them.
     using Views = std::map<std::string, graph::ImageId, std::less<>>;
     /// The architecture: its passes, in order.
     virtual Views build(graph::FrameGraph& graph, const resident::Frame& frame) = 0;
+    /// The picture from `linear`, which is kept when it was asked for.
+    Views linear_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId linear) const;
+    /// The picture from `draw`, which draws it finished or scene-linear: finished, unless "linear" was
+    /// asked for. That saves an image of 8 bytes a pixel and a pass.
+    Views picture_views(graph::FrameGraph& graph, const resident::Frame& frame,
+                        const std::function<graph::ImageId(passes::Display)>& draw) const;
     virtual resident::FrameSettings frame_settings() const;
     /// Stats::draws of the last frame.
     virtual uint64_t draws(const resident::Frame& frame) const { return frame.geometry().draws.size(); }
@@ -59,6 +67,7 @@ private:
     std::unique_ptr<graph::FrameGraph> graph_;
     Views views_;
     bool drawn_ = false; ///< the graph's images hold a frame
+    PlacedCamera camera_; ///< of that frame
     bool warm_ = false;  ///< every pipeline of the graph has drawn once
     Stats stats_; ///< of a graph that is gone
     uint32_t frames_ = 0;                        ///< of the last render()

@@ -1,5 +1,4 @@
 #include "forward_renderer.hpp"
-#include <passes/tonemap.hpp>
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -29,13 +28,8 @@ passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId 
     return inputs;
 }
 
-graph::ImageId ForwardRenderer::linear_image(graph::FrameGraph& graph, const resident::Frame& frame) {
-    return graph.image("linear", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
-}
-
-DeviceRenderer::Views ForwardRenderer::views(graph::FrameGraph& graph, const resident::Frame& frame,
-                                             graph::ImageId depth, graph::ImageId linear) const {
-    Views views{{"linear", linear}, {"final", passes::tonemap_pass(graph, frame, linear, options().tonemap)}};
+void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const resident::Frame& frame,
+                                graph::ImageId depth) const {
     const passes::SurfaceBuffers surface{.format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
     const auto show = [&](const char* name, passes::ViewKind kind, graph::ImageId buffer) {
         views[name] = passes::view_pass(graph, frame, name, kind, surface, buffer);
@@ -58,7 +52,6 @@ DeviceRenderer::Views ForwardRenderer::views(graph::FrameGraph& graph, const res
         light_count_pass(graph, frame, counts);
         show("light-count", passes::ViewKind::count, counts.colour);
     }
-    return views;
 }
 
 std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own) {

@@ -20,10 +20,9 @@ protected:
     }
     /// A pass that draws into `colour`; the caller adds kinds and plan. Its draws are counted.
     passes::ForwardInputs shading(const char* name, graph::ImageId depth, graph::ImageId colour);
-    static graph::ImageId linear_image(graph::FrameGraph& graph, const resident::Frame& frame);
-    /// Tone mapping, and the views that were asked for.
-    Views views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
-                graph::ImageId linear) const;
+    /// Adds the other views that were asked for.
+    void add_views(Views& views, graph::FrameGraph& graph, const resident::Frame& frame,
+                   graph::ImageId depth) const;
 
 private:
     passes::LightModel model_;

@@ -5,7 +5,6 @@
 #include "light_prepass_presets.hpp"
 #include <passes/light_pass.hpp>
 #include <passes/materials.hpp>
-#include <passes/tonemap.hpp>
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -55,10 +54,9 @@ private:
                                         .write_once = settings().is("light-writes", "once")};
         passes::light_pass(graph, frame, "light", lighting);
         const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_};
-        const auto linear = passes::material_pass(graph, frame, materials);
-        const auto final = passes::tonemap_pass(graph, frame, linear, options().tonemap);
-
-        Views views{{"linear", linear}, {"final", final}};
+        Views views = picture_views(graph, frame, [&](passes::Display display) {
+            return passes::material_pass(graph, frame, materials, display);
+        });
         using passes::ViewKind;
         const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
             if (wants(name))

@@ -21,7 +21,7 @@ private:
         const auto per_pass = static_cast<uint32_t>(settings().number("lights-per-pass")); // [M2]
         const auto plan = settings().is("order", "lights") ? passes::plan_by_lights : passes::plan_by_objects;
         const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
-        const auto linear = linear_image(graph, frame);
+        const auto linear = passes::picture_image(graph, frame, {});
 
         ambient_draws_ = 0;
         passes::ForwardInputs lights = shading("lights", depth, linear);
@@ -38,7 +38,9 @@ private:
         }
         lights.plan = [=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); };
         passes::forward_pass(graph, frame, lights);
-        return views(graph, frame, depth, linear);
+        Views views = linear_views(graph, frame, linear);
+        add_views(views, graph, frame, depth);
+        return views;
     }
 
     uint64_t ambient_draws_ = 0;

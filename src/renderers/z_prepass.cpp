@@ -37,19 +37,33 @@ private:
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto depth = passes::depth_only_pass(graph, frame); // [Z1]
-        const auto linear = linear_image(graph, frame);
-        passes::ForwardInputs opaque = shading("opaque", depth, linear);
-        if (grid_) { // [Z3]
-            passes::forward_grid_pass(graph, frame, opaque);
-            return views(graph, frame, depth, linear);
-        }
-        // [Z2]
+        Views views;
+        if (grid_) // [Z3]
+            views = picture_views(graph, frame, [&](passes::Display display) {
+                return draw_by_grid(graph, frame, depth, display);
+            });
+        else // [Z2] further lights blend: only linear light adds up
+            views = linear_views(graph, frame, draw_by_plan(graph, frame, depth));
+        add_views(views, graph, frame, depth);
+        return views;
+    }
+
+    graph::ImageId draw_by_grid(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
+                                passes::Display display) {
+        passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, display));
+        opaque.display = display;
+        passes::forward_grid_pass(graph, frame, opaque);
+        return opaque.colour;
+    }
+
+    graph::ImageId draw_by_plan(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
+        passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, {}));
         opaque.kinds = {passes::StepKind::base_and_lights, passes::StepKind::lights};
         opaque.plan = [](const resident::LightReach& reach) {
             return passes::plan_shaded_once(reach, FORWARD_MOST_LIGHTS);
         };
         passes::forward_pass(graph, frame, opaque);
-        return views(graph, frame, depth, linear);
+        return opaque.colour;
     }
 
     bool grid_;

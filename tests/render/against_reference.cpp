@@ -41,6 +41,7 @@ RenderOptions options_of(const Shot& shot) {
     options.shading = shot.shading;
     options.settings = shot.settings;
     options.settings["texture-filter"] = "bilinear";
+    options.views = {"linear"};
     return options;
 }
 

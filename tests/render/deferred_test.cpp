@@ -92,7 +92,7 @@ TEST(Deferred, D2_GeometryIsDrawnOnce) {
     std::vector<std::string> names;
     for (const PassStats& pass : renderer->stats().passes)
         names.push_back(pass.name);
-    EXPECT_THAT(names, testing::ElementsAre("geometry", "light", "resolve", "tonemap"));
+    EXPECT_THAT(names, testing::ElementsAre("geometry", "light", "resolve"));
 }
 
 // Two architectures, one form: what differs is rounding.

@@ -14,7 +14,7 @@ std::vector<Found> find_pixels(const World& world, std::span<const PlacedCamera>
     options.width = found_width;
     options.height = found_height;
     options.count_pairs = true;
-    options.views = {"light-count"};
+    options.views = {"light-count", "linear"};
     options.settings = settings;
     const auto renderer = create_renderer("light-prepass", &device, options);
     renderer->set_world(world);

@@ -25,6 +25,7 @@ void expect_same_as_fullscreen(Garden& garden, const PlacedCamera& camera, const
         options.width = 320;
         options.height = 180;
         options.count_pairs = true;
+        options.views = {"linear"};
         options.settings = {{"light-culling", full ? "fullscreen" : "volumes"}};
         const auto renderer = create_renderer("light-prepass", &test_device(), options);
         renderer->set_world(garden.world);

@@ -137,11 +137,13 @@ TEST(L4L5Presets, AWayOfPhongIsNotTakenInGgxAndThatIsSaid) {
 
 TEST(L4L5Presets, PrelightingPutsNormalsIntoTheMemoryOfTheFrame) {
     PresetGarden garden;
-    const Stats stats = render(garden, options_for("prelighting", Shading::phong)).stats;
-    // The material pass holds depth, two light buffers (4 bytes each) and the frame (8): 20 bytes a
-    // pixel, all alive. The light pass holds the first three as well, and the normals: when nothing
-    // is beyond those 20 bytes, the normals lie in the frame's.
-    EXPECT_EQ(stats.attachment_bytes, 20u * 320 * 180);
+    // The material pass holds depth, two light buffers (4 bytes each) and the frame (4, and 8 when it
+    // is scene-linear): 16 or 20 bytes a pixel, all alive. The light pass holds the first three as
+    // well, and the normals: when nothing is beyond those bytes, the normals lie in the frame's.
+    RenderOptions options = options_for("prelighting", Shading::phong);
+    EXPECT_EQ(render(garden, options).stats.attachment_bytes, 16u * 320 * 180);
+    options.views = {"linear"};
+    EXPECT_EQ(render(garden, options).stats.attachment_bytes, 20u * 320 * 180);
 }
 
 TEST(L4L5Presets, ADeviceWithoutTheFormatsTakesTheSourceTextsFallbacks) {

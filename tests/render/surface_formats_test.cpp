@@ -144,7 +144,7 @@ TEST(L9TwoPasses, EqualMrtByteForByte) {
             for (const bool two : {false, true}) {
                 shot.settings["geometry"] = two ? "two-passes" : "mrt";
                 RenderOptions options = options_of(shot);
-                options.views = {"depth", "normal", "roughness"};
+                options.views = {"depth", "normal", "roughness", "linear"};
                 const auto renderer = create_renderer("light-prepass", &test_device(), options);
                 renderer->set_world(*shot.world);
                 renderer->render(shot.camera);

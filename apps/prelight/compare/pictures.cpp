@@ -56,7 +56,9 @@ void take(RunReport& run, Device& device, const World& world, const PlacedCamera
           References& references, PictureStore& store) {
     RenderOptions options = run.options;
     options.count_pairs = true;
-    options.views = views_to_show(run.info);
+    const std::vector<std::string> views = views_to_show(run.info);
+    options.views = views;
+    options.views.emplace_back("linear"); // the difference is measured there
     if (std::ranges::find(run.info.settings, "texture-filter", &SettingInfo::key) !=
         run.info.settings.end())
         options.settings.emplace("texture-filter", "bilinear");
@@ -73,7 +75,7 @@ void take(RunReport& run, Device& device, const World& world, const PlacedCamera
         compare(renderer->read("linear"), reference.linear, reference.left_out, &errors);
     for (glm::vec3& pixel : errors.pixels)
         pixel = error_colour(pixel.r);
-    run.pictures = store_views(*renderer, run.variant.name(), options.views, store);
+    run.pictures = store_views(*renderer, run.variant.name(), views, store);
     run.pictures["difference"] = store.add(run.variant.name() + "-difference", errors);
 }
 
