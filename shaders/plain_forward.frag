@@ -6,9 +6,6 @@
 #include "shared/display.glsl"
 
 layout(constant_id = CONSTANT_MATERIAL_FEATURES) const uint material_features = 0u;
-layout(constant_id = CONSTANT_TONEMAP) const int curve = TONEMAP_PBR_NEUTRAL;
-
-layout(constant_id = CONSTANT_TARGET_ENCODES) const bool target_encodes = false; // an sRGB format
 layout(set = SET_MATERIAL, binding = MATERIAL_CONSTANTS, std140) uniform MaterialBlock { MaterialConstants material; };
 layout(location = 0) in vec4 in_colour;
 layout(location = 0) out vec4 out_colour;
@@ -40,9 +37,5 @@ void main() {
     if (has(FEATURE_ALPHA_MASK) && base.a < material.emissive.w)
         discard;
     vec3 colour = has(FEATURE_UNLIT) ? base.rgb * frame.light_buffer.y : base.rgb * frame.ambient.rgb + emissive;
-    if (curve == TONEMAP_PBR_NEUTRAL)
-        colour = tonemap_pbr_neutral(colour);
-    else if (curve == TONEMAP_ACES)
-        colour = tonemap_aces(colour);
-    out_colour = vec4(target_encodes ? colour : srgb_encode(colour), 1.0);
+    out_colour = stored_colour(colour);
 }

@@ -5,6 +5,8 @@
 
 layout(constant_id = CONSTANT_TONEMAP) const int tonemap_curve = TONEMAP_LINEAR;
 
+layout(constant_id = CONSTANT_TARGET_ENCODES) const bool target_encodes = false; // an sRGB format
+
 vec3 srgb_encode(vec3 linear) {
     linear = clamp(linear, 0.0, 1.0);
     return mix(1.055 * pow(max(linear, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055, linear * 12.92,
@@ -39,6 +41,6 @@ vec4 stored_colour(vec3 colour) {
         colour = tonemap_pbr_neutral(colour);
     else if (tonemap_curve == TONEMAP_ACES)
         colour = tonemap_aces(colour);
-    return vec4(srgb_encode(colour), 1.0);
+    return vec4(target_encodes ? colour : srgb_encode(colour), 1.0);
 }
 #endif

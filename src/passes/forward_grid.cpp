@@ -17,7 +17,7 @@ void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
                            {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
-    for (const auto& constant : display_constants(inputs.display))
+    for (const auto& constant : display_constants(inputs.display, graph.desc(inputs.colour).format))
         desc.constants.push_back(constant);
     graph::Pass& pass = graph.pass(inputs.name);
     pass.colour(inputs.colour, inputs.load, {0, 0, 0, inputs.display ? 1.0f : 0.0f})

@@ -58,7 +58,7 @@ graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Fram
     graph::Pass& pass = graph.pass("resolve");
     pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, gbuffer.light);
     const bool bytes = graph.desc(gbuffer.light).format == VK_FORMAT_R8G8B8A8_UNORM;
-    gpu::Constants constants = display_constants(display);
+    gpu::Constants constants = display_constants(display, graph.desc(target).format);
     constants.emplace_back(CONSTANT_CLIPPED_LIGHT, bytes);
     draw_fullscreen(pass, frame, "light_resolve.frag", constants);
     return target;

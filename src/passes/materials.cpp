@@ -14,7 +14,7 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
         .sample(INPUT_SPECULAR_LIGHT, inputs.light.specular);
     gpu::Constants constants = inputs.model.constants();
     constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
-    for (const auto& constant : display_constants(display))
+    for (const auto& constant : display_constants(display, graph.desc(target).format))
         constants.push_back(constant);
     const std::string shader = inputs.model.shading == Shading::ggx ? "material_metallic_roughness.frag"
                                                                     : "material_blinn_phong.frag";

@@ -5,12 +5,13 @@
 namespace prelight::passes {
 
 graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display) {
-    return display ? graph.image("final", {VK_FORMAT_R8G8B8A8_UNORM, frame.extent()})
+    return display ? graph.image("final", frame.extent(), {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM})
                    : graph.image("linear", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
 }
 
-gpu::Constants display_constants(Display display) {
-    return {{CONSTANT_TONEMAP, display ? static_cast<uint32_t>(*display) : TONEMAP_LINEAR}};
+gpu::Constants display_constants(Display display, VkFormat target) {
+    return {{CONSTANT_TONEMAP, display ? static_cast<uint32_t>(*display) : TONEMAP_LINEAR},
+            {CONSTANT_TARGET_ENCODES, target == VK_FORMAT_R8G8B8A8_SRGB}};
 }
 
 graph::ImageId tonemap_pass(graph::FrameGraph& graph, const resident::Frame& frame,
@@ -18,7 +19,7 @@ graph::ImageId tonemap_pass(graph::FrameGraph& graph, const resident::Frame& fra
     const graph::ImageId target = picture_image(graph, frame, curve);
     graph::Pass& pass = graph.pass("tonemap");
     pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, colour);
-    draw_fullscreen(pass, frame, "tonemap.frag", display_constants(curve));
+    draw_fullscreen(pass, frame, "tonemap.frag", display_constants(curve, graph.desc(target).format));
     return target;
 }
 

@@ -183,6 +183,7 @@ void DeviceRenderer::time_passes(const PlacedCamera& camera) {
 void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     if (!world_ || !graph_)
         throw Error("renderer: set_world() comes before render()");
+    stats_stay_ = false;
     warm_up(camera);
     queue_->start();
     frames_ = frames;
@@ -196,7 +197,7 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
 }
 
 Stats DeviceRenderer::stats() const {
-    if (!drawn_)
+    if (!drawn_ || stats_stay_)
         return stats_;
     queue_->drain();
     const FrameSamples& samples = queue_->samples();
@@ -247,9 +248,12 @@ Image DeviceRenderer::read(std::string_view view) {
         throw Error("renderer: render() comes before read()");
     if (view == "linear" && !views_.contains(view)) { // the graph has no such image: once more, with it
         options_.views.emplace_back(view);
+        const Stats stats = this->stats();
         drop_graph();
         build_graph();
         render(camera_, 1);
+        stats_ = stats;
+        stats_stay_ = true;
     }
     const auto found = views_.find(view);
     if (found == views_.end())

@@ -69,7 +69,8 @@ private:
     bool drawn_ = false; ///< the graph's images hold a frame
     PlacedCamera camera_; ///< of that frame
     bool warm_ = false;  ///< every pipeline of the graph has drawn once
-    Stats stats_; ///< of a graph that is gone
+    Stats stats_;             ///< of a graph that is gone
+    bool stats_stay_ = false; ///< the last frame was drawn by read(): stats_ is what the one before it had
     uint32_t frames_ = 0;                        ///< of the last render()
     CreatedObjects created_;                     ///< by its last frame
     std::vector<std::vector<double>> pass_cpu_;  ///< its passes' samples
