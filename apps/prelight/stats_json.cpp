@@ -11,6 +11,13 @@ Json spread_json(const Spread& spread) {
     return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}};
 }
 
+Json host_json(const HostTimes& host) {
+    return {{"lights", spread_json(host.lights)},
+            {"culling", spread_json(host.culling)},
+            {"objects", spread_json(host.objects)},
+            {"record", spread_json(host.record)}};
+}
+
 } // namespace
 
 Json stats_entry(const std::string& scene, const std::string& renderer,
@@ -41,6 +48,7 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
         {"wall_ms", spread_json(stats.wall_ms)},
         {"cpu_ms", spread_json(stats.cpu_ms)},
         {"gpu_ms", spread_json(stats.gpu_ms)},
+        {"host_ms", stats.host_ms ? host_json(*stats.host_ms) : Json(nullptr)},
         {"passes", passes},
         {"attachment_bytes", stats.attachment_bytes},
         {"attachment_bytes_unshared", stats.attachment_bytes_unshared},

@@ -161,9 +161,15 @@ void DeviceRenderer::render_frame(const PlacedCamera& camera) {
     const CreatedObjects before = created_since(context_, {});
     const gpu::FrameTurn turn = queue_->begin();
     frame_->update(camera, turn.slot);
+    const double start = thread_ms();
     clear_pairs(queue_->commands());
     graph_->record(queue_->commands(), turn);
     queue_->submit(*graph_);
+    const resident::UpdateTimes& times = frame_->update_times();
+    host_.lights.push_back(times.lights);
+    host_.culling.push_back(times.culling);
+    host_.objects.push_back(times.objects);
+    host_.record.push_back(thread_ms() - start);
     created_ = created_since(context_, before);
 }
 
@@ -188,6 +194,7 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     queue_->start();
     frames_ = frames;
     pass_cpu_.clear();
+    host_ = {};
     for (uint32_t f = 0; f < frames; ++f)
         render_frame(camera);
     for (uint32_t f = 0; options_.pass_cpu && f < frames; ++f)
@@ -228,6 +235,7 @@ Stats DeviceRenderer::stats() const {
     stats.device_bytes = context_.device_bytes();
     stats.device_bytes_peak = context_.device_bytes_peak();
     stats.created = created_;
+    stats.host_ms = HostTimes{spread(host_.lights), spread(host_.culling), spread(host_.objects), spread(host_.record)};
     count_pairs(stats);
     return stats;
 }

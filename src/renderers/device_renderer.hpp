@@ -73,6 +73,10 @@ private:
     bool stats_stay_ = false; ///< the last frame was drawn by read(): stats_ is what the one before it had
     uint32_t frames_ = 0;                        ///< of the last render()
     CreatedObjects created_;                     ///< by its last frame
+    struct HostSamples {
+        std::vector<double> lights, culling, objects, record;
+    };
+    HostSamples host_;
     std::vector<std::vector<double>> pass_cpu_;  ///< its passes' samples
     std::unique_ptr<FrameQueue> queue_;          ///< last: its end waits for the frames
 };

@@ -18,6 +18,11 @@ struct FrameSettings {
     bool motion = false;             ///< fill Geometry::previous_positions
 };
 
+/// CPU time of the calling thread for one frame, milliseconds; as prelight::HostTimes names it.
+struct UpdateTimes {
+    double lights = 0, culling = 0, objects = 0;
+};
+
 /// A world on the device: what set 0 of every pass holds, geometry, materials, and this frame's
 /// lights. Alive as long as the frame graph that draws it.
 class Frame {
@@ -31,6 +36,9 @@ public:
     /// Writes constants, lights and objects for one picture into the slot's buffers, which no frame on
     /// its way may use; set() is the slot's from then on.
     void update(const PlacedCamera& camera, uint32_t slot = 0);
+
+    /// Of the last update(), and of the calls of set_lights() before it.
+    const UpdateTimes& update_times() const { return times_; }
 
     const gpu::Context& context() const { return context_; }
     const World& world() const { return world_; }
@@ -77,6 +85,8 @@ private:
     LightReach reach_;
     glm::dvec3 eye_{0};
     glm::mat4 clip_from_world_{1};
+    UpdateTimes times_;
+    double set_lights_ms_ = 0; ///< since the last update()
 };
 
 } // namespace prelight::resident

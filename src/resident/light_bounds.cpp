@@ -170,11 +170,17 @@ bool ScreenBounds::empty() const {
     return misses(x) || misses(y) || depth.empty();
 }
 
-ScreenBounds screen_bounds(const PlacedLight& placed, const PlacedCamera& camera, double aspect) {
+ScreenBoundsOf::ScreenBoundsOf(const PlacedCamera& camera, double aspect) : camera_(camera) {
     const Camera& lens = camera.camera;
-    const bool perspective = lens.kind == ProjectionKind::perspective;
-    const double half_height = perspective ? std::tan(lens.yfov / 2) : lens.ymag;
-    const View view{perspective, lens.znear, lens.zfar, 1 / (half_height * aspect), 1 / half_height};
+    const double half_height = lens.kind == ProjectionKind::perspective ? std::tan(lens.yfov / 2) : lens.ymag;
+    scale_x_ = 1 / (half_height * aspect);
+    scale_y_ = 1 / half_height;
+}
+
+ScreenBounds ScreenBoundsOf::operator()(const PlacedLight& placed) const {
+    const PlacedCamera& camera = camera_;
+    const Camera& lens = camera.camera;
+    const View view{lens.kind == ProjectionKind::perspective, lens.znear, lens.zfar, scale_x_, scale_y_};
     const auto into_view = [&](dvec3 v) {
         const dvec3 turned = v * camera.axes; // dots with the axes
         return dvec3(turned.x, turned.y, -turned.z);

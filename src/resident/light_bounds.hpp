@@ -28,7 +28,18 @@ struct ScreenBounds {
 /// and McGuire, "2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere", 2013). Cones
 /// (a sector of the sphere) are exact in front of the near plane, by their apex, the circle of their
 /// rim and the cap; cut by it, they are the polyhedron around them. The range must be finite.
-ScreenBounds screen_bounds(const PlacedLight& light, const PlacedCamera& camera, double aspect);
+class ScreenBoundsOf {
+public:
+    ScreenBoundsOf(const PlacedCamera& camera, double aspect);
+    ScreenBounds operator()(const PlacedLight& light) const;
+
+private:
+    const PlacedCamera& camera_;
+    double scale_x_, scale_y_; ///< clip space per tangent (perspective) or per metre
+};
+inline ScreenBounds screen_bounds(const PlacedLight& light, const PlacedCamera& camera, double aspect) {
+    return ScreenBoundsOf(camera, aspect)(light);
+}
 
 /// The device's record: cut to the picture, with room for what rounding does to pixels and depth.
 shared::LightScreenBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants);

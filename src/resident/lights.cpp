@@ -19,49 +19,63 @@ bool is_dark(const Light& light) {
     return light.intensity <= 0 || (light.colour.x <= 0 && light.colour.y <= 0 && light.colour.z <= 0);
 }
 
-/// Signed test of a sphere against the planes of the view; world space relative to the camera.
-bool outside_view(const glm::dmat4& clip, glm::dvec3 centre, double radius) {
-    const auto row = [&](int r) { return glm::dvec4(clip[0][r], clip[1][r], clip[2][r], clip[3][r]); };
-    const glm::dvec4 w = row(3);
-    // Reversed depth: the near plane is clip.z = w, the far plane clip.z = 0.
-    for (const glm::dvec4& plane : {w + row(0), w - row(0), w + row(1), w - row(1), w - row(2), row(2)}) {
-        const double length = glm::length(glm::dvec3(plane));
-        if (length > 0 && glm::dot(glm::dvec3(plane), centre) + plane.w < -radius * length)
+/// What of a view the test of each light needs, made once a frame. World space relative to the camera.
+class View {
+public:
+    View(const PlacedCamera& camera, const shared::FrameConstants& constants)
+        : camera_(camera.camera), forward_(constants.forward),
+          corner_(glm::length(glm::dvec3(constants.ray_right) + glm::dvec3(constants.ray_up) + forward_)),
+          across_(glm::length(glm::dvec3(constants.ray_right)) * glm::length(glm::dvec3(constants.ray_up))) {
+        const glm::dmat4 clip(constants.clip_from_world);
+        const auto row = [&](int r) { return glm::dvec4(clip[0][r], clip[1][r], clip[2][r], clip[3][r]); };
+        const glm::dvec4 w = row(3);
+        // Reversed depth: the near plane is clip.z = w, the far plane clip.z = 0.
+        for (const glm::dvec4& plane : {w + row(0), w - row(0), w + row(1), w - row(1), w - row(2), row(2)})
+            if (const double length = glm::length(glm::dvec3(plane)); length > 0)
+                planes_[count_++] = plane / length;
+    }
+
+    /// The sphere lies wholly behind one of the view's planes.
+    bool misses(glm::dvec3 centre, double radius) const {
+        for (size_t p = 0; p < count_; ++p)
+            if (glm::dot(glm::dvec3(planes_[p]), centre) + planes_[p].w < -radius)
+                return true;
+        return false;
+    }
+    double along(glm::dvec3 point) const { return glm::dot(point, forward_); }
+
+    bool may_touch_near_plane(glm::dvec3 centre, double radius) const {
+        const double depth = along(centre);
+        if (std::abs(depth - camera_.znear) > radius)
+            return depth < camera_.znear; // wholly behind counts as inside: its far side may still show
+        if (camera_.kind == ProjectionKind::orthographic)
             return true;
+        return glm::length(centre) <= radius + camera_.znear * corner_;
     }
-    return false;
-}
 
-bool may_touch_near_plane(const PlacedCamera& placed, const shared::FrameConstants& constants,
-                          glm::dvec3 centre, double radius) {
-    const Camera& camera = placed.camera;
-    const glm::dvec3 forward(constants.forward);
-    const double along = glm::dot(centre, forward);
-    if (std::abs(along - camera.znear) > radius)
-        return along < camera.znear; // wholly behind counts as inside: its far side may still show
-    if (camera.kind == ProjectionKind::orthographic)
-        return true;
-    const double corner = glm::length(glm::dvec3(constants.ray_right) + glm::dvec3(constants.ray_up) + forward);
-    return glm::length(centre) <= radius + camera.znear * corner;
-}
-
-/// The share of the picture that a sphere covers, roughly; 1 when the camera is in it.
-double screen_share(const shared::FrameConstants& constants, glm::dvec3 centre, double radius) {
-    double distance = 1;
-    if (constants.forward.w > 0.5f) {
-        const double along = glm::dot(centre, glm::dvec3(constants.forward));
-        if (along <= radius)
-            return 1;
-        distance = std::sqrt(along * along - radius * radius);
+    /// The share of the picture that a sphere covers, roughly; 1 when the camera is in it.
+    double share(glm::dvec3 centre, double radius) const {
+        double distance2 = 1;
+        if (camera_.kind == ProjectionKind::perspective) {
+            const double depth = along(centre);
+            if (depth <= radius)
+                return 1;
+            distance2 = depth * depth - radius * radius;
+        }
+        return std::min(0.785 * radius * radius / (across_ * distance2), 1.0);
     }
-    const double across = glm::length(glm::dvec3(constants.ray_right)) * glm::length(glm::dvec3(constants.ray_up));
-    const double share = 0.785 * radius * radius / (across * distance * distance);
-    return std::min(share, 1.0);
-}
 
-LightGroup group_of(const PlacedLight& light, const PlacedCamera& camera,
-                    const shared::FrameConstants& constants, glm::dvec3 centre, double radius) {
-    const bool inside = may_touch_near_plane(camera, constants, centre, radius);
+private:
+    Camera camera_;
+    glm::dvec3 forward_;
+    double corner_; ///< distance to the near plane's corner, in near distances
+    double across_; ///< a quarter of the picture's area at distance 1
+    std::array<glm::dvec4, 6> planes_{};
+    size_t count_ = 0;
+};
+
+LightGroup group_of(const PlacedLight& light, const View& view, glm::dvec3 centre, double radius) {
+    const bool inside = view.may_touch_near_plane(centre, radius);
     if (is_cone(light.light))
         return inside ? LightGroup::cone_inside : LightGroup::cone_outside;
     return inside ? LightGroup::sphere_inside : LightGroup::sphere_outside;
@@ -112,12 +126,12 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
                          const shared::FrameConstants& constants, LightCulling culling,
                          bool depth_clamp, bool spot_boxes) {
-    const bool rectangles = culling == LightCulling::rectangles;
-    const double aspect = double(constants.size.x) / double(constants.size.y);
+    const bool rectangles = culling == LightCulling::rectangles, lists = builds_lists(culling);
+    const ScreenBoundsOf screen_bounds(camera, double(constants.size.x) / double(constants.size.y));
     std::vector<shared::LightScreenBounds> bounds(rectangles ? lights.size() : 0);
     std::array<std::vector<uint32_t>, light_group_count> members;
     LightGroups groups;
-    const glm::dmat4 clip(constants.clip_from_world);
+    const View view(camera, constants);
     for (uint32_t i = 0; i < lights.size(); ++i) {
         const PlacedLight& light = lights[i];
         if (is_dark(light.light))
@@ -125,33 +139,39 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
         LightGroup group = LightGroup::fullscreen;
         if (culling != LightCulling::fullscreen && has_volume(light.light)) {
             const glm::dvec3 centre = light.position - camera.position;
-            if (outside_view(clip, centre, light.light.range))
+            if (view.misses(centre, light.light.range))
                 continue;
             if (rectangles) {
-                const ScreenBounds screen = screen_bounds(light, camera, aspect);
+                const ScreenBounds screen = screen_bounds(light);
                 if (screen.empty())
                     continue;
                 bounds[i] = light_bounds(screen, constants);
             }
-            const double radius = light.light.range * volume_reach(light.light, spot_boxes);
-            const double farthest = glm::dot(centre, glm::dvec3(constants.forward)) + radius;
-            if (builds_lists(culling)) {
+            if (lists) {
                 group = LightGroup::listed;
-                groups.listed_pictures += screen_share(constants, centre, light.light.range);
-            } else if (depth_clamp || rectangles || farthest < camera.camera.zfar) {
-                group = group_of(light, camera, constants, centre, radius);
+                groups.listed_pictures += view.share(centre, light.light.range);
+            } else {
+                const double radius = light.light.range * volume_reach(light.light, spot_boxes);
+                if (depth_clamp || rectangles || view.along(centre) + radius < camera.camera.zfar)
+                    group = group_of(light, view, centre, radius);
             }
         }
         members[static_cast<size_t>(group)].push_back(i);
     }
+    size_t total = 0;
+    for (const std::vector<uint32_t>& group : members)
+        total += group.size();
+    groups.order.reserve(total);
     for (size_t g = 0; g < light_group_count; ++g) {
         groups.first[g] = static_cast<uint32_t>(groups.order.size());
         groups.count[g] = static_cast<uint32_t>(members[g].size());
         groups.order.insert(groups.order.end(), members[g].begin(), members[g].end());
     }
-    if (rectangles)
+    if (rectangles) {
+        groups.bounds.reserve(total);
         for (const uint32_t light : groups.order)
             groups.bounds.push_back(bounds[light]);
+    }
     return groups;
 }
 

@@ -1,5 +1,6 @@
 #include "clocks.hpp"
 #include <chrono>
+#include <ctime>
 #include <sys/resource.h>
 
 namespace prelight {
@@ -11,6 +12,12 @@ double process_ms() {
         return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_usec) * 1e-3;
     };
     return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+double thread_ms() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
 double wall_ms() {

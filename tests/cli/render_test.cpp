@@ -171,7 +171,10 @@ TEST(Render, StatsHoldWhatTheContractNames) {
     EXPECT_GE(stats.at("device_bytes_peak"), stats.at("device_bytes"));
     for (const char* key : {"allocations", "pipelines", "buffers", "images", "descriptor_pools"})
         EXPECT_EQ(stats.at("steady_frame").at(key), 0) << key;
-    EXPECT_EQ(stats.size(), 23u) << "a key that the contract does not name";
+    for (const char* key : {"lights", "culling", "objects", "record"})
+        expect_spread(stats.at("host_ms").at(key));
+    EXPECT_GT(stats.at("host_ms").at("record").at("min"), 0);
+    EXPECT_EQ(stats.size(), 24u) << "a key that the contract does not name";
 }
 
 TEST(Render, PassCpuGivesEachPassAFigure) {
