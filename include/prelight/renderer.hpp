@@ -89,6 +89,7 @@ struct Stats {
     std::map<std::string, std::string> settings; ///< every setting with the value in force
     std::vector<std::string> notes; ///< what the device could not give as asked for, one line each
     uint64_t lights = 0, triangles = 0, draws = 0;
+    uint64_t triangles_drawn = 0;   ///< of them, what a pass over all geometry sends to the device
     uint32_t frames = 0;
     /// Wall and CPU time go from the end of one frame to the end of the next, for one is prepared while
     /// another is drawn; a single frame's from the call of render().

@@ -5,7 +5,6 @@
 #define SET_FRAME 0
 #define FRAME_CONSTANTS 0
 #define FRAME_LIGHTS 1
-#define FRAME_OBJECTS 2
 #define FRAME_LIGHT_ORDER 3
 #define FRAME_LIGHT_BOUNDS 4
 
@@ -55,6 +54,10 @@
 #define VERTEX_TEXCOORD_1 4
 #define VERTEX_COLOUR 5
 #define VERTEX_PREVIOUS_POSITION 6
+// The object's ObjectData, once an instance: 3 locations each.
+#define VERTEX_WORLD_ROW 7
+#define VERTEX_NORMAL_ROW 10
+#define VERTEX_PREVIOUS_WORLD_ROW 13
 
 // Specialisation constants: specialise rather than branch, for on a software device both sides of an
 // `if` run.

@@ -6,7 +6,6 @@
 
 layout(set = SET_FRAME, binding = FRAME_CONSTANTS, std140) uniform FrameBlock { FrameConstants frame; };
 layout(set = SET_FRAME, binding = FRAME_LIGHTS, std430) readonly buffer LightBlock { LightData lights[]; };
-layout(set = SET_FRAME, binding = FRAME_OBJECTS, std430) readonly buffer ObjectBlock { ObjectData objects[]; };
 layout(set = SET_FRAME, binding = FRAME_LIGHT_ORDER, std430) readonly buffer OrderBlock { uint light_order[]; };
 layout(set = SET_FRAME, binding = FRAME_LIGHT_BOUNDS, std430) readonly buffer BoundsBlock { LightScreenBounds light_bounds[]; };
 

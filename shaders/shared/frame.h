@@ -37,7 +37,7 @@ struct LightScreenBounds {
     vec4 depth;      // x, y: device depth of the nearest and the farthest point; reversed, so x ≥ y
 };
 
-// One object; rows of the 3×4 matrix object → world, and of the inverse transpose.
+// One object, a vertex attribute that steps once an instance; rows of the 3×4 matrix object → world, and of the inverse transpose.
 struct ObjectData {
     vec4 world_row[3];
     vec4 normal_row[3];  // w of the first: −1 when mirrored, else 1

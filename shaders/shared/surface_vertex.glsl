@@ -6,6 +6,7 @@ layout(location = VERTEX_TANGENT) in vec4 in_tangent;
 layout(location = VERTEX_TEXCOORD_0) in vec2 in_texcoord_0;
 layout(location = VERTEX_TEXCOORD_1) in vec2 in_texcoord_1;
 layout(location = VERTEX_COLOUR) in vec4 in_colour;
+layout(location = VERTEX_NORMAL_ROW) in vec4 in_normal_row[3];
 
 layout(location = 0) out vec3 out_world;
 layout(location = 1) out vec3 out_normal;
@@ -14,21 +15,21 @@ layout(location = 3) out vec4 out_texcoords;
 layout(location = 4) out vec4 out_colour;
 #ifdef MOTION  // where out_world was at the previous state
 layout(location = VERTEX_PREVIOUS_POSITION) in vec3 in_previous_position;
+layout(location = VERTEX_PREVIOUS_WORLD_ROW) in vec4 in_previous_world_row[3];
 layout(location = 5) out vec3 out_previous;
 #endif
 
 void main() {
     out_world = vertex_position();
-    ObjectData object = objects[gl_InstanceIndex];
-    out_normal = vec3(dot(object.normal_row[0].xyz, in_normal), dot(object.normal_row[1].xyz, in_normal),
-                      dot(object.normal_row[2].xyz, in_normal));
-    out_tangent = vec4(dot(object.world_row[0].xyz, in_tangent.xyz), dot(object.world_row[1].xyz, in_tangent.xyz),
-                       dot(object.world_row[2].xyz, in_tangent.xyz), in_tangent.w * object.normal_row[0].w);
+    out_normal = vec3(dot(in_normal_row[0].xyz, in_normal), dot(in_normal_row[1].xyz, in_normal),
+                      dot(in_normal_row[2].xyz, in_normal));
+    out_tangent = vec4(dot(in_world_row[0].xyz, in_tangent.xyz), dot(in_world_row[1].xyz, in_tangent.xyz),
+                       dot(in_world_row[2].xyz, in_tangent.xyz), in_tangent.w * in_normal_row[0].w);
     out_texcoords = vec4(in_texcoord_0, in_texcoord_1);
     out_colour = in_colour;
 #ifdef MOTION
     vec4 previous = vec4(in_previous_position, 1.0);
-    out_previous = vec3(dot(object.previous_world_row[0], previous), dot(object.previous_world_row[1], previous),
-                        dot(object.previous_world_row[2], previous));
+    out_previous = vec3(dot(in_previous_world_row[0], previous), dot(in_previous_world_row[1], previous),
+                        dot(in_previous_world_row[2], previous));
 #endif
 }

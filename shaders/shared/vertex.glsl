@@ -5,15 +5,14 @@
 #include "shared/frame.glsl"
 
 layout(location = VERTEX_POSITION) in vec3 in_position;
+// ObjectData comes as vertex attributes that step once an instance: a software device reads them once for
+// all vertices, and a storage buffer vertex by vertex.
+layout(location = VERTEX_WORLD_ROW) in vec4 in_world_row[3];
 invariant gl_Position;
 
-vec3 transform(ObjectData object, vec3 position) {
-    vec4 p = vec4(position, 1.0);
-    return vec3(dot(object.world_row[0], p), dot(object.world_row[1], p), dot(object.world_row[2], p));
-}
-
 vec3 vertex_position() {
-    vec3 world = transform(objects[gl_InstanceIndex], in_position);
+    vec4 p = vec4(in_position, 1.0);
+    vec3 world = vec3(dot(in_world_row[0], p), dot(in_world_row[1], p), dot(in_world_row[2], p));
     gl_Position = frame.clip_from_world * vec4(world, 1.0);
     return world;
 }

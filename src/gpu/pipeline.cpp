@@ -69,8 +69,11 @@ GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelin
             fragment.emplace(context, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, desc.constants).info());
 
     std::vector<VkVertexInputBindingDescription> bindings;
-    for (const uint32_t stride : desc.vertex_strides)
-        bindings.push_back({static_cast<uint32_t>(bindings.size()), stride, VK_VERTEX_INPUT_RATE_VERTEX});
+    for (const uint32_t stride : desc.vertex_strides) {
+        const auto binding = static_cast<uint32_t>(bindings.size());
+        bindings.push_back({binding, stride, binding == desc.instance_binding ? VK_VERTEX_INPUT_RATE_INSTANCE
+                                                                              : VK_VERTEX_INPUT_RATE_VERTEX});
+    }
     std::vector<VkVertexInputAttributeDescription> attributes;
     for (const VertexAttribute& a : desc.attributes)
         attributes.push_back({a.location, a.binding, a.format, a.offset});

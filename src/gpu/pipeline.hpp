@@ -34,6 +34,7 @@ struct GraphicsPipelineDesc {
     std::string fragment;                   ///< may be empty: depth and stencil only
     Constants constants;                    ///< for both stages
     std::vector<uint32_t> vertex_strides;   ///< one per vertex buffer binding
+    uint32_t instance_binding = ~0u;        ///< the one that steps once an instance
     std::vector<VertexAttribute> attributes;
     std::vector<VkFormat> colour_formats;
     VkFormat depth_format = VK_FORMAT_UNDEFINED;

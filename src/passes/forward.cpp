@@ -45,16 +45,17 @@ public:
 
     void record(const graph::PassContext& pass) {
         const ForwardPlan plan = inputs_.plan(frame_.reach());
-        if (inputs_.draws)
-            *inputs_.draws = plan.size();
         SurfaceDraws::Bound bound;
+        uint64_t drawn = 0;
         if (!plan.empty())
             of(plan[0].kind)->bind_geometry(pass);
         for (const ForwardStep& step : plan) {
             const auto batch = std::as_bytes(std::span(&step.batch, 1));
-            of(step.kind)->draw(pass, bound, frame_.geometry().draws[step.draw],
-                                step.kind == StepKind::base ? std::span<const std::byte>() : batch);
+            drawn += of(step.kind)->draw(pass, bound, step.draw,
+                                         step.kind == StepKind::base ? std::span<const std::byte>() : batch);
         }
+        if (inputs_.draws)
+            *inputs_.draws = drawn;
     }
 
 private:

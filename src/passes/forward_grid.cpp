@@ -27,14 +27,9 @@ void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     auto draws = std::make_shared<std::optional<SurfaceDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, desc); });
     pass.record([=, &frame](const graph::PassContext& context) {
-        const std::vector<resident::Draw>& all = frame.geometry().draws;
         if (inputs.draws)
-            *inputs.draws = all.size();
-        SurfaceDraws::Bound bound;
-        if (!all.empty())
-            (*draws)->bind_geometry(context);
-        for (const resident::Draw& draw : all)
-            (*draws)->draw(context, bound, draw, std::as_bytes(std::span(lists.constants.get(), 1)));
+            *inputs.draws = frame.visible().batches.size();
+        (*draws)->record(context, std::as_bytes(std::span(lists.constants.get(), 1)));
     });
 }
 

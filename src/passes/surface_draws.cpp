@@ -1,4 +1,5 @@
 #include "surface_draws.hpp"
+#include <algorithm>
 #include <cstddef>
 #include <shared/bindings.h>
 
@@ -7,14 +8,38 @@ namespace {
 
 using resident::VertexAttributes;
 
-const std::vector<gpu::VertexAttribute> position_only{{VERTEX_POSITION, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}};
-const std::vector<gpu::VertexAttribute> all_attributes{
-    position_only[0],
-    {VERTEX_NORMAL, 1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)},
-    {VERTEX_TANGENT, 1, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexAttributes, tangent)},
-    {VERTEX_TEXCOORD_0, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)},
-    {VERTEX_TEXCOORD_1, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)},
-    {VERTEX_COLOUR, 1, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)}};
+// Vertex buffer bindings.
+constexpr uint32_t positions = 0, attributes = 1, previous_positions = 2, objects = 3;
+
+/// Three rows of ObjectData.
+void add_rows(std::vector<gpu::VertexAttribute>& out, uint32_t location, size_t offset) {
+    for (uint32_t row = 0; row < 3; ++row)
+        out.push_back({location + row, objects, VK_FORMAT_R32G32B32A32_SFLOAT,
+                       static_cast<uint32_t>(offset + row * sizeof(glm::vec4))});
+}
+
+std::vector<gpu::VertexAttribute> position_attributes() {
+    std::vector<gpu::VertexAttribute> out{{VERTEX_POSITION, positions, VK_FORMAT_R32G32B32_SFLOAT, 0}};
+    add_rows(out, VERTEX_WORLD_ROW, offsetof(shared::ObjectData, world_row));
+    return out;
+}
+
+std::vector<gpu::VertexAttribute> surface_attributes(bool motion) {
+    std::vector<gpu::VertexAttribute> out = position_attributes();
+    const std::initializer_list<gpu::VertexAttribute> more{
+        {VERTEX_NORMAL, attributes, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)},
+        {VERTEX_TANGENT, attributes, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexAttributes, tangent)},
+        {VERTEX_TEXCOORD_0, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)},
+        {VERTEX_TEXCOORD_1, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)},
+        {VERTEX_COLOUR, attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)}};
+    out.insert(out.end(), more);
+    add_rows(out, VERTEX_NORMAL_ROW, offsetof(shared::ObjectData, normal_row));
+    if (motion) {
+        out.push_back({VERTEX_PREVIOUS_POSITION, previous_positions, VK_FORMAT_R32G32B32_SFLOAT, 0});
+        add_rows(out, VERTEX_PREVIOUS_WORLD_ROW, offsetof(shared::ObjectData, previous_world_row));
+    }
+    return out;
+}
 
 } // namespace
 
@@ -25,12 +50,9 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
                                                             : ~FEATURE_ALPHA_MASK),
       motion_(desc.motion) {
     gpu::GraphicsPipelineDesc pipeline;
-    pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes)};
-    std::vector<gpu::VertexAttribute> shaded_attributes = all_attributes;
-    if (motion_) {
-        pipeline.vertex_strides.push_back(sizeof(glm::vec3));
-        shaded_attributes.push_back({VERTEX_PREVIOUS_POSITION, 2, VK_FORMAT_R32G32B32_SFLOAT, 0});
-    }
+    pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
+                               sizeof(shared::ObjectData)};
+    pipeline.instance_binding = objects;
     pipeline.colour_formats = interface.colour_formats;
     pipeline.depth_format = interface.depth_format;
     pipeline.depth = desc.depth;
@@ -44,7 +66,7 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
         const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
         pipeline.vertex = !shaded ? "depth_only.vert" : motion_ ? "surface+motion.vert" : "surface.vert";
         pipeline.fragment = shaded ? desc.fragment : "";
-        pipeline.attributes = shaded ? shaded_attributes : position_only;
+        pipeline.attributes = shaded ? surface_attributes(motion_) : position_attributes();
         pipeline.name = desc.name + " features " + std::to_string(features);
         pipeline.constants = desc.constants;
         pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
@@ -56,37 +78,90 @@ uint32_t SurfaceDraws::key(const resident::Draw& draw) const { return draw.featu
 
 void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
     const resident::Geometry& geometry = frame_.geometry();
-    const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), geometry.previous()};
-    const VkDeviceSize offsets[] = {0, 0, 0};
-    vkCmdBindVertexBuffers(pass.commands, 0, motion_ ? 3 : 2, buffers, offsets);
-    vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), geometry.previous(),
+                                frame_.objects()};
+    const VkDeviceSize offsets[] = {0, 0, 0, 0};
+    vkCmdBindVertexBuffers(pass.commands, 0, 4, buffers, offsets);
 }
 
-void SurfaceDraws::draw(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw,
-                        std::span<const std::byte> push) const {
+void SurfaceDraws::bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw,
+                              bool trimmed) const {
     const gpu::GraphicsPipeline& pipeline = pipelines_.at(key(draw));
+    const VkBuffer indices = trimmed ? frame_.trimmed_indices() : frame_.geometry().indices.handle();
     if (&pipeline != bound.pipeline) {
         pipeline.bind(pass.commands);
         pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
         pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-        bound = {&pipeline, no_image};
+        bound.pipeline = &pipeline;
+        bound.material = no_image;
+        bound.faces = {};
     }
     if (draw.material != bound.material) {
         pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets[draw.material]);
         bound.material = draw.material;
     }
+    if (indices != bound.indices) {
+        vkCmdBindIndexBuffer(pass.commands, indices, 0, VK_INDEX_TYPE_UINT32);
+        bound.indices = indices;
+    }
+    const std::pair faces(draw.double_sided, draw.mirrored);
+    if (faces == bound.faces)
+        return;
     vkCmdSetCullMode(pass.commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     vkCmdSetFrontFace(pass.commands, draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    if (!push.empty())
-        pipeline.push(pass.commands, push);
-    vkCmdDrawIndexed(pass.commands, draw.index_count, 1, draw.first_index, draw.vertex_offset, draw.object);
+    bound.faces = faces;
 }
 
-void SurfaceDraws::record(const graph::PassContext& pass) const {
+bool SurfaceDraws::draw(const graph::PassContext& pass, Bound& bound, uint32_t index,
+                        std::span<const std::byte> push) const {
+    const resident::VisibleDraw* visible = frame_.visible().find(index);
+    if (!visible)
+        return false;
+    const resident::Draw& draw = frame_.geometry().draws[index];
+    bind_state(pass, bound, draw, visible->trimmed);
+    if (!push.empty())
+        bound.pipeline->push(pass.commands, push);
+    vkCmdDrawIndexed(pass.commands, visible->index_count, 1, visible->first_index, draw.vertex_offset,
+                     visible->instance);
+    return true;
+}
+
+void SurfaceDraws::record(const graph::PassContext& pass, std::span<const std::byte> push) const {
+    const std::vector<resident::DrawBatch>& batches = frame_.visible().batches;
+    const resident::Geometry& geometry = frame_.geometry();
     bind_geometry(pass);
     Bound bound;
-    for (const resident::Draw& one : frame_.geometry().draws)
-        draw(pass, bound, one);
+    for (size_t first = 0; first < batches.size();) {
+        const resident::DrawBatch& batch = batches[first];
+        const resident::Draw& draw = geometry.draws[batch.draw];
+        bind_state(pass, bound, draw, batch.trimmed);
+        if (!push.empty() && bound.pipeline != bound.pushed)
+            (bound.pushed = bound.pipeline)->push(pass.commands, push);
+        size_t end = first + 1;
+        if (frame_.draw_options().indirect) {
+            while (end < batches.size() && batches[end].trimmed == batch.trimmed &&
+                   same_state(geometry.draws[batches[end].draw], draw))
+                ++end;
+            draw_indirect(pass, first, end);
+        } else {
+            const VkDrawIndexedIndirectCommand& c = batch.command;
+            vkCmdDrawIndexed(pass.commands, c.indexCount, c.instanceCount, c.firstIndex, c.vertexOffset, c.firstInstance);
+        }
+        first = end;
+    }
+}
+
+bool SurfaceDraws::same_state(const resident::Draw& a, const resident::Draw& b) const {
+    return key(a) == key(b) && a.material == b.material && a.mirrored == b.mirrored;
+}
+
+void SurfaceDraws::draw_indirect(const graph::PassContext& pass, size_t first, size_t end) const {
+    constexpr uint32_t stride = sizeof(VkDrawIndexedIndirectCommand);
+    const gpu::Context& context = frame_.context();
+    const size_t most = context.features().multi_draw_indirect ? context.limits().maxDrawIndirectCount : 1;
+    for (; first < end; first += std::min(most, end - first))
+        vkCmdDrawIndexedIndirect(pass.commands, frame_.commands(), first * stride,
+                                 static_cast<uint32_t>(std::min(most, end - first)), stride);
 }
 
 void draw_surfaces(graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc) {

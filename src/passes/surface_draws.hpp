@@ -2,6 +2,7 @@
 #include <graph/frame_graph.hpp>
 #include <gpu/pipeline.hpp>
 #include <map>
+#include <optional>
 #include <resident/frame.hpp>
 
 namespace prelight::passes {
@@ -17,7 +18,7 @@ public:
         gpu::DepthTest depth = gpu::DepthTest::write_nearer;
         bool keeps_alpha_mask = true;    ///< false: the mask is not asked again, the depth test decides
         gpu::Blend blend = gpu::Blend::none;
-        uint32_t push_bytes = 0;         ///< push constants of every draw
+        uint32_t push_bytes = 0;         ///< push constants of every draw, in the fragment shader
         bool motion = false;             ///< the shader is told where each point was: FrameSettings::motion
         bool depth_only = false;         ///< materials without mask get positions and no shader
     };
@@ -25,18 +26,25 @@ public:
     /// record into a pass in turn.
     struct Bound {
         const gpu::GraphicsPipeline* pipeline = nullptr;
+        const gpu::GraphicsPipeline* pushed = nullptr; ///< that record() has pushed constants for
         uint32_t material = no_image;
+        VkBuffer indices = VK_NULL_HANDLE;
+        std::optional<std::pair<bool, bool>> faces; ///< double-sided, mirrored
     };
     SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface, const Desc& desc);
-    /// Every object once.
-    void record(const graph::PassContext& pass) const;
-    /// Vertex and index buffers, before the first draw() of a pass.
+    /// Every visible object once, in the draws that the frame's DrawOptions make of them.
+    void record(const graph::PassContext& pass, std::span<const std::byte> push = {}) const;
+    /// Vertex buffers, before the first draw() of a pass.
     void bind_geometry(const graph::PassContext& pass) const;
-    void draw(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw,
+    /// One object of Geometry::draws by itself; false, and nothing, where the camera cannot see it.
+    bool draw(const graph::PassContext& pass, Bound& bound, uint32_t draw,
               std::span<const std::byte> push = {}) const;
 
 private:
     uint32_t key(const resident::Draw& draw) const;
+    bool same_state(const resident::Draw& a, const resident::Draw& b) const;
+    void bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw, bool trimmed) const;
+    void draw_indirect(const graph::PassContext& pass, size_t first, size_t end) const;
     const resident::Frame& frame_;
     uint32_t features_kept_;
     bool motion_;

@@ -1,6 +1,7 @@
 // Deferred shading (Engel, ShaderX7 8.5, figures 8.5.2 and 8.5.3; Valient's Killzone 2): geometry once
 // into a G-buffer, then each light with the pixel's material, added to one target.
 #include "deferred.hpp"
+#include "draw_settings.hpp"
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/view.hpp>
@@ -97,6 +98,8 @@ RendererInfo deferred_info() {
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count"},
         .presets = {"killzone2"},
         .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}}}};
+    for (SettingInfo& setting : draw_settings())
+        info.settings.push_back(std::move(setting));
     const std::vector<SettingInfo> volumes = passes::volume_settings();
     info.settings.insert(info.settings.end(), volumes.begin(), volumes.end());
     return info;

@@ -1,4 +1,5 @@
 #include "device_renderer.hpp"
+#include "draw_settings.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -45,6 +46,7 @@ CreatedObjects created_since(const gpu::Context& context, const CreatedObjects& 
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
     : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)) {
+    resolve_draw_settings(settings_, context_);
     const uint32_t limit = std::min(context_.limits().maxImageDimension2D,
                                     std::min(context_.limits().maxFramebufferWidth,
                                              context_.limits().maxFramebufferHeight));
@@ -66,7 +68,10 @@ bool DeviceRenderer::wants(std::string_view view) const {
 }
 
 resident::FrameSettings DeviceRenderer::frame_settings() const {
-    return {options_.width, options_.height, std::exp2(options_.exposure)};
+    return {.width = options_.width,
+            .height = options_.height,
+            .exposure = std::exp2(options_.exposure),
+            .draws = draw_options(settings_)};
 }
 
 DeviceRenderer::Views DeviceRenderer::linear_views(graph::FrameGraph& graph, const resident::Frame& frame,
@@ -112,6 +117,8 @@ void DeviceRenderer::drop_graph() {
 void DeviceRenderer::build_graph() {
     drawn_ = warm_ = false;
     auto graph = std::make_unique<graph::FrameGraph>(context_);
+    for (const std::string& note : settings_.notes())
+        graph->note(note);
     views_ = build(*graph, *frame_);
     for (const auto& [name, image] : views_)
         graph->keep(image);
@@ -216,6 +223,7 @@ Stats DeviceRenderer::stats() const {
     stats.lights = frame_->placed_lights().size();
     stats.triangles = world_->triangles;
     stats.draws = draws(*frame_);
+    stats.triangles_drawn = frame_->visible().triangles;
     stats.frames = frames_;
     stats.wall_ms = spread(samples.wall);
     stats.cpu_ms = spread(samples.cpu);

@@ -39,7 +39,7 @@ protected:
                         const std::function<graph::ImageId(passes::Display)>& draw) const;
     virtual resident::FrameSettings frame_settings() const;
     /// Stats::draws of the last frame.
-    virtual uint64_t draws(const resident::Frame& frame) const { return frame.geometry().draws.size(); }
+    virtual uint64_t draws(const resident::Frame& frame) const { return frame.visible().batches.size(); }
 
     const gpu::Context& context() const { return context_; }
     const RenderOptions& options() const { return options_; }

@@ -1,4 +1,5 @@
 #include "forward_renderer.hpp"
+#include "draw_settings.hpp"
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -62,6 +63,8 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own) {
         {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
          "bilinear: level 0 only, for comparing with the reference"}};
     own.insert(own.end(), common.begin(), common.end());
+    for (SettingInfo& setting : draw_settings())
+        own.push_back(std::move(setting));
     return own;
 }
 

@@ -1,6 +1,7 @@
 // Light pre-pass (Engel, ShaderX7 8.5; Lee's prelighting; Quandt's Round 2): depth and normals, then
 // all lights into the light buffer, then every object once more with its own material.
 #include "light_prepass.hpp"
+#include "draw_settings.hpp"
 #include "light_model_settings.hpp"
 #include "light_prepass_presets.hpp"
 #include <passes/light_pass.hpp>
@@ -39,8 +40,6 @@ private:
     }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
-        for (const std::string& note : settings().notes())
-            graph.note(note);
         const auto surface = passes::depth_normal_pass(graph, frame, surface_format(settings()));
         const auto light = passes::make_light_buffer(graph, frame, model_);
         const passes::LightingInputs lighting{.surface = surface,
@@ -112,6 +111,8 @@ RendererInfo light_prepass_info() {
                       "diffuse-sum", "specular-sum", "albedo", "light-count"},
             .presets = {"engel", "round2", "prelighting"},
             .preset_settings = light_prepass_presets()};
+    for (SettingInfo& setting : draw_settings())
+        info.settings.push_back(std::move(setting));
     for (const SettingInfo& setting : passes::volume_settings())
         info.settings.push_back(setting);
     for (SettingInfo& setting : light_model_settings())

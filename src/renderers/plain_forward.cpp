@@ -5,7 +5,6 @@
 #include "plain_forward.hpp"
 #include "device_renderer.hpp"
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <gpu/pipeline.hpp>
 #include <shared/bindings.h>
@@ -15,22 +14,6 @@ namespace {
 
 constexpr uint32_t textures = FEATURE_BASE_COLOUR_TEXTURE | FEATURE_EMISSIVE_TEXTURE;
 constexpr uint32_t features = textures | FEATURE_ALPHA_MASK | FEATURE_UNLIT; ///< that the shaders know
-
-/// The six planes of what a camera sees; a point relative to the eye is inside where all are ≥ 0.
-std::array<glm::vec4, 6> frustum_planes(const glm::mat4& clip_from_world) {
-    const glm::mat4 rows = glm::transpose(clip_from_world);
-    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
-            rows[3] - rows[1], rows[2],           rows[3] - rows[2]};
-}
-
-/// Whether a box, relative to the eye, has a point on the inner side of each plane.
-bool may_be_seen(const std::array<glm::vec4, 6>& planes, const glm::vec3& low, const glm::vec3& high) {
-    return std::ranges::all_of(planes, [&](const glm::vec4& plane) {
-        const glm::vec3 normal(plane);
-        const glm::vec3 most = glm::mix(low, high, glm::greaterThan(normal, glm::vec3(0)));
-        return glm::dot(normal, most) + plane.w >= 0;
-    });
-}
 
 class PlainForward final : public DeviceRenderer {
 public:
@@ -45,7 +28,7 @@ private:
         return frame;
     }
 
-    uint64_t draws(const resident::Frame&) const override { return visible_.size(); }
+    uint64_t draws(const resident::Frame& frame) const override { return frame.visible().draws.size(); }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
@@ -63,7 +46,8 @@ private:
         using resident::VertexAttributes;
         pipelines_.clear();
         gpu::GraphicsPipelineDesc desc;
-        desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes)};
+        desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(shared::ObjectData)};
+        desc.instance_binding = 2;
         desc.colour_formats = interface.colour_formats;
         desc.depth_format = interface.depth_format;
         desc.depth = gpu::DepthTest::write_nearer;
@@ -78,6 +62,9 @@ private:
             desc.fragment = "plain_forward" + variant + ".frag";
             desc.attributes = {{VERTEX_POSITION, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
                                {VERTEX_COLOUR, 1, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)}};
+            for (uint32_t row = 0; row < 3; ++row)
+                desc.attributes.push_back({VERTEX_WORLD_ROW + row, 2, VK_FORMAT_R32G32B32A32_SFLOAT,
+                                           static_cast<uint32_t>(offsetof(shared::ObjectData, world_row) + row * sizeof(glm::vec4))});
             if (kind & textures) {
                 desc.attributes.push_back(
                     {VERTEX_TEXCOORD_0, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
@@ -92,28 +79,27 @@ private:
     }
 
     /// What the view holds, nearest first, so that most hidden pixels are never shaded.
-    void find_visible(const resident::Frame& frame) {
-        const auto planes = frustum_planes(frame.clip_from_world());
-        const glm::vec4 away = glm::transpose(frame.clip_from_world())[3]; // w: view depth
-        visible_.clear();
-        for (const resident::Draw& draw : frame.geometry().draws) {
-            const glm::vec3 low(draw.low - frame.eye()), high(draw.high - frame.eye());
-            if (may_be_seen(planes, low, high))
-                visible_.emplace_back(glm::dot(glm::vec3(away), 0.5f * (low + high)), &draw);
+    void sort_visible(const resident::Frame& frame) {
+        const glm::dvec3 away(glm::transpose(frame.clip_from_world())[3]); // w: view depth
+        nearest_.clear();
+        for (const resident::VisibleDraw& visible : frame.visible().draws) {
+            const resident::Draw& draw = frame.geometry().draws[visible.draw];
+            nearest_.emplace_back(glm::dot(away, 0.5 * (draw.low + draw.high) - frame.eye()), &visible);
         }
-        std::ranges::stable_sort(visible_, {}, &std::pair<float, const resident::Draw*>::first);
+        std::ranges::stable_sort(nearest_, {}, &std::pair<double, const resident::VisibleDraw*>::first);
     }
 
     void record(const resident::Frame& frame, const graph::PassContext& pass) {
-        find_visible(frame);
+        sort_visible(frame);
         const resident::Geometry& geometry = frame.geometry();
-        const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle()};
-        const VkDeviceSize offsets[] = {0, 0};
-        vkCmdBindVertexBuffers(pass.commands, 0, 2, buffers, offsets);
+        const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), frame.objects()};
+        const VkDeviceSize offsets[] = {0, 0, 0};
+        vkCmdBindVertexBuffers(pass.commands, 0, 3, buffers, offsets);
         vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
         const gpu::GraphicsPipeline* bound = nullptr;
         std::optional<uint32_t> material;
-        for (const auto& [depth, draw] : visible_) {
+        for (const auto& [depth, visible] : nearest_) {
+            const resident::Draw* draw = &geometry.draws[visible->draw];
             const gpu::GraphicsPipeline& pipeline = pipelines_.at(draw->features & features);
             if (&pipeline != bound) {
                 pipeline.bind(pass.commands);
@@ -127,12 +113,12 @@ private:
             material = draw->material;
             vkCmdSetCullMode(pass.commands, draw->double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
             vkCmdSetFrontFace(pass.commands, draw->mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-            vkCmdDrawIndexed(pass.commands, draw->index_count, 1, draw->first_index, draw->vertex_offset, draw->object);
+            vkCmdDrawIndexed(pass.commands, draw->index_count, 1, draw->first_index, draw->vertex_offset, visible->instance);
         }
     }
 
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features
-    std::vector<std::pair<float, const resident::Draw*>> visible_; ///< with view depth of the middle
+    std::vector<std::pair<double, const resident::VisibleDraw*>> nearest_; ///< with view depth of the middle
 };
 
 RendererInfo plain_forward_info() {

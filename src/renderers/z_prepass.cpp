@@ -32,7 +32,7 @@ private:
     }
 
     uint64_t draws(const resident::Frame& frame) const override {
-        return ForwardRenderer::draws(frame) + frame.geometry().draws.size();
+        return ForwardRenderer::draws(frame) + frame.visible().batches.size();
     }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {

@@ -1,5 +1,4 @@
 #include "frame.hpp"
-#include "objects.hpp"
 #include "projection.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,6 +11,8 @@ namespace prelight::resident {
 namespace {
 
 constexpr float half_max = 65504;
+/// Trimmed indices of a frame, 64 MiB: beyond that objects are drawn whole.
+constexpr uint64_t most_trimmed = 16u << 20;
 
 gpu::Buffer make_upload(const gpu::Context& context, const char* name, uint64_t count, uint64_t stride,
                         VkBufferUsageFlags usage) {
@@ -46,10 +47,27 @@ Frame::Frame(const gpu::Context& context, const World& world, const FrameSetting
     for (Slot& slot : slots_) {
         slot.constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
                                      VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);
-        slot.objects = make_upload(context_, "objects", world_.instances.size(), sizeof(shared::ObjectData),
-                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     }
+    make_draw_buffers();
     make_light_buffers(placed_.size());
+}
+
+void Frame::make_draw_buffers() {
+    const auto make = [&](const char* name, uint64_t bytes, VkBufferUsageFlags usage) {
+        return gpu::Buffer(context_, name, std::max<uint64_t>(bytes, 4), usage, gpu::BufferPlace::upload);
+    };
+    const uint64_t draws = geometry_.draws.size();
+    uint64_t indices = 0;
+    if (settings_.draws.trimming == IndexTrimming::host)
+        for (const Draw& draw : geometry_.draws)
+            indices += draw.index_count;
+    for (Slot& slot : slots_) {
+        slot.objects = make("objects", draws * sizeof(shared::ObjectData), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+        slot.commands = make("draw commands", draws * sizeof(VkDrawIndexedIndirectCommand),
+                             VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+        slot.trimmed = make("trimmed indices", std::min(indices, most_trimmed) * sizeof(uint32_t),
+                            VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    }
 }
 
 void Frame::make_light_buffers(size_t lights) {
@@ -65,7 +83,6 @@ void Frame::make_light_buffers(size_t lights) {
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
         sets.push_back({gpu::Binding::uniform(FRAME_CONSTANTS, slots_[s].constants.handle()),
                         gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
-                        gpu::Binding::storage(FRAME_OBJECTS, slots_[s].objects.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle())});
     if (!layout_)
@@ -114,9 +131,10 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     for (size_t i = 0; i < placed_.size(); ++i)
         lights[i] = light_data(placed_[i], camera.position, settings_.exposure);
     const double lights_end = thread_ms();
-    shared::ObjectData* objects = target.objects.mapped<shared::ObjectData>();
-    for (size_t i = 0; i < world_.instances.size(); ++i)
-        objects[i] = object_data(world_.instances[i], camera.position);
+    const std::span trimmed(target.trimmed.mapped<uint32_t>(), target.trimmed.size() / sizeof(uint32_t));
+    find_visible(visible_, geometry_, world_, next, eye_, context_.limits().subPixelPrecisionBits, settings_.draws,
+                 {target.objects.mapped<shared::ObjectData>(), target.commands.mapped<VkDrawIndexedIndirectCommand>(),
+                  trimmed});
     const double objects_end = thread_ms();
     groups_ = group_lights(placed_, camera, next, settings_.culling,
                            context_.features().depth_clamp, settings_.volumes.spot_boxes);

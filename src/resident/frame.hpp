@@ -2,6 +2,7 @@
 #include "light_reach.hpp"
 #include "lights.hpp"
 #include "scene.hpp"
+#include "visible_draws.hpp"
 #include <gpu/frames_in_flight.hpp>
 #include <prelight/renderer.hpp>
 
@@ -16,6 +17,7 @@ struct FrameSettings {
     ObjectLights object_lights = ObjectLights::none;
     gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
     bool motion = false;             ///< fill Geometry::previous_positions
+    DrawOptions draws = {};
 };
 
 /// CPU time of the calling thread for one frame, milliseconds; as prelight::HostTimes names it.
@@ -49,6 +51,13 @@ public:
     const LightGroups& lights() const { return groups_; }
     /// Lights of each object; empty lists with ObjectLights::none.
     const LightReach& reach() const { return reach_; }
+    /// What the camera of the last update() may see.
+    const VisibleDraws& visible() const { return visible_; }
+    const DrawOptions& draw_options() const { return settings_.draws; }
+    /// ObjectData of the visible draws: a vertex buffer that steps once an instance.
+    VkBuffer objects() const { return slots_[slot_].objects.handle(); }
+    VkBuffer commands() const { return slots_[slot_].commands.handle(); }
+    VkBuffer trimmed_indices() const { return slots_[slot_].trimmed.handle(); }
     /// The camera's position of the last update(), world space: the origin of what shaders call world.
     glm::dvec3 eye() const { return eye_; }
     /// World relative to eye() → clip space, of the last update().
@@ -64,6 +73,7 @@ public:
     uint32_t light_kinds() const;
 
 private:
+    void make_draw_buffers();
     /// Buffers for `lights` lights, and set 0 over all buffers.
     void make_light_buffers(size_t lights);
     const gpu::Context& context_;
@@ -75,12 +85,14 @@ private:
     Materials materials_;
     /// What the host writes for one frame.
     struct Slot {
-        gpu::Buffer constants, lights, objects, order, bounds;
+        gpu::Buffer constants, lights, order, bounds;
+        gpu::Buffer objects, commands, trimmed; ///< what find_visible() writes
     };
     gpu::PerFrame<Slot> slots_;
     uint32_t slot_ = 0; ///< of the last update()
     gpu::UniqueSetLayout layout_;
     gpu::DescriptorSets sets_; ///< one a slot
+    VisibleDraws visible_;
     LightGroups groups_;
     LightReach reach_;
     glm::dvec3 eye_{0};

@@ -13,11 +13,12 @@ struct Draw {
     uint32_t first_index = 0;
     uint32_t index_count = 0;
     int32_t vertex_offset = 0;
-    uint32_t object = 0;    ///< index into World::instances: gl_InstanceIndex
+    uint32_t object = 0;    ///< index into World::instances
     uint32_t material = 0;
     uint32_t features = 0;  ///< FEATURE_… bits of its material
     bool mirrored = false;
     bool double_sided = false;
+    const Primitive* primitive = nullptr; ///< whose indices and vertices these are
     glm::dvec3 low{0}, high{0}; ///< a box around it, world space
 };
 

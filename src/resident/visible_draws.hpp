@@ -1,0 +1,64 @@
+#pragma once
+#include "scene.hpp"
+#include <prelight/camera.hpp>
+#include <shared/frame.h>
+#include <vulkan/vulkan_core.h>
+
+namespace prelight::resident {
+
+/// Which triangles of a visible object are sent to the device.
+enum class IndexTrimming { off, host };
+
+/// How the visible objects of a frame become draw calls [G3].
+struct DrawOptions {
+    bool frustum_culling = true;
+    bool instanced = false; ///< neighbours with the same mesh and material are one draw
+    bool indirect = false;  ///< draws come from a buffer, many in one call where the device can
+    IndexTrimming trimming = IndexTrimming::off;
+};
+
+/// A draw that the camera may see.
+struct VisibleDraw {
+    uint32_t draw = 0;     ///< index into Geometry::draws
+    uint32_t instance = 0; ///< its place in the buffer of objects
+    uint32_t first_index = 0, index_count = 0;
+    bool trimmed = false;  ///< the indices are of the frame's buffer of trimmed ones
+};
+
+/// One draw call, of one object or of several that differ in nothing but their ObjectData.
+struct DrawBatch {
+    uint32_t draw = 0; ///< the first of them: pipeline, material and faces are those of all
+    bool trimmed = false;
+    VkDrawIndexedIndirectCommand command{};
+};
+
+/// What a camera may see of a world, in the order in which every pass draws it: by pipeline, material and
+/// mesh, then front to back. The order is the same for all DrawOptions, and so is the picture where
+/// surfaces coincide.
+struct VisibleDraws {
+    std::vector<VisibleDraw> draws;
+    std::vector<DrawBatch> batches;
+    std::vector<uint32_t> place; ///< by index into Geometry::draws: index into `draws`, or no_image
+    uint64_t triangles = 0;      ///< of all draws
+
+    const VisibleDraw* find(uint32_t draw) const {
+        return place[draw] == no_image ? nullptr : &draws[place[draw]];
+    }
+};
+
+/// Where find_visible() writes what the device reads: each has room for every draw of the geometry.
+struct DrawBuffers {
+    shared::ObjectData* objects = nullptr;             ///< in the order of VisibleDraws::draws
+    VkDrawIndexedIndirectCommand* commands = nullptr;  ///< in the order of the batches
+    std::span<uint32_t> indices;                       ///< trimmed ones; what does not fit is drawn whole
+};
+
+/// True where some of the draw's box may lie in the picture; never false where some of it does.
+bool may_show(const Draw& draw, const glm::mat4& clip_from_world, glm::dvec3 eye);
+
+/// `constants`: of this frame's camera, which stands at `eye`.
+void find_visible(VisibleDraws& out, const Geometry& geometry, const World& world,
+                  const shared::FrameConstants& constants, glm::dvec3 eye, uint32_t subpixel_bits,
+                  const DrawOptions& options, const DrawBuffers& buffers);
+
+} // namespace prelight::resident

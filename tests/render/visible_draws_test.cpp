@@ -1,0 +1,216 @@
+// [G2] [G3]: what is not drawn never had a pixel, and how much that is.
+#include "garden.hpp"
+#include "random_scene.hpp"
+#include <cmath>
+#include <cstring>
+#include <prelight/scene_io.hpp>
+#include <resident/trim_indices.hpp>
+
+namespace prelight {
+namespace {
+
+using SettingMap = std::map<std::string, std::string>;
+const SettingMap everything{{"draws", "direct"}, {"frustum-culling", "off"}, {"index-trimming", "off"}};
+
+struct Drawn {
+    Image final, depth;
+    Stats stats;
+};
+
+Drawn draw(const World& world, const PlacedCamera& camera, const SettingMap& settings,
+           const std::string& renderer = "light-prepass", Device& device = test_device()) {
+    const RenderOptions options{.width = 240, .height = 136, .settings = settings, .views = {"depth"}};
+    const auto made = create_renderer(renderer, &device, options);
+    made->set_world(world);
+    made->render(camera);
+    return {made->read("final"), made->read("depth"), made->stats()};
+}
+
+/// The same bytes however objects are drawn, for all architectures.
+void expect_same_bytes(const World& world, const PlacedCamera& camera, Device& device = test_device()) {
+    const std::vector<SettingMap> ways{{}, // the defaults
+                                       {{"index-trimming", "host"}, {"draws", "direct"}},
+                                       {{"index-trimming", "off"}, {"draws", "instanced"}},
+                                       {{"index-trimming", "off"}, {"draws", "indirect"}}};
+    for (const char* renderer : {"light-prepass", "deferred", "z-prepass", "multipass"}) {
+        const Drawn all = draw(world, camera, everything, renderer, device);
+        for (const SettingMap& way : ways) {
+            const Drawn ours = draw(world, camera, way, renderer, device);
+            SCOPED_TRACE(std::string(renderer) + " " + ours.stats.settings.at("draws") + " " +
+                         ours.stats.settings.at("index-trimming"));
+            EXPECT_TRUE(ours.final.pixels == all.final.pixels);
+            EXPECT_TRUE(ours.depth.pixels == all.depth.pixels);
+            EXPECT_LE(ours.stats.triangles_drawn, all.stats.triangles_drawn);
+            EXPECT_EQ(all.stats.triangles_drawn, all.stats.triangles);
+            if (std::string(renderer) != "light-prepass")
+                break; // the others share its draws: one way each
+        }
+    }
+    expect_validation_clean(device);
+}
+
+PlacedCamera orthographic(const PlacedCamera& from) {
+    PlacedCamera camera = from;
+    camera.camera.kind = ProjectionKind::orthographic;
+    camera.camera.ymag = 3;
+    camera.camera.znear = 0.1f;
+    camera.camera.zfar = 50;
+    return camera;
+}
+
+TEST(VisibleDraws, G3_CamerasOutsideInsideAndOrthographic) {
+    Garden garden;
+    garden.add_lights(4, 6, 8);
+    uint64_t triangles = 0;
+    for (const Mesh& mesh : garden.scene.meshes)
+        triangles += mesh.primitives[0].indices.size() / 3;
+    garden.world.triangles = triangles;
+    const Camera lens = garden.camera.camera;
+    for (const PlacedCamera& camera :
+         {garden.camera, orthographic(garden.camera),
+          look_at(lens, {0, 1, 0.8}, {0, 0.6, 5}),          // inside a sphere
+          look_at(lens, {0, 0.3, 2.1}, {2, 0.9, -1}),       // spheres beside and behind the camera
+          look_at(lens, {-4.0, 1.02, 1.805}, {-4, 1, 0.8})}) // the near plane cuts one
+        expect_same_bytes(garden.world, camera);
+}
+
+TEST(VisibleDraws, G3_MaskedMirroredDoubleSidedUnlit) {
+    MixedMaterials mixed;
+    mixed.world.triangles = 2 * mixed.world.instances.size();
+    const Shot shot = mixed.shot();
+    expect_same_bytes(mixed.world, shot.camera);
+    expect_same_bytes(mixed.world, look_at(shot.camera.camera, {0.3, 0.2, -4}, {0, 0, 0})); // from behind
+}
+
+/// Small triangles everywhere: 96 × 48 of them on each sphere, some pixels wide in the picture.
+TEST(VisibleDraws, G2_TrianglesBelowAPixel) {
+    TestWorld test;
+    test.add_material({.name = "clay", .base_colour = {0.8f, 0.3f, 0.2f, 1}, .metallic = 0, .roughness = 0.9f});
+    test.add(sphere(96));
+    for (int i = 1; i < 12; ++i)
+        test.place(0, glm::scale(glm::translate(glm::dmat4(1), {2.2 * (i % 4) - 3.3, 2.2 * (i / 4) - 2.2, -0.7 * i}),
+                                 glm::dvec3(i % 3 ? 1 : -1, 1, 1)));
+    test.world.triangles = 12 * test.scene.meshes[0].primitives[0].indices.size() / 3;
+    test.add_light({.kind = LightKind::directional, .intensity = 2}, {0, 0, 0}, {-0.3, -0.5, -1});
+    for (const double distance : {9.0, 31.7, 140.3}) {
+        expect_same_bytes(test.world, front_camera(distance));
+        const Drawn ours = draw(test.world, front_camera(distance), {});
+        EXPECT_LT(2 * ours.stats.triangles_drawn, test.world.triangles) << "half of a sphere faces away";
+        if (distance > 100) {
+            EXPECT_LT(ours.stats.triangles_drawn, uint64_t(240 * 136)) << "more triangles than pixels";
+        }
+    }
+}
+
+TEST(VisibleDraws, G2_RandomScenes) {
+    for (const uint64_t seed : {3u, 11u, 29u, 41u}) {
+        SCOPED_TRACE(seed);
+        RandomScene scene(seed);
+        scene.world.triangles = 0;
+        for (const Instance& instance : scene.world.instances)
+            scene.world.triangles += scene.world.mesh_of(instance).primitives[0].indices.size() / 3;
+        expect_same_bytes(scene.world, scene.camera);
+    }
+}
+
+TEST(VisibleDraws, G2_OnSwiftShadersCoarserGridOfPixels) {
+    const auto device = swiftshader_device();
+    if (!device)
+        GTEST_SKIP() << "SwiftShader is not installed";
+    Garden garden;
+    garden.add_lights(2, 6, 8);
+    garden.world.triangles = 0;
+    for (const Instance& instance : garden.world.instances)
+        garden.world.triangles += garden.world.mesh_of(instance).primitives[0].indices.size() / 3;
+    const Drawn all = draw(garden.world, garden.camera, everything, "light-prepass", *device);
+    const Drawn ours = draw(garden.world, garden.camera, {}, "light-prepass", *device);
+    EXPECT_TRUE(ours.final.pixels == all.final.pixels);
+    EXPECT_LT(2 * ours.stats.triangles_drawn, all.stats.triangles_drawn);
+    expect_validation_clean(*device);
+}
+
+/// 266 objects of three meshes; 50 of them are behind the camera or beside the picture.
+TEST(VisibleDraws, G3_CountsOfTheYardstickScene) {
+    const Scene scene = make_scene("lights", 4, 1);
+    const World world = resolve(scene);
+    const auto stats = [&](SettingMap settings) { return draw(world, world.cameras.at(0), settings).stats; };
+    EXPECT_EQ(stats(everything).draws, 266u);
+    EXPECT_EQ(stats(everything).triangles_drawn, world.triangles);
+    const Stats culled = stats({{"draws", "direct"}, {"index-trimming", "off"}});
+    EXPECT_LT(culled.draws, 230u);
+    EXPECT_GT(culled.draws, 200u);
+    EXPECT_EQ(stats({{"draws", "instanced"}, {"index-trimming", "off"}}).draws, 3u);
+    EXPECT_EQ(stats({{"draws", "indirect"}, {"index-trimming", "off"}}).draws, 3u);
+    const Stats trimmed = stats({{"index-trimming", "host"}});
+    EXPECT_LE(trimmed.draws, culled.draws);
+    EXPECT_LT(trimmed.triangles_drawn, world.triangles / 4);
+    EXPECT_EQ(trimmed.settings.at("index-trimming"), "host");
+    EXPECT_EQ(stats({}).settings.at("index-trimming"), "host") << "auto, on a software device";
+}
+
+// ---- the test of one triangle ----
+
+/// Object space is clip space of a picture of 100 × 100 pixels: x and y in pixels from its corner.
+class OneTriangle : public testing::Test {
+protected:
+    static bool kept(std::array<glm::vec2, 3> corners, bool mirrored = false, bool double_sided = false) {
+        Primitive primitive;
+        for (const glm::vec2& corner : corners)
+            primitive.positions.emplace_back(corner.x / 50 - 1, corner.y / 50 - 1, 0.5f);
+        primitive.indices = {0, 1, 2};
+        return trim(primitive, glm::mat4(1), mirrored, double_sided);
+    }
+    static bool trim(const Primitive& primitive, const glm::mat4& clip, bool mirrored = false, bool double_sided = false) {
+        shared::ObjectData object{};
+        for (int r = 0; r < 3; ++r)
+            object.world_row[r][r] = 1;
+        resident::IndexTrimmer trimmer({.clip_from_world = clip, .width = 100, .height = 100, .subpixel_bits = 8});
+        uint32_t out[3] = {};
+        const size_t count = trimmer.trim(primitive, object, mirrored, double_sided, out);
+        EXPECT_TRUE(count == 0 || (count == 3 && out[0] == 0 && out[1] == 1 && out[2] == 2));
+        return count == 3;
+    }
+};
+
+TEST_F(OneTriangle, FacingByWindingAndMirroring) {
+    const std::array<glm::vec2, 3> front{{{20, 20}, {20, 60}, {60, 20}}}, back{{{20, 20}, {60, 20}, {20, 60}}};
+    EXPECT_TRUE(kept(front));
+    EXPECT_FALSE(kept(back));
+    EXPECT_FALSE(kept(front, true));
+    EXPECT_TRUE(kept(back, true));
+    EXPECT_TRUE(kept(back, false, true));
+    EXPECT_TRUE(kept(front, true, true));
+}
+
+TEST_F(OneTriangle, OffThePicture) {
+    EXPECT_FALSE(kept({{{-30, 20}, {-30, 60}, {-1, 20}}}));
+    EXPECT_FALSE(kept({{{110, 20}, {110, 60}, {150, 20}}}));
+    EXPECT_FALSE(kept({{{20, -60}, {20, -1}, {60, -60}}}));
+    EXPECT_FALSE(kept({{{20, 101}, {20, 160}, {60, 101}}}));
+    EXPECT_TRUE(kept({{{-30, 20}, {-30, 60}, {2, 20}}}));
+    EXPECT_TRUE(kept({{{-90, -90}, {-90, 400}, {400, -90}}})) << "all corners outside, the picture inside";
+}
+
+TEST_F(OneTriangle, NoSampleCovered) {
+    EXPECT_FALSE(kept({{{20.6f, 20.1f}, {20.6f, 24}, {21.4f, 20.1f}}})) << "between two columns of centres";
+    EXPECT_FALSE(kept({{{20.1f, 20.6f}, {20.1f, 21.4f}, {24, 20.6f}}})) << "between two rows";
+    EXPECT_FALSE(kept({{{20.0f, 20.0f}, {20.0f, 20.8f}, {20.8f, 20.0f}}})) << "the centre is beyond the long side";
+    EXPECT_TRUE(kept({{{20.0f, 20.0f}, {20.0f, 21.1f}, {21.1f, 20.0f}}})) << "the centre lies inside";
+    EXPECT_TRUE(kept({{{20.0f, 20.0f}, {20.0f, 20.995f}, {20.995f, 20.0f}}})) << "too near to tell";
+    EXPECT_TRUE(kept({{{20.502f, 20.1f}, {20.502f, 24}, {21.4f, 20.1f}}})) << "too near to tell";
+}
+
+TEST_F(OneTriangle, BehindTheCameraIsKept) {
+    glm::mat4 clip(1);
+    clip[2][3] = 1; // w = z
+    clip[3][3] = 0;
+    Primitive primitive;
+    primitive.positions = {{-0.2f, -0.2f, 0.5f}, {-0.2f, 0.2f, 0.5f}, {0.2f, -0.2f, -0.5f}};
+    primitive.indices = {0, 1, 2};
+    EXPECT_TRUE(trim(primitive, clip));
+    primitive.positions = {{2, -0.2f, 0.5f}, {2, 0.2f, 0.5f}, {3, -0.2f, -0.5f}};
+    EXPECT_FALSE(trim(primitive, clip)) << "right of the picture, whatever w is";
+}
+
+} // namespace
+} // namespace prelight
