@@ -5,8 +5,21 @@
 #include <fmt/format.h>
 #include <new>
 #include <prelight/error.hpp>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace {
+
+/// A software device takes megabytes from this process's heap in every frame and gives them back at its
+/// end. Left to itself the C library hands them on to the system each time, and getting them again costs
+/// page faults: a fifth of a frame.
+void keep_heap() {
+#ifdef __GLIBC__
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+#endif
+}
 
 /// One line on stderr, whatever the reason holds, and the exit status.
 int fail(std::string reason, int status) {
@@ -23,6 +36,7 @@ int fail(std::string reason, int status) {
 
 int main(int argc, char** argv) {
     using namespace prelight;
+    keep_heap();
     try {
         app::handle_interrupts();
         std::visit([](const auto& command) { app::run(command); },
