@@ -6,6 +6,9 @@ set(PRELIGHT_SHADER_VARIANTS
     "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
     "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
     "surface+motion.vert|surface.vert|-DMOTION"
+    # Another type of texture cannot be a constant either.
+    "material_metallic_roughness+bits.frag|material_metallic_roughness.frag|-DLIGHT_BITS"
+    "material_blinn_phong+bits.frag|material_blinn_phong.frag|-DLIGHT_BITS"
     "light+packed.frag|light.frag|-DONE_TARGET"
     "light+count.frag|light.frag|-DCOUNT_TARGET"
     "light+deferred.frag|light.frag|-DDEFERRED_TARGET"

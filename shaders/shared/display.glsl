@@ -7,10 +7,14 @@ layout(constant_id = CONSTANT_TONEMAP) const int tonemap_curve = TONEMAP_LINEAR;
 
 layout(constant_id = CONSTANT_TARGET_ENCODES) const bool target_encodes = false; // an sRGB format
 
+// 1.055 x^(1/2.4) − 0.055 above 0.0031308. With t the fourth root, x^(1/2.4) is t^(5/3), which a polynomial
+// over [0.2365, 1] (interpolation at Chebyshev nodes) meets within 0.0025/255: a third of what pow costs on
+// a software device.
 vec3 srgb_encode(vec3 linear) {
     linear = clamp(linear, 0.0, 1.0);
-    return mix(1.055 * pow(max(linear, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055, linear * 12.92,
-               lessThanEqual(linear, vec3(0.0031308)));
+    vec3 t = sqrt(sqrt(linear));
+    vec3 power = -0.00628408 + t * (0.15637346 + t * (1.17934976 + t * (-0.52848877 + t * (0.25853293 + t * -0.0594872))));
+    return mix(1.055 * power - 0.055, linear * 12.92, lessThanEqual(linear, vec3(0.0031308)));
 }
 
 // Khronos PBR Neutral tone mapper, by its specification.

@@ -58,6 +58,11 @@ Pass& Pass::store(uint32_t binding, ImageId image) {
     return *this;
 }
 
+Pass& Pass::sample_bits(uint32_t binding, ImageId image) {
+    bits_.push_back(binding);
+    return sample(binding, image);
+}
+
 Pass& Pass::storage(uint32_t binding, BufferId buffer, bool writes) {
     storages_.emplace_back(binding, buffer);
     buffers_.push_back({buffer, Access::storage(writes)});
@@ -195,14 +200,19 @@ std::vector<gpu::Binding> FrameGraph::bindings(const Pass& pass, uint32_t slot) 
     for (const auto& [binding, image] : pass.sampled_) {
         const GraphImage& source = images_[image.index];
         bindings.push_back(gpu::Binding::sampled(
-            binding, has_stencil(source.desc.format) ? source.depth_only_view : source.view,
-            sampled_access(pass, image).layout));
+            binding, sampled_view(pass, binding, source), sampled_access(pass, image).layout));
     }
     for (const auto& [binding, image] : pass.stored_)
         bindings.push_back(gpu::Binding::storage_image(binding, images_[image.index].view));
     for (const auto& [binding, buffer] : pass.storages_)
         bindings.push_back(gpu::Binding::storage(binding, buffers_[buffer.index].handles[slot]));
     return bindings;
+}
+
+VkImageView FrameGraph::sampled_view(const Pass& pass, uint32_t binding, const GraphImage& image) const {
+    if (std::find(pass.bits_.begin(), pass.bits_.end(), binding) != pass.bits_.end())
+        return image.bits_view;
+    return has_stencil(image.desc.format) ? image.depth_only_view : image.view;
 }
 
 void FrameGraph::prepare_passes() {

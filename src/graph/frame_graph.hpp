@@ -51,6 +51,9 @@ public:
     /// A compute pass writes the image at `binding` of the inputs set. It holds what it held before; the
     /// same image may be sampled too, at another binding.
     Pass& store(uint32_t binding, ImageId image);
+    /// The same for an RGBA16F image as two unsigned integers a texel, for unpackHalf2x16: a software
+    /// device fetches them in less than half of the time, for it converts half floats one by one.
+    Pass& sample_bits(uint32_t binding, ImageId image);
     /// Storage buffer at `binding` of the inputs set.
     Pass& storage(uint32_t binding, BufferId buffer, bool writes);
     Pass& prepare(std::function<void(const PassInterface&)> callback);
@@ -87,6 +90,7 @@ private:
     std::vector<ImageUse> images_;
     std::vector<BufferUse> buffers_;
     std::vector<std::pair<uint32_t, ImageId>> sampled_, stored_;
+    std::vector<uint32_t> bits_; ///< bindings of `sampled_` that sample_bits() made
     std::vector<std::pair<uint32_t, BufferId>> storages_;
     std::function<void(const PassInterface&)> prepare_;
     std::function<void(const PassContext&)> record_;
@@ -180,6 +184,7 @@ private:
         std::string name;
         ImageDesc desc;
         bool kept = false;
+        bool as_bits = false; ///< some pass reads it by sample_bits()
         VkImageUsageFlags usage = 0;
         uint32_t first = 0xffffffffu, last = 0; ///< living passes; last is huge when kept
         VkMemoryRequirements requirements{};
@@ -187,6 +192,7 @@ private:
         gpu::UniqueImage image;
         gpu::UniqueImageView view;            ///< as an attachment
         gpu::UniqueImageView depth_only_view; ///< for shaders, where the format has stencil too
+        gpu::UniqueImageView bits_view;       ///< for sample_bits()
         Access final_access;
     };
     struct GraphBuffer {
@@ -202,7 +208,8 @@ private:
     void create_images();
     void place_images();
     void create_views();
-    gpu::UniqueImageView create_view(const GraphImage& image, VkImageAspectFlags aspects) const;
+    gpu::UniqueImageView create_view(const GraphImage& image, VkImageAspectFlags aspects, VkFormat format) const;
+    VkImageView sampled_view(const Pass& pass, uint32_t binding, const GraphImage& image) const;
     void derive_barriers();
     void derive_image_barriers(GraphImage& image, uint32_t index);
     void derive_buffer_barriers(uint32_t index);

@@ -5,6 +5,11 @@
 #include <numeric>
 
 namespace prelight::graph {
+namespace {
+
+constexpr VkFormat bits_format = VK_FORMAT_R32G32_UINT; ///< an RGBA16F texel, for sample_bits()
+
+} // namespace
 
 void FrameGraph::find_lifetimes() {
     for (uint32_t p = 0; p < passes_.size(); ++p) {
@@ -18,8 +23,10 @@ void FrameGraph::find_lifetimes() {
             images_[colour.image.index].usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
         if (pass.depth_)
             images_[pass.depth_->image.index].usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-        for (const auto& [binding, image] : pass.sampled_)
+        for (const auto& [binding, image] : pass.sampled_) {
             images_[image.index].usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
+            images_[image.index].as_bits |= std::find(pass.bits_.begin(), pass.bits_.end(), binding) != pass.bits_.end();
+        }
         for (const auto& [binding, image] : pass.stored_)
             images_[image.index].usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     }
@@ -41,6 +48,12 @@ void FrameGraph::create_images() {
         info.mipLevels = info.arrayLayers = 1;
         info.samples = VK_SAMPLE_COUNT_1_BIT;
         info.usage = image.usage;
+        const VkFormat formats[] = {image.desc.format, bits_format};
+        const VkImageFormatListCreateInfo list{VK_STRUCTURE_TYPE_IMAGE_FORMAT_LIST_CREATE_INFO, nullptr, 2, formats};
+        if (image.as_bits) {
+            info.flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
+            info.pNext = &list;
+        }
         VkImage handle = VK_NULL_HANDLE;
         gpu::check(vkCreateImage(context_.device(), &info, nullptr, &handle), image.name);
         image.image = {context_.device(), handle};
@@ -96,17 +109,24 @@ void FrameGraph::create_views() {
     for (GraphImage& image : images_) {
         if (!image.usage)
             continue;
-        image.view = create_view(image, aspects(image.desc.format));
+        image.view = create_view(image, aspects(image.desc.format), image.desc.format);
         if (has_stencil(image.desc.format)) // a shader sees one aspect
-            image.depth_only_view = create_view(image, VK_IMAGE_ASPECT_DEPTH_BIT);
+            image.depth_only_view = create_view(image, VK_IMAGE_ASPECT_DEPTH_BIT, image.desc.format);
+        if (image.as_bits)
+            image.bits_view = create_view(image, VK_IMAGE_ASPECT_COLOR_BIT, bits_format);
     }
 }
 
-gpu::UniqueImageView FrameGraph::create_view(const GraphImage& image, VkImageAspectFlags aspects) const {
+gpu::UniqueImageView FrameGraph::create_view(const GraphImage& image, VkImageAspectFlags aspects,
+                                             VkFormat format) const {
     VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    const VkImageViewUsageCreateInfo usage{VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO, nullptr,
+                                           VK_IMAGE_USAGE_SAMPLED_BIT};
+    if (format != image.desc.format)
+        info.pNext = &usage;
     info.image = image.image;
     info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    info.format = image.desc.format;
+    info.format = format;
     info.subresourceRange = {aspects, 0, 1, 0, 1};
     VkImageView handle = VK_NULL_HANDLE;
     gpu::check(vkCreateImageView(context_.device(), &info, nullptr, &handle), image.name);

@@ -5,22 +5,29 @@
 namespace prelight::passes {
 namespace {
 
+bool is_half(const graph::FrameGraph& graph, graph::ImageId image) {
+    return graph.desc(image).format == VK_FORMAT_R16G16B16A16_SFLOAT;
+}
+
 void draw(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
           const std::string& name, graph::ImageId target, uint32_t output, Display display = {}) {
     graph::Pass& pass = graph.pass(name);
     pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f})
-        .depth_test(inputs.depth)
-        .sample(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse)
-        .sample(INPUT_SPECULAR_LIGHT, inputs.light.specular);
+        .depth_test(inputs.depth);
+    const bool bits = frame.context().is_software() && is_half(graph, inputs.light.diffuse) &&
+                      is_half(graph, inputs.light.specular);
+    const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
+    (pass.*sample)(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse);
+    (pass.*sample)(INPUT_SPECULAR_LIGHT, inputs.light.specular);
     gpu::Constants constants = inputs.model.constants();
     constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
     for (const auto& constant : display_constants(display, graph.desc(target).format))
         constants.push_back(constant);
-    const std::string shader = inputs.model.shading == Shading::ggx ? "material_metallic_roughness.frag"
-                                                                    : "material_blinn_phong.frag";
+    const std::string shader = inputs.model.shading == Shading::ggx ? "material_metallic_roughness"
+                                                                    : "material_blinn_phong";
     draw_surfaces(pass, frame,
                   {.name = "material",
-                   .fragment = shader,
+                   .fragment = shader + (bits ? "+bits.frag" : ".frag"),
                    .constants = constants,
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false});
