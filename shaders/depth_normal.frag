@@ -2,6 +2,12 @@
 #extension GL_GOOGLE_include_directive : require
 // Stage 1: the shading normal and roughness of the nearest surface; the only place that discards.
 // Compiled with NO_NORMAL_TARGET it is the first of two passes [L9]: depth alone.
+#ifndef DEPTH_TARGET
+#define NO_WORLD
+#endif
+#ifdef NO_NORMAL_TARGET
+#define NO_NORMAL
+#endif
 #include "shared/linear_depth.h"
 #include "shared/normal_encoding.h"
 #include "shared/surface.glsl"

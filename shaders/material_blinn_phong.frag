@@ -2,6 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // Stage 3: textured Blinn-Phong, equation 8.5.3, with the material's own shininess [L5]. From glTF
 // materials: specular colour = F0, exponent 2/α² − 2.
+#define NO_WORLD
+#define NO_NORMAL
 #include "shared/display.glsl"
 #include "shared/light_buffer.glsl"
 #include "shared/shininess.glsl"

@@ -6,8 +6,10 @@ set(PRELIGHT_SHADER_VARIANTS
     "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
     "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
     "surface+motion.vert|surface.vert|-DMOTION"
-    # Another type of texture cannot be a constant either.
+    # Nor can another type of texture be a constant, or an input that is not there.
     "material_metallic_roughness+bits.frag|material_metallic_roughness.frag|-DLIGHT_BITS"
+    "material_metallic_roughness+weighted.frag|material_metallic_roughness.frag|-DONLY_WEIGHTED"
+    "material_metallic_roughness+weighted+bits.frag|material_metallic_roughness.frag|-DONLY_WEIGHTED -DLIGHT_BITS"
     "material_blinn_phong+bits.frag|material_blinn_phong.frag|-DLIGHT_BITS"
     "light+packed.frag|light.frag|-DONE_TARGET"
     "light+count.frag|light.frag|-DCOUNT_TARGET"
@@ -28,3 +30,31 @@ set(PRELIGHT_SHADER_VARIANTS
     "light_loop+count.frag|light_loop.frag|-DCOUNT_TARGET"
     "plain_forward+textured.vert|plain_forward.vert|-DTEXTURED"
     "plain_forward+textured.frag|plain_forward.frag|-DTEXTURED")
+
+# The same again for materials without textures, whose triangles need neither texture coordinates nor
+# tangents.
+set(untextured
+    "depth_normal.frag|depth_normal.frag|"
+    "material_metallic_roughness.frag|material_metallic_roughness.frag|"
+    "material_blinn_phong.frag|material_blinn_phong.frag|"
+    ${PRELIGHT_SHADER_VARIANTS})
+list(FILTER untextured INCLUDE REGEX "^(depth_normal|material_)")
+list(TRANSFORM untextured REPLACE "^([^|]*)\\.frag" "\\1+untextured.frag")
+list(TRANSFORM untextured APPEND " -DNO_TEXTURES")
+list(APPEND PRELIGHT_SHADER_VARIANTS ${untextured})
+
+# The vertex shaders that go with all of these: passes::SurfaceDraws picks them.
+foreach(world "" "+noworld")
+    foreach(normal "" "+nonormal")
+        foreach(textures "" "+untextured")
+            set(left_out "${world}${normal}${textures}")
+            set(defines "${left_out}")
+            string(REPLACE "+noworld" "-DNO_WORLD " defines "${defines}")
+            string(REPLACE "+nonormal" "-DNO_NORMAL " defines "${defines}")
+            string(REPLACE "+untextured" "-DNO_TEXTURES" defines "${defines}")
+            if(left_out)
+                list(APPEND PRELIGHT_SHADER_VARIANTS "surface${left_out}.vert|surface.vert|${defines}")
+            endif()
+        endforeach()
+    endforeach()
+endforeach()

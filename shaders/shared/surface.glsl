@@ -14,10 +14,22 @@ layout(set = SET_MATERIAL, binding = MATERIAL_NORMAL) uniform sampler2D normal_m
 layout(set = SET_MATERIAL, binding = MATERIAL_OCCLUSION) uniform sampler2D occlusion_map;
 layout(set = SET_MATERIAL, binding = MATERIAL_EMISSIVE) uniform sampler2D emissive_map;
 
+// What is left out here is left out in surface_vertex.glsl too: a software device carries each output
+// through every triangle, read or not.
+#ifndef NO_WORLD
 layout(location = 0) in vec3 in_world;
+#endif
+#ifndef NO_NORMAL
 layout(location = 1) in vec3 in_normal;
+#endif
+#ifdef NO_TEXTURES  // materials without any
+const vec4 in_tangent = vec4(1.0, 0.0, 0.0, 1.0), in_texcoords = vec4(0.0);
+#else
+#ifndef NO_NORMAL
 layout(location = 2) in vec4 in_tangent;
+#endif
 layout(location = 3) in vec4 in_texcoords;
+#endif
 layout(location = 4) in vec4 in_colour;
 
 bool has(uint feature) { return (material_features & feature) != 0u; }
@@ -45,6 +57,7 @@ vec2 metallic_roughness() {
     return factors;
 }
 
+#ifndef NO_NORMAL
 // Unit shading normal in world space, after the normal map, facing the viewer on back faces.
 vec3 shading_normal() {
     vec3 n = normalize(in_normal);
@@ -57,6 +70,7 @@ vec3 shading_normal() {
     }
     return gl_FrontFacing ? n : -n;
 }
+#endif
 
 float occlusion() {
     if (!has(FEATURE_OCCLUSION_TEXTURE))

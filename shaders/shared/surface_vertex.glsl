@@ -1,18 +1,25 @@
 // Vertex shader of every pass that looks at a surface's material.
 #include "shared/vertex.glsl"
 
+layout(location = VERTEX_COLOUR) in vec4 in_colour;
+layout(location = 4) out vec4 out_colour;
+#ifndef NO_WORLD
+layout(location = 0) out vec3 out_world;
+#endif
+#ifndef NO_NORMAL
 layout(location = VERTEX_NORMAL) in vec3 in_normal;
-layout(location = VERTEX_TANGENT) in vec4 in_tangent;
+layout(location = VERTEX_NORMAL_ROW) in vec4 in_normal_row[3];
+layout(location = 1) out vec3 out_normal;
+#endif
+#ifndef NO_TEXTURES
 layout(location = VERTEX_TEXCOORD_0) in vec2 in_texcoord_0;
 layout(location = VERTEX_TEXCOORD_1) in vec2 in_texcoord_1;
-layout(location = VERTEX_COLOUR) in vec4 in_colour;
-layout(location = VERTEX_NORMAL_ROW) in vec4 in_normal_row[3];
-
-layout(location = 0) out vec3 out_world;
-layout(location = 1) out vec3 out_normal;
-layout(location = 2) out vec4 out_tangent;
 layout(location = 3) out vec4 out_texcoords;
-layout(location = 4) out vec4 out_colour;
+#ifndef NO_NORMAL
+layout(location = VERTEX_TANGENT) in vec4 in_tangent;
+layout(location = 2) out vec4 out_tangent;
+#endif
+#endif
 #ifdef MOTION  // where out_world was at the previous state
 layout(location = VERTEX_PREVIOUS_POSITION) in vec3 in_previous_position;
 layout(location = VERTEX_PREVIOUS_WORLD_ROW) in vec4 in_previous_world_row[3];
@@ -20,13 +27,22 @@ layout(location = 5) out vec3 out_previous;
 #endif
 
 void main() {
-    out_world = vertex_position();
+    vec3 world = vertex_position();
+    out_colour = in_colour;
+#ifndef NO_WORLD
+    out_world = world;
+#endif
+#ifndef NO_NORMAL
     out_normal = vec3(dot(in_normal_row[0].xyz, in_normal), dot(in_normal_row[1].xyz, in_normal),
                       dot(in_normal_row[2].xyz, in_normal));
+#endif
+#ifndef NO_TEXTURES
+    out_texcoords = vec4(in_texcoord_0, in_texcoord_1);
+#ifndef NO_NORMAL
     out_tangent = vec4(dot(in_world_row[0].xyz, in_tangent.xyz), dot(in_world_row[1].xyz, in_tangent.xyz),
                        dot(in_world_row[2].xyz, in_tangent.xyz), in_tangent.w * in_normal_row[0].w);
-    out_texcoords = vec4(in_texcoord_0, in_texcoord_1);
-    out_colour = in_colour;
+#endif
+#endif
 #ifdef MOTION
     vec4 previous = vec4(in_previous_position, 1.0);
     out_previous = vec3(dot(in_previous_world_row[0], previous), dot(in_previous_world_row[1], previous),

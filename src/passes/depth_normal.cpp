@@ -49,7 +49,7 @@ void depth_pass(graph::FrameGraph& graph, const resident::Frame& frame, SurfaceB
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(out.depth).colour(out.depth_source, graph::Load::clear);
     draw_surfaces(pass, frame,
-                  {.name = "depth", .fragment = "linear_depth.frag", .constants = out.format.constants()});
+                  {.name = "depth", .fragment = "linear_depth.frag", .constants = out.format.constants(), .normal = false});
 }
 
 } // namespace
@@ -131,7 +131,9 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
                    .fragment = shader + ".frag",
                    .constants = out.format.constants(),
                    .depth = format.two_passes ? gpu::DepthTest::equal : gpu::DepthTest::write_nearer,
-                   .keeps_alpha_mask = !format.two_passes});
+                   .keeps_alpha_mask = !format.two_passes,
+                   .world = !format.two_passes && format.depth != DepthSource::attachment,
+                   .untextured_variant = true});
     return out;
 }
 

@@ -23,14 +23,20 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
     for (const auto& constant : display_constants(display, graph.desc(target).format))
         constants.push_back(constant);
-    const std::string shader = inputs.model.shading == Shading::ggx ? "material_metallic_roughness"
-                                                                    : "material_blinn_phong";
+    const bool ggx = inputs.model.shading == Shading::ggx;
+    const bool at_nv = ggx && inputs.model.fresnel != FresnelModel::weighted; // wants the normal once more
+    const std::string shader = !ggx    ? "material_blinn_phong"
+                               : at_nv ? "material_metallic_roughness"
+                                       : "material_metallic_roughness+weighted";
     draw_surfaces(pass, frame,
                   {.name = "material",
                    .fragment = shader + (bits ? "+bits.frag" : ".frag"),
                    .constants = constants,
                    .depth = gpu::DepthTest::equal,
-                   .keeps_alpha_mask = false});
+                   .keeps_alpha_mask = false,
+                   .world = at_nv,
+                   .normal = at_nv,
+                   .untextured_variant = true});
 }
 
 } // namespace

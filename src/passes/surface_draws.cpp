@@ -24,21 +24,43 @@ std::vector<gpu::VertexAttribute> position_attributes() {
     return out;
 }
 
-std::vector<gpu::VertexAttribute> surface_attributes(bool motion) {
+/// What a vertex shader of surface_vertex.glsl leaves out.
+struct LeftOut {
+    bool world = false, normal = false, textures = false;
+    std::string name() const {
+        return std::string(world ? "+noworld" : "") + (normal ? "+nonormal" : "") + (textures ? "+untextured" : "");
+    }
+};
+
+std::vector<gpu::VertexAttribute> surface_attributes(bool motion, LeftOut left_out) {
     std::vector<gpu::VertexAttribute> out = position_attributes();
-    const std::initializer_list<gpu::VertexAttribute> more{
-        {VERTEX_NORMAL, attributes, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)},
-        {VERTEX_TANGENT, attributes, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexAttributes, tangent)},
-        {VERTEX_TEXCOORD_0, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)},
-        {VERTEX_TEXCOORD_1, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)},
-        {VERTEX_COLOUR, attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)}};
-    out.insert(out.end(), more);
-    add_rows(out, VERTEX_NORMAL_ROW, offsetof(shared::ObjectData, normal_row));
+    out.push_back({VERTEX_COLOUR, attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
+    if (!left_out.normal) {
+        out.push_back({VERTEX_NORMAL, attributes, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)});
+        add_rows(out, VERTEX_NORMAL_ROW, offsetof(shared::ObjectData, normal_row));
+    }
+    if (!left_out.textures) {
+        out.push_back({VERTEX_TEXCOORD_0, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
+        out.push_back({VERTEX_TEXCOORD_1, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)});
+        if (!left_out.normal)
+            out.push_back({VERTEX_TANGENT, attributes, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexAttributes, tangent)});
+    }
     if (motion) {
         out.push_back({VERTEX_PREVIOUS_POSITION, previous_positions, VK_FORMAT_R32G32B32_SFLOAT, 0});
         add_rows(out, VERTEX_PREVIOUS_WORLD_ROW, offsetof(shared::ObjectData, previous_world_row));
     }
     return out;
+}
+
+bool has_textures(uint32_t features) {
+    return (features & (FEATURE_BASE_COLOUR_TEXTURE | FEATURE_METALLIC_ROUGHNESS_TEXTURE | FEATURE_NORMAL_TEXTURE |
+                        FEATURE_OCCLUSION_TEXTURE | FEATURE_EMISSIVE_TEXTURE)) != 0;
+}
+
+/// "NAME.frag" → "NAME+VARIANT.frag"
+std::string variant_of(const std::string& shader, const std::string& variant) {
+    std::string name = shader;
+    return name.insert(name.rfind('.'), variant);
 }
 
 } // namespace
@@ -64,9 +86,12 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
         if (pipelines_.contains(features))
             continue;
         const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
-        pipeline.vertex = !shaded ? "depth_only.vert" : motion_ ? "surface+motion.vert" : "surface.vert";
-        pipeline.fragment = shaded ? desc.fragment : "";
-        pipeline.attributes = shaded ? surface_attributes(motion_) : position_attributes();
+        const LeftOut left_out{!desc.world, !desc.normal, desc.untextured_variant && !has_textures(features)};
+        pipeline.vertex = !shaded   ? "depth_only.vert"
+                          : motion_ ? "surface+motion.vert"
+                                    : variant_of("surface.vert", left_out.name());
+        pipeline.fragment = !shaded ? "" : left_out.textures ? variant_of(desc.fragment, "+untextured") : desc.fragment;
+        pipeline.attributes = shaded ? surface_attributes(motion_, left_out) : position_attributes();
         pipeline.name = desc.name + " features " + std::to_string(features);
         pipeline.constants = desc.constants;
         pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);

@@ -20,6 +20,9 @@ public:
         gpu::Blend blend = gpu::Blend::none;
         uint32_t push_bytes = 0;         ///< push constants of every draw, in the fragment shader
         bool motion = false;             ///< the shader is told where each point was: FrameSettings::motion
+        bool world = true;               ///< the shader reads where a point is: not compiled with NO_WORLD
+        bool normal = true;              ///< and its normal: not compiled with NO_NORMAL
+        bool untextured_variant = false; ///< there is a "…+untextured.frag" for materials without textures
         bool depth_only = false;         ///< materials without mask get positions and no shader
     };
     /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
