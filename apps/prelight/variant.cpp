@@ -19,9 +19,9 @@ struct Worth {
 
 std::vector<Worth> worth_showing() {
     return {
-        {"light-prepass", "light-culling", {"volumes", "rectangles", "stencil", "tiles", "clusters"}},
+        {"light-prepass", "light-culling", {"volumes", "rectangles", "stencil", "clusters"}},
         {"light-prepass", "light-buffer", {"packed-rgba16f"}},
-        {"deferred", "light-culling", {"tiles", "clusters"}},
+        {"deferred", "light-culling", {"volumes", "clusters"}},
         {"z-prepass", "lights", {"per-draw", "grid"}},
         {"multipass", "lights-per-pass", {"8"}},
     };

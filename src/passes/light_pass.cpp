@@ -30,8 +30,8 @@ graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame&
 }
 
 SettingInfo light_culling_setting() {
-    return {"light-culling", {"volumes", "fullscreen", "rectangles", "stencil", "tiles", "clusters"}, "volumes",
-            "how a light finds its pixels"};
+    return {"light-culling", {"auto", "volumes", "fullscreen", "rectangles", "stencil", "tiles", "clusters"}, "auto",
+            "how a light finds its pixels; auto: tiles where the device can build lists, else volumes"};
 }
 
 resident::LightCulling light_culling(const std::string& value) {

@@ -2,6 +2,7 @@
 // into a G-buffer, then each light with the pixel's material, added to one target.
 #include "deferred.hpp"
 #include "draw_settings.hpp"
+#include "light_culling_choice.hpp"
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/view.hpp>
@@ -106,7 +107,9 @@ RendererInfo deferred_info() {
 }
 
 std::unique_ptr<Renderer> make_deferred(Device& device, const RenderOptions& options) {
-    return std::make_unique<Deferred>(device, options, Settings(deferred_info(), options));
+    Settings settings(deferred_info(), options);
+    choose_light_culling(settings, device);
+    return std::make_unique<Deferred>(device, options, std::move(settings));
 }
 
 } // namespace prelight

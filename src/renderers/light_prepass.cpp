@@ -2,6 +2,7 @@
 // all lights into the light buffer, then every object once more with its own material.
 #include "light_prepass.hpp"
 #include "draw_settings.hpp"
+#include "light_culling_choice.hpp"
 #include "light_model_settings.hpp"
 #include "light_prepass_presets.hpp"
 #include <passes/light_pass.hpp>
@@ -122,6 +123,7 @@ RendererInfo light_prepass_info() {
 
 std::unique_ptr<Renderer> make_light_prepass(Device& device, const RenderOptions& options) {
     Settings settings(light_prepass_info(), options);
+    choose_light_culling(settings, device);
     const passes::LightModel model = light_model(settings, options.shading);
     return std::make_unique<LightPrepass>(device, options, std::move(settings), model);
 }

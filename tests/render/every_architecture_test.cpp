@@ -20,8 +20,14 @@ std::vector<Shot> every_architecture(const Shot& shot) {
         for (const SettingInfo& setting : info.settings)
             if (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order")
                 for (const std::string& value : setting.values) {
+                    if (value == "auto")
+                        continue; // one of the others
                     one.settings[setting.key] = value;
                     shots.push_back(one);
+                    if (value != "tiles")
+                        continue;
+                    Shot& other = shots.emplace_back(one);
+                    other.settings["list-shading"] = "fragment"; // what a GPU takes by itself
                 }
     }
     return shots;
