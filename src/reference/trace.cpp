@@ -1,16 +1,13 @@
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <mutex>
+#include <parallel/parallel_for.hpp>
 #include <prelight/error.hpp>
 #include <reference/light_tree.hpp>
 #include <reference/lighting.hpp>
 #include <reference/ray_scene.hpp>
 #include <reference/surface.hpp>
 #include <reference/trace.hpp>
-#include <thread>
 
 namespace prelight::reference {
 namespace {
@@ -145,33 +142,6 @@ private:
     ReferenceBuffers* buffers_;
 };
 
-/// Calls `work(row)` for every row, on all processors. Rows do not depend on each other, so that
-/// the picture does not depend on the number of threads. Passes on the first exception.
-template <typename Work>
-void for_rows(uint32_t rows, Work work) {
-    std::atomic<uint32_t> next{0};
-    std::exception_ptr failure;
-    std::mutex failure_lock;
-    const auto run = [&] {
-        try {
-            for (uint32_t row = next++; row < rows; row = next++)
-                work(row);
-        } catch (...) {
-            const std::lock_guard guard(failure_lock);
-            failure = std::current_exception();
-            next = rows;
-        }
-    };
-    {
-        std::vector<std::jthread> threads;
-        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-            threads.emplace_back(run);
-        run();
-    }
-    if (failure)
-        std::rethrow_exception(failure);
-}
-
 } // namespace
 
 ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t width,
@@ -181,7 +151,7 @@ ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t 
         throw Error(
             fmt::format("reference: a picture of {}x{} pixels is not rendered", width, height));
     Tracer tracer(world, camera, width, height, exposure, form, buffers);
-    for_rows(height, [&](uint32_t row) { tracer.trace_row(row); });
+    parallel_for(height, [&](uint32_t row) { tracer.trace_row(row); });
     return std::move(tracer.picture);
 }
 

@@ -88,8 +88,8 @@ float ramp(float low, float high, float x) {
     return t * t * (3 - 2 * t);
 }
 
-TextureImage paint(std::string name, uint32_t width, uint32_t height,
-                   const std::function<glm::vec4(glm::vec2)>& texel, bool srgb) {
+TextureImage paint_rows(std::string name, uint32_t width, uint32_t height,
+                        const std::function<void(uint32_t, std::span<glm::vec4>)>& row, bool srgb) {
     // Encoding through a table: a million calls of a power function would take longer than the
     // noise.
     std::vector<uint8_t> encode(4097);
@@ -98,27 +98,29 @@ TextureImage paint(std::string name, uint32_t width, uint32_t height,
         encode[i] = to_byte(srgb ? srgb_encode(x * x) : x * x);
     }
     TextureImage image{std::move(name), width, height, {}};
-    image.rgba.reserve(size_t{4} * width * height);
-    for (uint32_t y = 0; y < height; ++y)
-        for (uint32_t x = 0; x < width; ++x) {
-            const glm::vec4 c =
-                texel({(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                       (static_cast<float>(y) + 0.5f) / static_cast<float>(height)});
+    image.rgba.resize(size_t{4} * width * height);
+    parallel_for(height, [&](uint32_t y) {
+        std::vector<glm::vec4> texels(width);
+        row(y, texels);
+        uint8_t* out = &image.rgba[size_t{4} * width * y];
+        for (const glm::vec4& c : texels) {
             for (int i = 0; i < 3; ++i) {
                 // The table is indexed by the square root, which spreads the dark end.
                 const float root = std::sqrt(std::clamp(c[i], 0.0f, 1.0f));
-                image.rgba.push_back(encode[static_cast<size_t>(root * 4096 + 0.5f)]);
+                *out++ = encode[static_cast<size_t>(root * 4096 + 0.5f)];
             }
-            image.rgba.push_back(to_byte(c.a));
+            *out++ = to_byte(c.a);
         }
+    });
     return image;
 }
 
 TextureImage normal_map(std::string name, const Field& height, uint32_t side, float metres) {
     TextureImage image{std::move(name), side, side, {}};
-    image.rgba.reserve(size_t{4} * side * side);
+    image.rgba.resize(size_t{4} * side * side);
     const float texel = metres / static_cast<float>(side);
-    for (uint32_t y = 0; y < side; ++y)
+    parallel_for(side, [&](uint32_t y) {
+        uint8_t* out = &image.rgba[size_t{4} * side * y];
         for (uint32_t x = 0; x < side; ++x) {
             const auto at = [&](uint32_t column, uint32_t row) {
                 return height[size_t{row % side} * side + column % side];
@@ -128,9 +130,10 @@ TextureImage normal_map(std::string name, const Field& height, uint32_t side, fl
             const float dy = (at(x, y + side - 1) - at(x, y + 1)) / (2 * texel);
             const glm::vec3 n = glm::normalize(glm::vec3(-dx, -dy, 1));
             for (int i = 0; i < 3; ++i)
-                image.rgba.push_back(to_byte(n[i] * 0.5f + 0.5f));
-            image.rgba.push_back(255);
+                *out++ = to_byte(n[i] * 0.5f + 0.5f);
+            *out++ = 255;
         }
+    });
     return image;
 }
 

@@ -69,68 +69,52 @@ Slab slab_at(glm::vec2 uv, const TileNoise& damp, const TileNoise& grain) {
 void add_ground_pictures(std::vector<TextureImage>& images) {
     // One pass over the tile, three pictures from it.
     const AsphaltField field;
-    std::vector<Asphalt> asphalt;
-    Field height;
-    asphalt.reserve(size_t{asphalt_side} * asphalt_side);
-    for (uint32_t y = 0; y < asphalt_side; ++y)
-        for (uint32_t x = 0; x < asphalt_side; ++x) {
-            asphalt.push_back(field((glm::vec2(x, y) + 0.5f) / float(asphalt_side)));
-            height.push_back(asphalt.back().height);
-        }
-    size_t i = 0;
+    const std::vector<Asphalt> asphalt = sample_field(asphalt_side, field);
     images.push_back(paint(
         "asphalt colour", asphalt_side, asphalt_side,
-        [&](glm::vec2) {
-            const Asphalt& a = asphalt[i++];
+        [&](glm::vec2, size_t i) {
+            const Asphalt& a = asphalt[i];
             const float dry = 0.026f + 0.042f * a.stone * a.stone;
             const float v = std::lerp(dry * (0.75f + 0.4f * (1 - a.wet)) * (1 - 0.7f * a.crack),
                                       0.013f, a.water);
             return glm::vec4(v, v * 1.01f, v * 1.05f, 1);
         },
         true));
-    i = 0;
     images.push_back(paint(
         "asphalt surface", asphalt_side, asphalt_side,
-        [&](glm::vec2) {
-            const Asphalt& a = asphalt[i++];
+        [&](glm::vec2, size_t i) {
+            const Asphalt& a = asphalt[i];
             const float damp = 0.43f - 0.23f * ramp(0.3f, 0.65f, a.wet) + 0.10f * (a.stone - 0.5f);
             return glm::vec4(1, std::lerp(damp, 0.17f, a.water), 0, 1);
         },
         false));
     images.push_back(
-        normal_map("asphalt normal", height, asphalt_side, tile_metres(Surface::asphalt)));
+        normal_map("asphalt normal", heights_of(asphalt), asphalt_side, tile_metres(Surface::asphalt)));
 
-    Field slab_height;
-    std::vector<Slab> slabs;
     const TileNoise damp(3, 73, 4), grain(170, 79), stains(6, 83, 3);
-    for (uint32_t y = 0; y < paving_side; ++y)
-        for (uint32_t x = 0; x < paving_side; ++x) {
-            slabs.push_back(slab_at((glm::vec2(x, y) + 0.5f) / float(paving_side), damp, grain));
-            slab_height.push_back(slabs.back().height);
-        }
-    i = 0;
+    const std::vector<Slab> slabs =
+        sample_field(paving_side, [&](glm::vec2 uv) { return slab_at(uv, damp, grain); });
     images.push_back(paint(
         "paving colour", paving_side, paving_side,
-        [&](glm::vec2 uv) {
-            const Slab& s = slabs[i++];
+        [&](glm::vec2 uv, size_t i) {
+            const Slab& s = slabs[i];
             const float stain = stains(uv);
             const float stone = 0.13f + 0.07f * s.tone + 0.10f * (stain - 0.5f);
             const float v = std::lerp(stone * (1 - 0.35f * s.water), 0.05f, s.joint);
             return glm::vec4(v, v * 0.97f, v * 0.92f, 1);
         },
         true));
-    i = 0;
     images.push_back(paint(
         "paving surface", paving_side, paving_side,
-        [&](glm::vec2) {
-            const Slab& s = slabs[i++];
+        [&](glm::vec2, size_t i) {
+            const Slab& s = slabs[i];
             return glm::vec4(
                 1, std::lerp(std::lerp(0.46f + 0.1f * s.tone, 0.22f, s.water), 0.7f, s.joint), 0,
                 1);
         },
         false));
     images.push_back(
-        normal_map("paving normal", slab_height, paving_side, tile_metres(Surface::paving)));
+        normal_map("paving normal", heights_of(slabs), paving_side, tile_metres(Surface::paving)));
 }
 
 } // namespace prelight::city

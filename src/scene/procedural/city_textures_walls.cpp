@@ -32,34 +32,24 @@ Brick brick_at(glm::vec2 uv, const TileNoise& edges, const TileNoise& grain) {
 } // namespace
 
 void add_wall_pictures(std::vector<TextureImage>& images) {
-    Field height;
-    std::vector<Brick> bricks;
     const TileNoise edges(128, 107), grain(64, 103, 3), soot_noise(3, 109, 4),
         plaster_noise(12, 131, 5);
-    for (uint32_t y = 0; y < side; ++y)
-        for (uint32_t x = 0; x < side; ++x) {
-            bricks.push_back(brick_at((glm::vec2(x, y) + 0.5f) / float(side), edges, grain));
-            height.push_back(bricks.back().height);
-        }
-    size_t i = 0;
+    const std::vector<Brick> bricks =
+        sample_field(side, [&](glm::vec2 uv) { return brick_at(uv, edges, grain); });
     images.push_back(paint(
         "brick colour", side, side,
-        [&](glm::vec2 uv) {
-            const Brick& b = bricks[i++];
+        [&](glm::vec2 uv, size_t i) {
+            const Brick& b = bricks[i];
             const float soot = 0.75f + 0.5f * (soot_noise(uv) - 0.25f);
             // Neutral enough for the vertex colour to make it red, ochre or grey.
             const glm::vec3 brick = glm::vec3(0.62f, 0.56f, 0.52f) * (0.65f + 0.5f * b.tone);
             return glm::vec4(glm::mix(brick, glm::vec3(0.45f, 0.43f, 0.40f), b.mortar) * soot, 1);
         },
         true));
-    images.push_back(normal_map("brick normal", height, side, tile_metres(Surface::brick)));
+    images.push_back(normal_map("brick normal", heights_of(bricks), side, tile_metres(Surface::brick)));
 
-    Field plaster;
-    for (uint32_t y = 0; y < side; ++y)
-        for (uint32_t x = 0; x < side; ++x) {
-            const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / float(side);
-            plaster.push_back(0.016f * plaster_noise(uv));
-        }
+    const Field plaster =
+        sample_field(side, [&](glm::vec2 uv) { return 0.016f * plaster_noise(uv); });
     images.push_back(normal_map("plaster normal", plaster, side, tile_metres(Surface::plaster)));
 }
 
