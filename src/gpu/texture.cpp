@@ -1,7 +1,9 @@
 #include "texture.hpp"
 #include "check.hpp"
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstring>
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
 #include <prelight/error.hpp>
@@ -47,7 +49,7 @@ VkOffset3D corner(uint32_t size_x, uint32_t size_y, uint32_t level) {
 
 } // namespace
 
-Texture::Texture(const Context& context, MemoryPool& pool, const TextureImage& image,
+Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const TextureImage& image,
                  TextureEncoding encoding) {
     const std::string name = image.name.empty() ? "texture" : image.name;
     const uint32_t limit = context.limits().maxImageDimension2D;
@@ -83,48 +85,50 @@ Texture::Texture(const Context& context, MemoryPool& pool, const TextureImage& i
     check(vkCreateImageView(context.device(), &view, nullptr, &view_handle), name);
     view_ = {context.device(), view_handle};
     context.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(view_handle), name);
-    fill(context, image, encoding, levels);
+    fill(uploader, image, encoding, levels);
 }
 
-void Texture::fill(const Context& context, const TextureImage& image, TextureEncoding encoding,
-                   uint32_t levels) const {
+void Texture::fill(Uploader& uploader, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const {
     const bool half = encoding == TextureEncoding::half;
-    Buffer staging(context, "texture staging", image.rgba.size() * (half ? 2 : 1),
-                   VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::upload);
-    if (half)
-        std::transform(image.rgba.begin(), image.rgba.end(), staging.mapped<uint16_t>(),
-                       [](uint8_t v) { return glm::packHalf1x16(static_cast<float>(v) / 255.0f); });
-    else
-        std::copy(image.rgba.begin(), image.rgba.end(), staging.mapped<uint8_t>());
-    context.run("upload texture " + image.name, [&](VkCommandBuffer commands) {
-        constexpr auto write = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-        constexpr auto read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-        for (uint32_t level = 0; level < levels; ++level) {
-            submit(commands, level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0,
-                                           VK_ACCESS_2_TRANSFER_WRITE_BIT));
-            if (level == 0) {
-                VkBufferImageCopy copy{};
-                copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-                copy.imageExtent = {image.width, image.height, 1};
-                vkCmdCopyBufferToImage(commands, staging.handle(), image_, write, 1, &copy);
-            } else {
-                VkImageBlit blit{};
-                blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level - 1, 0, 1};
-                blit.srcOffsets[1] = corner(image.width, image.height, level - 1);
-                blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
-                blit.dstOffsets[1] = corner(image.width, image.height, level);
-                vkCmdBlitImage(commands, image_, read, image_, write, 1, &blit, VK_FILTER_LINEAR);
-            }
-            submit(commands, level_barrier(image_, level, write, read, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                           VK_ACCESS_2_TRANSFER_READ_BIT));
+    const Uploader::Staging staging = uploader.stage(image.rgba.size() * (half ? 2 : 1));
+    if (half) {
+        std::array<uint16_t, 256> halves;
+        for (size_t v = 0; v < halves.size(); ++v)
+            halves[v] = glm::packHalf1x16(static_cast<float>(v) / 255.0f);
+        std::transform(image.rgba.begin(), image.rgba.end(), reinterpret_cast<uint16_t*>(staging.bytes),
+                       [&](uint8_t v) { return halves[v]; });
+    } else {
+        std::memcpy(staging.bytes, image.rgba.data(), image.rgba.size());
+    }
+    const VkCommandBuffer commands = uploader.commands();
+    constexpr auto write = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    constexpr auto read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    for (uint32_t level = 0; level < levels; ++level) {
+        submit(commands, level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0,
+                                       VK_ACCESS_2_TRANSFER_WRITE_BIT));
+        if (level == 0) {
+            VkBufferImageCopy copy{};
+            copy.bufferOffset = staging.offset;
+            copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+            copy.imageExtent = {image.width, image.height, 1};
+            vkCmdCopyBufferToImage(commands, staging.buffer, image_, write, 1, &copy);
+        } else {
+            VkImageBlit blit{};
+            blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level - 1, 0, 1};
+            blit.srcOffsets[1] = corner(image.width, image.height, level - 1);
+            blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
+            blit.dstOffsets[1] = corner(image.width, image.height, level);
+            vkCmdBlitImage(commands, image_, read, image_, write, 1, &blit, VK_FILTER_LINEAR);
         }
-        VkImageMemoryBarrier2 done =
-            level_barrier(image_, 0, read, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-                          VK_ACCESS_2_TRANSFER_READ_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
-        done.subresourceRange.levelCount = levels;
-        done.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-        submit(commands, done);
-    });
+        submit(commands, level_barrier(image_, level, write, read, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                       VK_ACCESS_2_TRANSFER_READ_BIT));
+    }
+    VkImageMemoryBarrier2 done =
+        level_barrier(image_, 0, read, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                      VK_ACCESS_2_TRANSFER_READ_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+    done.subresourceRange.levelCount = levels;
+    done.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    submit(commands, done);
 }
 
 UniqueSampler make_sampler(const Context& context, const Sampler& sampler, TextureFilter filter) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "buffer.hpp"
+#include "uploader.hpp"
 #include <prelight/scene.hpp>
 
 namespace prelight::gpu {
@@ -14,13 +14,15 @@ enum class TextureEncoding {
 /// A sampled RGBA picture with its full chain of mip maps.
 class Texture {
 public:
-    /// Uploads `image` and makes its mip maps by averaging (in linear light when sRGB).
-    /// Throws Error naming the image when it exceeds the device's limit.
-    Texture(const Context& context, MemoryPool& pool, const TextureImage& image, TextureEncoding encoding);
+    /// Uploads `image` and makes its mip maps by averaging (in linear light when sRGB); all of it is
+    /// there when `uploader` has finished. Throws Error naming the image when it exceeds the device's
+    /// limit.
+    Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const TextureImage& image,
+            TextureEncoding encoding);
     VkImageView view() const { return view_; }
 
 private:
-    void fill(const Context& context, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const;
+    void fill(Uploader& uploader, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const;
     UniqueImage image_;
     UniqueImageView view_;
 };

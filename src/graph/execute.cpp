@@ -104,7 +104,7 @@ void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query);
     barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
     const bool renders = !pass.colours_.empty() || pass.depth_;
-    PassContext pass_context{commands, pass.sets_[turn_.slot], {}, turn_.slot};
+    PassContext pass_context{commands, pass.sets_[turn_.slot], {}, turn_.slot, one_pixel};
     if (renders) {
         const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
         pass_context.extent = images_[target.index].desc.extent;

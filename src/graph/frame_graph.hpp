@@ -29,6 +29,7 @@ struct PassContext {
     VkDescriptorSet inputs = VK_NULL_HANDLE;
     VkExtent2D extent{};
     uint32_t slot = 0; ///< gpu::FrameTurn::slot
+    bool one_pixel = false; ///< a warm-up: a dispatch whose result only the picture needs may be one group
 };
 
 /// One pass: what it reads, what it writes, how it records. Barriers, layouts, load and store

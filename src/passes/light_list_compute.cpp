@@ -77,7 +77,10 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
         pipeline->push(context.commands, std::as_bytes(std::span(lists.constants.get(), 1)));
         const VkExtent2D size = frame.extent();
-        vkCmdDispatch(context.commands, (size.width + block - 1) / block, (size.height + block - 1) / block, 1);
+        if (context.one_pixel)
+            vkCmdDispatch(context.commands, 1, 1, 1);
+        else
+            vkCmdDispatch(context.commands, (size.width + block - 1) / block, (size.height + block - 1) / block, 1);
     });
 }
 

@@ -40,7 +40,10 @@ shared::MaterialConstants constants_of(const Material& m, double exposure) {
 class Cache {
 public:
     Cache(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter, Materials& out)
-        : context_(context), scene_(scene), filter_(filter), out_(out) {}
+        : context_(context), scene_(scene), filter_(filter), out_(out), uploader_(context) {}
+
+    /// Waits until all textures are there.
+    void finish() { uploader_.finish(); }
 
     gpu::Binding binding(const Slot& slot, const TextureRef& ref) {
         const gpu::Texture& texture = find_texture(ref ? ref.image : no_image, slot.srgb);
@@ -58,7 +61,7 @@ private:
         const auto encoding = srgb                                      ? gpu::TextureEncoding::srgb8
                               : filter_ == gpu::TextureFilter::bilinear ? gpu::TextureEncoding::half
                                                                         : gpu::TextureEncoding::linear8;
-        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, source, encoding)).first->second;
+        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, source, encoding)).first->second;
     }
     VkSampler find_sampler(const Sampler& sampler) {
         for (size_t i = 0; i < known_.size(); ++i)
@@ -72,6 +75,7 @@ private:
     gpu::TextureFilter filter_;
     Materials& out_;
     std::vector<Sampler> known_;
+    gpu::Uploader uploader_;
 };
 
 } // namespace
@@ -112,6 +116,7 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
         for (const Slot& slot : slots)
             set.push_back(cache.binding(slot, scene.materials[m].*slot.ref));
     }
+    cache.finish();
     out.layout = gpu::make_set_layout(context, "material", sets.at(0));
     out.sets = gpu::DescriptorSets(context, "material", out.layout, sets);
     return out;

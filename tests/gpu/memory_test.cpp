@@ -57,10 +57,12 @@ TEST_P(DeviceMemory, TexturesGiveTheirMemoryBackWithTheirPool) {
     {
         gpu::MemoryPool pool(context());
         std::vector<gpu::Texture> textures;
+        gpu::Uploader uploader(context());
         const TextureImage image{"image", 33, 70, std::vector<uint8_t>(33 * 70 * 4, 128)};
         for (int i = 0; i < 5; ++i)
             for (const auto encoding : {gpu::TextureEncoding::srgb8, gpu::TextureEncoding::half})
-                textures.emplace_back(context(), pool, image, encoding);
+                textures.emplace_back(context(), pool, uploader, image, encoding);
+        uploader.finish();
         EXPECT_GT(held(), start);
     }
     EXPECT_EQ(held(), start);
@@ -111,13 +113,16 @@ TEST_P(DeviceMemory, ATextureBeyondTheDevicesLimitIsNamed) {
         TextureImage image{"wallpaper.png", limit + 1, 1, std::vector<uint8_t>((limit + 1) * 4)};
         if (tall)
             std::swap(image.width, image.height);
-        EXPECT_THAT([&] { gpu::Texture(context(), pool, image, gpu::TextureEncoding::srgb8); },
+        gpu::Uploader uploader(context());
+        EXPECT_THAT([&] { gpu::Texture(context(), pool, uploader, image, gpu::TextureEncoding::srgb8); },
                     testing::ThrowsMessage<Error>(
                         testing::AllOf(HasSubstr("wallpaper.png"), HasSubstr(std::to_string(limit)))));
     }
     EXPECT_EQ(held(), start);
     const TextureImage largest{"largest", limit, 1, std::vector<uint8_t>(limit * 4)};
-    EXPECT_NO_THROW(gpu::Texture(context(), pool, largest, gpu::TextureEncoding::srgb8));
+    gpu::Uploader uploader(context());
+    const gpu::Texture texture(context(), pool, uploader, largest, gpu::TextureEncoding::srgb8);
+    EXPECT_NO_THROW(uploader.finish());
 }
 
 // Validation, rightly, has a message for this one: a device without it.
