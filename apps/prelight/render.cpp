@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <future>
 #include <prelight/device.hpp>
 #include <prelight/error.hpp>
 
@@ -61,13 +62,16 @@ void write(const std::vector<Picture>& pictures) {
     }
 }
 
-void render_once(Session& session, const RenderCommand& command, const LoadedScene& loaded) {
+void render_once(Session& session, const RenderCommand& command, const LoadedScene& loaded, StartUp& start_up) {
+    Stopwatch watch;
     const PlacedCamera& camera = command.camera.empty() ? loaded.world.cameras.at(0)
                                                         : find_camera(loaded.world, command.camera);
     session.renderer->set_world(loaded.world);
+    start_up.world = watch.lap();
     session.renderer->render(camera, command.frames);
+    const Stats stats = session.renderer->stats(); // waits for the frames
+    start_up.frames = watch.lap();
     const std::vector<Picture> pictures = read_pictures(*session.renderer, command);
-    const Stats stats = session.renderer->stats();
     for (const std::string& note : stats.notes)
         fmt::print(stderr, "note: {}\n", note);
     if (command.validate && !command.watch)
@@ -75,8 +79,9 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     if (session.device)
         check_validation(*session.device);
     write(pictures);
+    start_up.picture = watch.lap();
     if (!command.stats.empty())
-        save_text(stats_json(command, stats), command.stats);
+        save_text(stats_json(command, stats, start_up), command.stats);
     fmt::print("{}: {}x{}, {}, {} lights, {} triangles, {:.1f} ms a frame on {}\n",
                command.output.string(), command.options.width, command.options.height,
                command.renderer, stats.lights, stats.triangles, stats.wall_ms.median, stats.device);
@@ -89,7 +94,13 @@ void run(const RenderCommand& command) {
     const RendererInfo info = find_renderer(command.renderer);
     check_before_work(command, info);
 
-    // The renderer comes before the scene: wrong usage is told before a long load.
+    // The renderer comes before a file: wrong usage is told before a long load. A built-in scene is
+    // made meanwhile.
+    StartUp start_up;
+    Stopwatch clock;
+    std::future<Scene> built_in;
+    if (names_builtin(command.scene))
+        built_in = std::async(std::launch::async, [&] { return make_builtin(command.scene, command.lights, command.seed); });
     Session session;
     if (!info.needs_device && (command.validate || command.device != "auto"))
         throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
@@ -98,19 +109,21 @@ void run(const RenderCommand& command) {
         session.device = Device::create({.select = command.device, .validate = command.validate});
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
     FileWatch watch(command.scene);
+    start_up.device = clock.lap();
+    const SceneTime time{command.moment, command.animation};
     const auto load = [&] {
-        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(),
-                          {command.moment, command.animation});
+        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time);
     };
-    std::unique_ptr<LoadedScene> loaded = load();
-    render_once(session, command, *loaded);
+    std::unique_ptr<LoadedScene> loaded = built_in.valid() ? resolve_builtin(built_in.get(), time) : load();
+    start_up.scene = clock.lap();
+    render_once(session, command, *loaded, start_up);
 
     while (command.watch) {
         watch.wait();
         std::unique_ptr<LoadedScene> changed;
         try {
             changed = load();
-            render_once(session, command, *changed);
+            render_once(session, command, *changed, start_up);
         } catch (const Error& error) {
             // Mostly a file caught half written: the next change sets it right.
             fmt::print(stderr, "prelight: {}\n", error.what());

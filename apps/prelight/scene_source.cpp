@@ -14,6 +14,13 @@ const BuiltinScene* find_builtin(const std::vector<BuiltinScene>& scenes, const 
     return found == scenes.end() ? nullptr : &*found;
 }
 
+void resolve_at(LoadedScene& loaded, const SceneTime& time) {
+    std::optional<uint32_t> animation;
+    if (!time.animation.empty())
+        animation = find_animation(loaded.scene, time.animation);
+    loaded.world = resolve(loaded.scene, {}, time.moment, animation);
+}
+
 } // namespace
 
 bool names_file(const std::string& name) {
@@ -21,6 +28,10 @@ bool names_file(const std::string& name) {
     std::error_code ignored;
     return extension == ".gltf" || extension == ".glb" ||
            std::filesystem::is_regular_file(name, ignored);
+}
+
+bool names_builtin(const std::string& name) {
+    return !names_file(name) && find_builtin(builtin_scenes(), name);
 }
 
 Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed) {
@@ -31,6 +42,13 @@ Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint
     return make_scene(name, lights.value_or(builtin->default_lights), seed);
 }
 
+std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time) {
+    auto loaded = std::make_unique<LoadedScene>();
+    loaded->scene = std::move(scene);
+    resolve_at(*loaded, time);
+    return loaded;
+}
+
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
                                         uint64_t seed, uint64_t max_lights, const SceneTime& time) {
     auto loaded = std::make_unique<LoadedScene>();
@@ -39,10 +57,7 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
         throw Error(
             fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
     loaded->scene = file ? load_gltf(name) : make_builtin(name, lights, seed);
-    std::optional<uint32_t> animation;
-    if (!time.animation.empty())
-        animation = find_animation(loaded->scene, time.animation);
-    loaded->world = resolve(loaded->scene, {}, time.moment, animation);
+    resolve_at(*loaded, time);
     if (file && lights) {
         if (*lights > max_lights)
             throw Error(fmt::format("{}: --lights {}: the renderer holds {}", name, *lights, max_lights));

@@ -21,6 +21,9 @@ bool names_file(const std::string& name);
 /// Makes a built-in scene with `lights` or its own default count. Throws UsageError.
 Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed);
 
+/// True when `name` is a built-in scene's and no file's.
+bool names_builtin(const std::string& name);
+
 /// When in a scene's animations.
 struct SceneTime {
     std::optional<Moment> moment; ///< absent: the scene at rest
@@ -32,5 +35,7 @@ struct SceneTime {
 /// Warnings of the loader go to stderr. Throws Error; UsageError for an animation that is not there.
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
                                         uint64_t seed, uint64_t max_lights, const SceneTime& time = {});
+/// The same for a built-in scene that make_builtin() has made already.
+std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time);
 
 } // namespace prelight::app

@@ -1,5 +1,6 @@
 #pragma once
 #include "command_line.hpp"
+#include "start_up.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -16,6 +17,6 @@ nlohmann::ordered_json stats_entry(const std::string& scene, const std::string& 
 std::string json_text(const nlohmann::ordered_json& json);
 
 /// The run's figures as `--stats` writes them; times in milliseconds, memory in bytes.
-std::string stats_json(const RenderCommand& command, const Stats& stats);
+std::string stats_json(const RenderCommand& command, const Stats& stats, const StartUp& start_up);
 
 } // namespace prelight::app

@@ -174,7 +174,12 @@ TEST(Render, StatsHoldWhatTheContractNames) {
     for (const char* key : {"lights", "culling", "objects", "record"})
         expect_spread(stats.at("host_ms").at(key));
     EXPECT_GT(stats.at("host_ms").at("record").at("min"), 0);
-    EXPECT_EQ(stats.size(), 24u) << "a key that the contract does not name";
+    double sum = 0;
+    for (const char* key : {"device", "scene", "world", "frames", "picture"})
+        sum += stats.at("start_up_ms").at(key).get<double>();
+    EXPECT_GT(sum, 0);
+    EXPECT_NEAR(stats.at("start_up_ms").at("total").get<double>(), sum, 1e-6);
+    EXPECT_EQ(stats.size(), 25u) << "a key that the contract does not name";
 }
 
 TEST(Render, PassCpuGivesEachPassAFigure) {
