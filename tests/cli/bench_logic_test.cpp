@@ -253,10 +253,11 @@ struct Limits : testing::Test {
 
     std::vector<Job> jobs;
     Measured measured;
+    std::vector<std::string> missing;
 };
 
 TEST_F(Limits, AreRatiosOfTheContendersOwn) {
-    const auto figures = limit_figures(measured, jobs, true);
+    const auto figures = limit_figures(measured, jobs, true, missing);
     ASSERT_EQ(figures.size(), 1u);
     const LimitFigures& f = figures[0];
     EXPECT_DOUBLE_EQ(f.frame_in_f(), 5);
@@ -269,8 +270,19 @@ TEST_F(Limits, AreRatiosOfTheContendersOwn) {
     EXPECT_DOUBLE_EQ(*f.empty_ms, 3);
 }
 
+TEST_F(Limits, TakeNoListsThatLackLight) {
+    for (app::Run& run : measured.runs)
+        run.stats.pairs_contributing = 10'000;
+    measured.runs[3].stats.pairs_contributing = 9'000; // the faster of the two
+    measured.runs[4].stats.pairs_contributing = 9'995; // edges
+    const auto figures = limit_figures(measured, jobs, true, missing);
+    EXPECT_EQ(figures.at(0).perfect_tile, 16u);
+    ASSERT_EQ(missing.size(), 1u);
+    EXPECT_THAT(missing[0], HasSubstr("tiles of 8, 16 lights: the lists hold 0.01 of 0.01 million"));
+}
+
 TEST_F(Limits, GoByDeviceTimeOnAGpu) {
-    const auto figures = limit_figures(measured, jobs, false);
+    const auto figures = limit_figures(measured, jobs, false, missing);
     EXPECT_DOUBLE_EQ(figures.at(0).frame_ms, 100);
     EXPECT_DOUBLE_EQ(figures.at(0).frame_in_f(), 5);
     EXPECT_FALSE(figures.at(0).by_cpu);
@@ -280,7 +292,7 @@ TEST_F(Limits, TakeThePassesCpuTimeWhereAllHaveIt) {
     for (app::Run& run : measured.runs)
         for (PassStats& pass : run.stats.passes)
             pass.cpu_ms = steady(pass.name == "light" ? 3 * pass.gpu_ms.median : 2 * pass.gpu_ms.median);
-    const auto figures = limit_figures(measured, jobs, true);
+    const auto figures = limit_figures(measured, jobs, true, missing);
     EXPECT_TRUE(figures.at(0).passes_by_cpu);
     EXPECT_DOUBLE_EQ(*figures.at(0).light_ms, 180);
     EXPECT_DOUBLE_EQ(*figures.at(0).lists_over_light(), 12.0 / 180);
@@ -289,16 +301,16 @@ TEST_F(Limits, TakeThePassesCpuTimeWhereAllHaveIt) {
 
 TEST_F(Limits, LeavesGeometryOutWhereAPassLightsToo) {
     measured.runs[0].stats.passes.push_back({.name = "opaque", .gpu_ms = steady(1)});
-    EXPECT_EQ(limit_figures(measured, jobs, true).at(0).geometry_in_f(), std::nullopt);
+    EXPECT_EQ(limit_figures(measured, jobs, true, missing).at(0).geometry_in_f(), std::nullopt);
 }
 
 TEST_F(Limits, InventNothingThatWasNotMeasured) {
     std::erase_if(measured.runs, [](const app::Run& run) { return run.job->role == Role::perfect || run.job->role == Role::no_lights; });
-    const auto figures = limit_figures(measured, jobs, true);
+    const auto figures = limit_figures(measured, jobs, true, missing);
     EXPECT_EQ(figures.at(0).light_over_limit(), std::nullopt);
     EXPECT_EQ(figures.at(0).no_lights_in_f(), std::nullopt);
     jobs.erase(jobs.begin() + 1); // without F there is no unit
-    EXPECT_TRUE(limit_figures(measured, jobs, true).empty());
+    EXPECT_TRUE(limit_figures(measured, jobs, true, missing).empty());
 }
 
 } // namespace

@@ -80,7 +80,7 @@ void bench_scene(const BenchCommand& given) {
     const Measured measured = measure(jobs, stops, scenes, command, *device, software);
     check_validation(*device);
     missing.insert(missing.end(), measured.missing.begin(), measured.missing.end());
-    const std::vector<LimitFigures> limits = limit_figures(measured, jobs, software);
+    const std::vector<LimitFigures> limits = limit_figures(measured, jobs, software, missing);
 
     fmt::print("{}, {}x{}, {} triangles, {} frames of each in turn, on {}\n", command.scene, command.options.width,
                command.options.height, measured.triangles, *command.frames, device->name());

@@ -30,7 +30,9 @@ struct LimitFigures {
     }
 };
 
-/// `software`: the device's frames are compared by CPU time.
-std::vector<LimitFigures> limit_figures(const Measured& measured, const std::vector<Job>& jobs, bool software);
+/// `software`: the device's frames are compared by CPU time. `missing` gets a line for lists that are
+/// called perfect and lack light: those are no limit.
+std::vector<LimitFigures> limit_figures(const Measured& measured, const std::vector<Job>& jobs, bool software,
+                                        std::vector<std::string>& missing);
 
 } // namespace prelight::app
