@@ -108,6 +108,8 @@ TEST_F(BenchScene, GivesFramesInUnitsOfF) {
         ++roles[run.at("role")];
         if (run.at("role") == "plain-forward") {
             EXPECT_EQ(run.at("frames"), 6) << "F is measured more often";
+            EXPECT_EQ(run.at("lights"), 0) << "not even the host looks at lights";
+            EXPECT_EQ(run.at("at_lights"), run.at("light_count"));
             EXPECT_EQ(run.at("passes").size(), 1u) << "one pass and no other";
             EXPECT_LT(run.at("draws"), 266) << "what is out of view is not drawn";
             EXPECT_GT(run.at("draws"), 100);

@@ -45,7 +45,8 @@ Json run_json(const std::string& scene, const Run& run) {
     const Job& job = *run.job;
     Json json = {{"variant", job.variant.name()},
                  {"role", role_name(job.role)},
-                 {"light_count", run.stop.count ? Json(*run.stop.count) : Json(nullptr)}};
+                 {"light_count", run.stop.count ? Json(*run.stop.count) : Json(nullptr)},
+                 {"at_lights", run.stop.lights}};
     json.update(stats_entry(scene, job.variant.renderer, job.options, run.stats));
     for (Json& pass : json["passes"])
         pass["kind"] = pass_kind_name(kind_of(pass["name"].get<std::string>()));

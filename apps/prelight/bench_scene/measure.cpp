@@ -47,7 +47,8 @@ public:
 
 private:
     std::span<const PlacedLight> lights_of(const Job& job, size_t stop) const {
-        if (job.role == Role::no_lights)
+        // The host's work for lights has no place in F either.
+        if (job.role == Role::no_lights || job.role == Role::unit)
             return {};
         return lights_[stop];
     }

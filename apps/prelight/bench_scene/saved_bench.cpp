@@ -153,8 +153,11 @@ void take_limit(SavedBench& bench, const Reader& limit) {
         limit.refuse("missing", "no list");
     for (const Reader& entry : limit.list("runs")) {
         SavedRun run = run_of(entry);
-        if (entry.text_or("role", "") == "plain-forward")
-            bench.units.push_back(std::move(run));
+        if (entry.text_or("role", "") != "plain-forward")
+            continue;
+        if (entry.has("at_lights")) // it has none itself
+            run.lights = entry.count("at_lights");
+        bench.units.push_back(std::move(run));
     }
 }
 
