@@ -139,6 +139,30 @@ TEST(FramesInFlight, WhatAFrameReadsIsLeftAloneUntilItIsDone) {
     expect_validation_clean(test_device());
 }
 
+TEST(FramesInFlight, TheHostPreparesAFrameWhileTheDeviceDrawsTheOneBefore) {
+    Garden garden;
+    garden.add_lights(60, 3, 4);
+    const Shot shot = garden.shot();
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+    renderer->set_world(garden.world);
+    renderer->render(garden.camera);
+    renderer->stats();
+    VulkanCalls calls;
+    calls.device = dynamic_cast<gpu::Context&>(test_device()).device();
+    std::vector<PlacedLight> lights = garden.world.lights;
+    constexpr uint64_t frames = 20;
+    for (uint64_t frame = 0; frame < frames; ++frame) {
+        rotate_lights(lights, garden.at(0, 0, 0), 0.05);
+        renderer->set_lights(lights);
+        renderer->render(garden.camera);
+    }
+    renderer->stats();
+    EXPECT_EQ(calls.submits, frames);
+    EXPECT_GE(calls.overlapping, frames / 2) << "of " << frames << " submissions";
+    RecordProperty("overlapping", static_cast<int>(calls.overlapping));
+    expect_validation_clean(test_device());
+}
+
 TEST(FramesInFlight, FramesTakeTurnsWithTheBuffers) {
     Garden garden;
     garden.add_lights(10, 3, 4);

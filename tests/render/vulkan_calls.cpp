@@ -30,6 +30,13 @@ using prelight::VulkanCalls, prelight::pass_on;
 extern "C" {
 
 VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
+    if (VulkanCalls* calls = VulkanCalls::active(); calls && calls->device)
+        for (uint32_t i = 0; i < count; ++i) {
+            uint64_t done = 0;
+            const VkSemaphoreSubmitInfo& signal = infos[i].pSignalSemaphoreInfos[0];
+            vkGetSemaphoreCounterValue(calls->device, signal.semaphore, &done);
+            calls->overlapping += done + 1 < signal.value;
+        }
     return pass_on(&vkQueueSubmit2, "vkQueueSubmit2", &VulkanCalls::submits)(queue, count, infos, fence);
 }
 

@@ -16,6 +16,10 @@ public:
     static VulkanCalls*& active();
 
     uint64_t submits = 0;
+    /// Submissions that came while the one before was not done, told by the timeline semaphore that each
+    /// signals; 0 without a device.
+    uint64_t overlapping = 0;
+    VkDevice device = VK_NULL_HANDLE;
     uint64_t waits = 0; ///< for semaphores
     std::set<VkDescriptorSet> frame_sets; ///< that were bound as SET_FRAME
     uint64_t allocations = 0, pipelines = 0, buffers = 0, images = 0, descriptor_pools = 0;
