@@ -120,7 +120,6 @@ bool has_normal_map(Surface surface) {
 }
 
 void add_materials(Scene& scene) {
-    scene.images = make_pictures();
     scene.materials.resize(static_cast<size_t>(Surface::count));
     textured_ground(scene);
     walls(scene);

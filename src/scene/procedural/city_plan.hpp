@@ -63,7 +63,7 @@ struct Plan {
     bool chance(double share) { return random.unit() < share; }
 };
 
-void add_materials(Scene& scene); // city_materials.cpp
+void add_materials(Scene& scene); // city_materials.cpp; they refer to make_pictures()
 void add_ground(Plan& plan);      // city_street.cpp
 void add_buildings(Plan& plan);   // city_buildings.cpp
 void add_signs(Plan& plan);       // city_signs.cpp
