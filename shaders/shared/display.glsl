@@ -8,8 +8,7 @@ layout(constant_id = CONSTANT_TONEMAP) const int tonemap_curve = TONEMAP_LINEAR;
 layout(constant_id = CONSTANT_TARGET_ENCODES) const bool target_encodes = false; // an sRGB format
 
 // 1.055 x^(1/2.4) − 0.055 above 0.0031308. With t the fourth root, x^(1/2.4) is t^(5/3), which a polynomial
-// over [0.2365, 1] (interpolation at Chebyshev nodes) meets within 0.0025/255: a third of what pow costs on
-// a software device.
+// over [0.2365, 1] (interpolation at Chebyshev nodes) meets within 0.0025/255.
 vec3 srgb_encode(vec3 linear) {
     linear = clamp(linear, 0.0, 1.0);
     vec3 t = sqrt(sqrt(linear));
