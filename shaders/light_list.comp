@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // All lights of a tile [V6], summed and written once, for devices that read buffers slowly: each invocation
 // of a subgroup loads another light, then all of them take each in turn from their neighbours. A workgroup is
-// an 8 × 8 block of pixels, an invocation `rows` of them. The lights come as the tile's list, or (masked) as
+// one of the 8 × 8 blocks of pixels that light_lists_lit.comp found, an invocation `rows` of them. The lights come as the tile's list, or (masked) as
 // the bits of its 8 × 8 tiles' list.
 #define STORAGE_TARGET
 #include "shared/light_sums.glsl"
@@ -13,6 +13,7 @@ layout(constant_id = CONSTANT_LIST_TILE_SIZE) const int tile_size = 16;
 layout(constant_id = CONSTANT_LIST_ROWS) const int rows = 8;
 layout(constant_id = CONSTANT_LIST_MASKED) const bool masked = false;
 layout(constant_id = CONSTANT_AMBIENT_TOO) const bool ambient_too = false;
+layout(set = SET_INPUTS, binding = INPUT_LIT_BLOCKS, std430) readonly buffer LitBlock { LitBlocks lit; uint lit_blocks[]; };
 layout(local_size_x = 8, local_size_y_id = CONSTANT_LIST_GROUP_ROWS) in; // times `rows`: 8
 
 LitPixel pixels[rows];
@@ -76,7 +77,11 @@ void walk_masked(MaskedList list) {
 }
 
 void main() {
-    ivec2 first = ivec2(gl_WorkGroupID.xy) * 8 + ivec2(gl_LocalInvocationID.x, gl_LocalInvocationID.y * uint(rows));
+    // The dispatch is as wide as its row: past the end nothing is written.
+    uint number = gl_WorkGroupID.y * LIT_ROW + gl_WorkGroupID.x, lit_count = lit.dispatch.w;
+    uint index = lit_blocks[min(number, max(lit_count, 1u) - 1u)];
+    uvec2 block = number < lit_count ? uvec2(index % lists.blocks.x, index / lists.blocks.x) : uvec2(0u);
+    ivec2 first = ivec2(block) * LIT_BLOCK + ivec2(gl_LocalInvocationID.x, gl_LocalInvocationID.y * uint(rows));
     ivec2 last = ivec2(frame.size.xy) - 1;
     for (int row = 0; row < rows; ++row) {
         pixels[row] = read_pixel(min(first + ivec2(0, row), last));
@@ -85,14 +90,14 @@ void main() {
         if (ambient_too)
             add_ambient(sums[row]);
     }
-    uvec2 tile = gl_WorkGroupID.xy * 8u / uint(tile_size);
+    uvec2 tile = block / uint(tile_size / LIT_BLOCK);
     if (masked)
         walk_masked(masked_list_of(tile));
     else
         walk(list_of(tile.y * lists.cells.x + tile.x, 0u));
     for (int row = 0; row < rows; ++row) {
         ivec2 pixel = first + ivec2(0, row);
-        if (any(greaterThan(pixel, last)))
+        if (number >= lit_count || any(greaterThan(pixel, last)))
             continue;
         if (pixels[row].point.surface)
             count_lights(pixel, evaluated, contributing[row]);

@@ -13,7 +13,8 @@ void main() {
     bool inside = all(lessThan(at, lists.cells.xyz));
     at = min(at, lists.cells.xyz - 1u);
     LightCell coarse = coarse_cells[index_in(gl_WorkGroupID, lists.coarse.xyz)];
-    LightCell cell = light_cells[index_in(at, lists.cells.xyz)];
+    uint index = index_in(at, lists.cells.xyz);
+    LightCell cell = light_cells[index];
     if (!inside)
         cell.depths = 0u;
     Piece piece = cell_piece(at, cell, 0u);
@@ -21,7 +22,7 @@ void main() {
     uint words = fits ? (coarse.count + 31u) / 32u : 0u;
     uint to = coarse.first + coarse.count + gl_LocalInvocationIndex * words;
     uint batch = min(gl_SubgroupSize, 32u);
-    uint word = 0u;
+    uint word = 0u, count = 0u;
     do { // loops that are left at their end: see light_list.comp
         uint bits = 0u, begin = 0u;
         uint all = min(32u, coarse.count - word * 32u);
@@ -35,5 +36,8 @@ void main() {
         } while (begin < all);
         if (words > 0u)
             light_entries[to + word] = bits;
+        count += uint(bitCount(bits));
     } while (++word < words);
+    if (inside)
+        light_cells[index].count = fits ? count : coarse.count;
 }

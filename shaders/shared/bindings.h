@@ -32,6 +32,7 @@
 #define INPUT_LIGHT_TARGET 16
 #define INPUT_SECOND_LIGHT_TARGET 17
 #define INPUT_COLOUR_BEFORE 18
+#define INPUT_LIT_BLOCKS 19
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0

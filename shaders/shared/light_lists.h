@@ -9,12 +9,15 @@ SHARED_BEGIN
 #define LIST_COARSE_CELLS 4  // side of a coarse cell in the world, in cells
 #define LIST_SLICES 32       // depth slices of a tile: the bits of LightCell::slices
 #define LIST_SCAN_GROUP 256
+#define LIT_BLOCK 8          // side of the pixels that a workgroup lights
+#define LIT_ROW 32           // workgroups of a dispatch along x
 
 // Push constants of every pass that builds or walks lists.
 struct LightListConstants {
     uvec4 lights;       // x: lights that are in every list, first in light_order; y: lights with a volume,
                         // after them; z: entries that the buffer holds; w: words of a coarse cell's mask
     uvec4 cells;        // xyz: cells along each axis; w: all of them
+    uvec4 blocks;       // xy: blocks of LIT_BLOCK pixels along each axis
     uvec4 coarse;       // xyz: coarse cells along each axis; w: all of them
     vec4 grid_origin;   // xyz: the grid's low corner, world space relative to the camera
     vec4 grid_cell;     // xyz: a cell's size, metres
@@ -29,6 +32,11 @@ struct LightCell {
     uint depths;              // screen: a bit for each depth_bit() of its surfaces
     uint slices;              // slices in use; 0: nothing, or its lists did not fit and `first` is all lights
     uint first, count;
+};
+
+// Before the numbers of the blocks of pixels that have a light: VkDispatchIndirectCommand, and their count.
+struct LitBlocks {
+    uvec4 dispatch;
 };
 
 SHARED_END

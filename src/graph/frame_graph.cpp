@@ -69,6 +69,11 @@ Pass& Pass::storage(uint32_t binding, BufferId buffer, bool writes) {
     return *this;
 }
 
+Pass& Pass::indirect(BufferId buffer) {
+    buffers_.push_back({buffer, Access::indirect()});
+    return *this;
+}
+
 Pass& Pass::prepare(std::function<void(const PassInterface&)> callback) {
     prepare_ = std::move(callback);
     return *this;

@@ -57,6 +57,8 @@ public:
     Pass& sample_bits(uint32_t binding, ImageId image);
     /// Storage buffer at `binding` of the inputs set.
     Pass& storage(uint32_t binding, BufferId buffer, bool writes);
+    /// The buffer holds commands of indirect draws or dispatches.
+    Pass& indirect(BufferId buffer);
     Pass& prepare(std::function<void(const PassInterface&)> callback);
     Pass& record(std::function<void(const PassContext&)> callback);
     const std::string& name() const { return name_; }

@@ -86,6 +86,10 @@ Access Access::storage_image() {
             VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
 }
 
+Access Access::indirect() {
+    return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, false};
+}
+
 Access& Access::operator|=(const Access& other) {
     stages |= other.stages;
     access |= other.access;

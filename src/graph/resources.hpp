@@ -38,6 +38,7 @@ struct Access {
     static Access sampled(bool depth);
     static Access storage(bool writes);
     static Access storage_image();
+    static Access indirect();
     /// Reads of both in one pass, or in neighbouring passes (layouts must agree).
     Access& operator|=(const Access& other);
 };

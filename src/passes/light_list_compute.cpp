@@ -8,7 +8,7 @@
 namespace prelight::passes {
 namespace {
 
-constexpr uint32_t block = 8; ///< side of a workgroup's pixels; light_list.comp
+constexpr uint32_t block = LIT_BLOCK;
 
 /// Why compute cannot be had; empty: it can.
 std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
@@ -43,30 +43,16 @@ ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& fra
     return ListShading::compute;
 }
 
-void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-                             const LightingInputs& inputs, const LightLists& lists) {
-    graph::Pass& pass = graph.pass(name);
-    declare_lit_surface(graph, pass, inputs);
-    declare_light_lists(pass, lists);
-    const std::vector<graph::ImageId>& images = inputs.target.images;
-    pass.store(INPUT_LIGHT_TARGET, images[0]);
-    if (images.size() > 1)
-        pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
-    if (inputs.target.load == graph::Load::keep)
-        pass.sample(INPUT_COLOUR_BEFORE, images[0]);
+namespace {
 
-    const uint32_t rows = rows_of(frame.context().features().shuffle_lanes);
+/// Makes a compute pass of one pipeline.
+void compute(graph::Pass& pass, const resident::Frame& frame, const LightLists& lists, const std::string& shader,
+             const gpu::Constants& constants,
+             const std::function<void(const graph::PassContext&)>& dispatch) {
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) {
-        gpu::Constants constants = lighting_constants(frame, inputs);
-        const gpu::Constants own = light_list_constants(lists);
-        constants.insert(constants.end(), own.begin(), own.end());
-        constants.insert(constants.end(), {{CONSTANT_LIST_ROWS, rows},
-                                           {CONSTANT_LIST_GROUP_ROWS, block / rows},
-                                           {CONSTANT_LIST_MASKED, lists.masked},
-                                           {CONSTANT_AMBIENT_TOO, AmbientDraw::needed(inputs)}});
-        *pipeline = gpu::ComputePipeline(frame.context(), {.name = "light lists",
-                                                           .shader = "light_list" + inputs.target.variant + ".comp",
+    pass.prepare([=, &frame, name = pass.name()](const graph::PassInterface& interface) {
+        *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
+                                                           .shader = shader,
                                                            .constants = constants,
                                                            .sets = {frame.layout(), interface.inputs},
                                                            .push_bytes = sizeof(shared::LightListConstants)});
@@ -76,12 +62,56 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
         pipeline->bind_set(context.commands, SET_FRAME, frame.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
         pipeline->push(context.commands, std::as_bytes(std::span(lists.constants.get(), 1)));
-        const VkExtent2D size = frame.extent();
-        if (context.one_pixel)
-            vkCmdDispatch(context.commands, 1, 1, 1);
-        else
-            vkCmdDispatch(context.commands, (size.width + block - 1) / block, (size.height + block - 1) / block, 1);
+        dispatch(context);
     });
+}
+
+} // namespace
+
+void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                             const LightingInputs& inputs, const LightLists& lists) {
+    gpu::Constants constants = lighting_constants(frame, inputs);
+    const gpu::Constants own = light_list_constants(lists);
+    const uint32_t rows = rows_of(frame.context().features().shuffle_lanes);
+    constants.insert(constants.end(), own.begin(), own.end());
+    constants.insert(constants.end(), {{CONSTANT_LIST_ROWS, rows},
+                                       {CONSTANT_LIST_GROUP_ROWS, LIT_BLOCK / rows},
+                                       {CONSTANT_LIST_MASKED, lists.masked},
+                                       {CONSTANT_AMBIENT_TOO, AmbientDraw::needed(inputs)}});
+
+    const uint64_t blocks = uint64_t(lists.constants->blocks.x) * lists.constants->blocks.y;
+    auto buffer = std::make_shared<gpu::Buffer>(
+        frame.context(), "lit blocks", sizeof(shared::LitBlocks) + blocks * sizeof(uint32_t),
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, gpu::BufferPlace::device);
+    const graph::BufferId lit = graph.buffer("lit blocks", *buffer);
+    graph::Pass& find = graph.pass(name + "-lists lit");
+    find.storage(INPUT_LIGHT_CELLS, lists.tiles, false).storage(INPUT_LIT_BLOCKS, lit, true);
+    compute(find, frame, lists, "light_lists_lit.comp", constants,
+            [](const graph::PassContext& context) { vkCmdDispatch(context.commands, 1, 1, 1); });
+
+    const std::vector<graph::ImageId>& images = inputs.target.images;
+    const bool keeps = inputs.target.load == graph::Load::keep;
+    if (!keeps) { // blocks without light keep this
+        graph::Pass& clear = graph.pass(name + " clear");
+        for (const graph::ImageId image : images)
+            clear.colour(image, graph::Load::clear);
+        clear.record([](const graph::PassContext&) {});
+    }
+    graph::Pass& pass = graph.pass(name);
+    declare_lit_surface(graph, pass, inputs);
+    declare_light_lists(pass, lists);
+    pass.storage(INPUT_LIT_BLOCKS, lit, false).indirect(lit).store(INPUT_LIGHT_TARGET, images[0]);
+    if (images.size() > 1)
+        pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
+    if (keeps)
+        pass.sample(INPUT_COLOUR_BEFORE, images[0]);
+    compute(pass, frame, lists, "light_list" + inputs.target.variant + ".comp", constants,
+            [buffer](const graph::PassContext& context) {
+                if (context.one_pixel)
+                    vkCmdDispatch(context.commands, 1, 1, 1);
+                else
+                    vkCmdDispatchIndirect(context.commands, buffer->handle(), 0);
+            });
 }
 
 } // namespace prelight::passes

@@ -165,11 +165,11 @@ public:
             .storage(INPUT_LIGHT_MASKS, masks_, false)
             .storage(INPUT_LIGHT_ENTRIES, entries_, true);
 
-        LightLists lists{.cells = coarse_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
+        LightLists lists{.cells = coarse_, .tiles = cells_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
                          .tile_size = inputs_.tile_size, .sliced = inputs_.sliced, .masked = inputs_.masked};
         if (lists.masked) {
             graph::Pass& masks = add(name_ + "-lists masks", "light_lists_masks.comp", whole);
-            masks.storage(INPUT_LIGHT_CELLS, cells_, false)
+            masks.storage(INPUT_LIGHT_CELLS, cells_, true)
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
                 .storage(INPUT_LIGHT_ENTRIES, entries_, true)
                 .storage(INPUT_DEPTH_SLICES, slices_, false);
@@ -252,6 +252,7 @@ LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& fr
         const uint32_t across = groups_of(frame.extent().width, inputs.tile_size);
         const uint32_t down = groups_of(frame.extent().height, inputs.tile_size);
         layout.cells = {across, down, 1, 0};
+        layout.blocks = {groups_of(frame.extent().width, LIT_BLOCK), groups_of(frame.extent().height, LIT_BLOCK), 1, 0};
         layout.coarse = {groups_of(across, LIST_COARSE_TILES), groups_of(down, LIST_COARSE_TILES), 1, 0};
     } else {
         grid = light_grid(frame.geometry().draws);

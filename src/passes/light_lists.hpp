@@ -7,6 +7,7 @@ namespace prelight::passes {
 /// What a pass that walks light lists needs (shaders/shared/light_lists.glsl).
 struct LightLists {
     graph::BufferId cells;
+    graph::BufferId tiles; ///< screen: those of tiles, with how many lights each has
     graph::BufferId entries;
     graph::BufferId slices;
     /// Push constants of this frame; set before its first pass records.
