@@ -6,6 +6,7 @@
 // the bits of its 8 × 8 tiles' list.
 #define STORAGE_TARGET
 #include "shared/light_sums.glsl"
+#include "shared/light_front.glsl"
 #include "shared/light_lists.glsl"
 #include "shared/light_share.glsl"
 
@@ -20,6 +21,7 @@ LitPixel pixels[rows];
 LightSums sums[rows];
 uint contributing[rows];
 uint evaluated = 0u;
+LightFront front;
 
 Lamp shuffled(Lamp mine, uint lane) {
     return Lamp(shuffled(mine.position, lane), shuffled(mine.colour, lane), subgroupShuffle(mine.luminance, lane),
@@ -27,30 +29,35 @@ Lamp shuffled(Lamp mine, uint lane) {
                 subgroupShuffle(mine.shininess, lane), subgroupShuffle(mine.falloff, lane));
 }
 
-// One light from each of the first `count` invocations; of none, nothing comes.
+// One light from each invocation that wants one and has it before its surfaces; of none, nothing comes.
 //
 // Loops here are left at their end: a software device runs the rest of a body once more for no invocation when
 // the condition stands before it, and both sides of an `if`.
-void add_lights(LightData own, bool wanted, uint count) {
+void add_lights(LightData own, bool wanted) {
+    wanted = wanted && may_be_before(front, own);
     Lamp mine = lamp_of(own);
     mine.colour = wanted ? mine.colour : vec3(0.0);
     mine.luminance = wanted ? mine.luminance : 0.0;
-    uint lane = 0u;
+    uint me = gl_SubgroupInvocationID;
+    uvec2 lanes = shared_or(wanted ? uvec2(me < 32u ? 1u << me : 0u, me < 32u ? 0u : 1u << (me & 31u)) : uvec2(0u));
+    evaluated += uint(bitCount(lanes.x) + bitCount(lanes.y));
     do {
+        bool lower = lanes.x != 0u, real = lower || lanes.y != 0u;
+        uint lane = uint(max(findLSB(lower ? lanes.x : lanes.y), 0)) + (lower || !real ? 0u : 32u);
+        lanes = lower ? uvec2(lanes.x & (lanes.x - 1u), lanes.y) : uvec2(0u, lanes.y & (lanes.y - 1u));
         Lamp lamp = shuffled(mine, lane);
         for (int row = 0; row < rows; ++row)
-            contributing[row] += add_light(sums[row], pixels[row], lamp) && lane < count ? 1u : 0u;
-    } while (++lane < count);
+            contributing[row] += add_light(sums[row], pixels[row], lamp) && real ? 1u : 0u;
+    } while ((lanes.x | lanes.y) != 0u);
 }
 
 void walk(LightList list) {
     uint begin = 0u;
     do {
         uint index = begin + gl_SubgroupInvocationID;
-        add_lights(lights[listed_light(list, index)], index < list.count, min(gl_SubgroupSize, list.count - begin));
+        add_lights(lights[listed_light(list, index)], index < list.count);
         begin += gl_SubgroupSize;
     } while (begin < list.count);
-    evaluated = list.count;
 }
 
 void walk_masked(MaskedList list) {
@@ -69,11 +76,28 @@ void walk_masked(MaskedList list) {
                 word += found ? 0u : 1u;
                 bits = found ? bits & (bits - 1u) : subgroupShuffle(own_bits, min(word, gl_SubgroupSize - 1u));
             } while (word < last && count < gl_SubgroupSize);
-            add_lights(lights[masked_light(list, index)], gl_SubgroupInvocationID < count, count);
-            evaluated += count;
+            add_lights(lights[masked_light(list, index)], gl_SubgroupInvocationID < count);
         } while (word < last);
         chunk += gl_SubgroupSize;
     } while (chunk < list.words);
+}
+
+LightFront front_of_pixels() {
+    vec3 n = vec3(0.0);
+    for (int row = 0; row < rows; ++row)
+        n += pixels[row].point.n;
+    n = mean_normal(shared_sum(n));
+    vec3 least = vec3(1.0, 1e30, 0.0); // cosine, distance, minus size
+    vec3 low = vec3(1e30), minus_high = vec3(1e30);
+    for (int row = 0; row < rows; ++row) {
+        LitPoint p = pixels[row].point;
+        vec3 own = vec3(dot(p.n, n), dot(p.world, n), -dot(abs(p.world), vec3(1.0)));
+        least = p.surface ? min(least, own) : least;
+        low = p.surface ? min(low, p.world) : low;
+        minus_high = p.surface ? min(minus_high, -p.world) : minus_high;
+    }
+    least = shared_min(least);
+    return light_front(n, least.x, least.y, -least.z, shared_min(low), -shared_min(minus_high));
 }
 
 void main() {
@@ -90,6 +114,7 @@ void main() {
         if (ambient_too)
             add_ambient(sums[row]);
     }
+    front = front_of_pixels();
     uvec2 tile = block / uint(tile_size / LIT_BLOCK);
     if (masked)
         walk_masked(masked_list_of(tile));
