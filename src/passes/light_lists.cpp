@@ -168,12 +168,11 @@ public:
         LightLists lists{.cells = coarse_, .tiles = cells_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
                          .tile_size = inputs_.tile_size, .sliced = inputs_.sliced, .masked = inputs_.masked};
         if (lists.masked) {
-            graph::Pass& masks = add(name_ + "-lists masks", "light_lists_masks.comp", whole);
-            masks.storage(INPUT_LIGHT_CELLS, cells_, true)
+            add(name_ + "-lists masks", "light_lists_masks.comp", whole)
+                .storage(INPUT_LIGHT_CELLS, cells_, true)
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
                 .storage(INPUT_LIGHT_ENTRIES, entries_, true)
                 .storage(INPUT_DEPTH_SLICES, slices_, false);
-            read_depth(masks);
             return lists;
         }
         for (const bool fill : {false, true}) {

@@ -8,7 +8,7 @@ namespace prelight::passes {
 
 /// What a pass that shades makes of its colours: with a curve the finished picture, tone mapped by the
 /// pass itself, "final", sRGB-encoded RGBA8 [E4], encoded by the
-/// target where the device has sRGB targets; without one "linear", scene-linear RGBA16F for
+/// target where a GPU has sRGB targets; without one "linear", scene-linear RGBA16F for
 /// tonemap_pass() and others. The shader ends with stored_colour() of shaders/shared/display.glsl.
 using Display = std::optional<Tonemap>;
 graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display);

@@ -85,7 +85,8 @@ TEST(Deferred, D2_ManyLightsOfTheYardstickSceneAgree) {
 TEST(Deferred, D2_GeometryIsDrawnOnce) {
     Garden garden;
     garden.add_lights(12, 4, 6);
-    const auto renderer = create_renderer("deferred", &test_device(), {.width = 64, .height = 36});
+    const auto renderer = create_renderer(
+        "deferred", &test_device(), {.width = 64, .height = 36, .settings = {{"light-culling", "volumes"}}, .views = {}});
     renderer->set_world(garden.world);
     renderer->render(garden.camera);
     EXPECT_EQ(renderer->stats().draws, garden.world.instances.size());

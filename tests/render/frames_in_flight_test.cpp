@@ -185,7 +185,8 @@ TEST(FramesInFlight, FramesTakeTurnsWithTheBuffers) {
 TEST(FramesInFlight, FiguresAreOfTheLastRenderOnly) {
     Garden garden;
     garden.add_lights(10, 3, 4);
-    const Shot shot = garden.shot();
+    Shot shot = garden.shot();
+    shot.settings["light-culling"] = "volumes";
     const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
     EXPECT_EQ(renderer->stats().frames, 0u);
     renderer->set_world(garden.world);

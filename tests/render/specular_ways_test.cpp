@@ -149,7 +149,9 @@ TEST(L5SpecularWays, SettingsTakeWhatTheyNeed) {
     };
     auto settings = in_force({{"specular", "luminance"}});
     EXPECT_EQ(settings["light-buffer"], "packed-rgba16f");
-    EXPECT_EQ(settings["light-writes"], "blended");
+    EXPECT_EQ(settings["light-writes"], "once");
+    EXPECT_EQ(settings["light-culling"], "tiles"); // auto
+    settings = in_force({{"specular", "luminance"}, {"light-writes", "blended"}});
     EXPECT_EQ(settings["light-culling"], "volumes");
     settings = in_force({{"specular", "luv"}, {"light-buffer", "packed-rgba8"}});
     EXPECT_EQ(settings["light-buffer"], "packed-rgba8");

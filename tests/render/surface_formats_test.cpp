@@ -139,7 +139,7 @@ TEST(L9TwoPasses, EqualMrtByteForByte) {
             Shot shot = whole;
             shot.width = 160;
             shot.height = 90;
-            shot.settings = {{"normals", normals}, {"depth", depth}};
+            shot.settings = {{"normals", normals}, {"depth", depth}, {"light-culling", "volumes"}};
             std::vector<Image> images[2];
             for (const bool two : {false, true}) {
                 shot.settings["geometry"] = two ? "two-passes" : "mrt";
