@@ -2,7 +2,6 @@
 #include "light_draws.hpp"
 #include <algorithm>
 #include <fmt/format.h>
-#include <gpu/compute_pipeline.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -43,31 +42,6 @@ ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& fra
     return ListShading::compute;
 }
 
-namespace {
-
-/// Makes a compute pass of one pipeline.
-void compute(graph::Pass& pass, const resident::Frame& frame, const LightLists& lists, const std::string& shader,
-             const gpu::Constants& constants,
-             const std::function<void(const graph::PassContext&)>& dispatch) {
-    auto pipeline = std::make_shared<gpu::ComputePipeline>();
-    pass.prepare([=, &frame, name = pass.name()](const graph::PassInterface& interface) {
-        *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
-                                                           .shader = shader,
-                                                           .constants = constants,
-                                                           .sets = {frame.layout(), interface.inputs},
-                                                           .push_bytes = sizeof(shared::LightListConstants)});
-    });
-    pass.record([=, &frame](const graph::PassContext& context) {
-        pipeline->bind(context.commands);
-        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
-        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
-        pipeline->push(context.commands, std::as_bytes(std::span(lists.constants.get(), 1)));
-        dispatch(context);
-    });
-}
-
-} // namespace
-
 void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                              const LightingInputs& inputs, const LightLists& lists) {
     gpu::Constants constants = lighting_constants(frame, inputs);
@@ -86,7 +60,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
     const graph::BufferId lit = graph.buffer("lit blocks", *buffer);
     graph::Pass& find = graph.pass(name + "-lists lit");
     find.storage(INPUT_LIGHT_CELLS, lists.tiles, false).storage(INPUT_LIT_BLOCKS, lit, true);
-    compute(find, frame, lists, "light_lists_lit.comp", constants,
+    dispatch_lists(find, frame, lists.constants, "light_lists_lit.comp", constants,
             [](const graph::PassContext& context) { vkCmdDispatch(context.commands, 1, 1, 1); });
 
     const std::vector<graph::ImageId>& images = inputs.target.images;
@@ -105,7 +79,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
         pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
     if (keeps)
         pass.sample(INPUT_COLOUR_BEFORE, images[0]);
-    compute(pass, frame, lists, "light_list" + inputs.target.variant + ".comp", constants,
+    dispatch_lists(pass, frame, lists.constants, "light_list" + inputs.target.variant + ".comp", constants,
             [buffer](const graph::PassContext& context) {
                 if (context.one_pixel)
                     vkCmdDispatch(context.commands, 1, 1, 1);

@@ -198,23 +198,11 @@ private:
     graph::Pass& add(const std::string& name, const std::string& shader, Groups groups, gpu::Constants own = {}) {
         graph::Pass& pass = graph_.pass(name);
         own.insert(own.end(), constants_.begin(), constants_.end());
-        auto pipeline = std::make_shared<gpu::ComputePipeline>();
-        pass.prepare([pipeline, name, shader, own, &frame = frame_](const graph::PassInterface& interface) {
-            *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
-                                                               .shader = shader,
-                                                               .constants = own,
-                                                               .sets = {frame.layout(), interface.inputs},
-                                                               .push_bytes = sizeof(LightListConstants)});
-        });
-        pass.record([pipeline, groups, buffers = buffers_, &frame = frame_](const graph::PassContext& context) {
-            const LightListConstants& constants = *buffers->constants();
-            pipeline->bind(context.commands);
-            pipeline->bind_set(context.commands, SET_FRAME, frame.set());
-            pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
-            pipeline->push(context.commands, std::as_bytes(std::span(&constants, 1)));
-            const VkExtent3D count = groups(constants);
-            vkCmdDispatch(context.commands, count.width, count.height, count.depth);
-        });
+        dispatch_lists(pass, frame_, buffers_->constants(), shader, own,
+                       [groups, constants = buffers_->constants()](const graph::PassContext& context) {
+                           const VkExtent3D count = groups(*constants);
+                           vkCmdDispatch(context.commands, count.width, count.height, count.depth);
+                       });
         return pass;
     }
     void add_offsets(const char* what, graph::BufferId cells, bool coarse) {
@@ -262,6 +250,26 @@ LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& fr
     layout.cells.w = layout.cells.x * layout.cells.y * layout.cells.z;
     layout.coarse.w = layout.coarse.x * layout.coarse.y * layout.coarse.z;
     return Builder(graph, frame, name, inputs, layout, grid).build();
+}
+
+void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,
+                    std::shared_ptr<const shared::LightListConstants> push, const std::string& shader,
+                    const gpu::Constants& constants, std::function<void(const graph::PassContext&)> dispatch) {
+    auto pipeline = std::make_shared<gpu::ComputePipeline>();
+    pass.prepare([=, &frame, name = pass.name()](const graph::PassInterface& interface) {
+        *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
+                                                           .shader = shader,
+                                                           .constants = constants,
+                                                           .sets = {frame.layout(), interface.inputs},
+                                                           .push_bytes = sizeof(LightListConstants)});
+    });
+    pass.record([pipeline, dispatch = std::move(dispatch), push = std::move(push), &frame](const graph::PassContext& context) {
+        pipeline->bind(context.commands);
+        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
+        pipeline->push(context.commands, std::as_bytes(std::span(push.get(), 1)));
+        dispatch(context);
+    });
 }
 
 void declare_light_lists(graph::Pass& pass, const LightLists& lists, bool writes) {

@@ -38,6 +38,11 @@ LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& fr
 void trim_light_lists(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                       const LightingInputs& inputs, const LightLists& lists);
 
+/// Makes `pass` run one compute shader with the lists' push constants; `dispatch` is called when all is bound.
+void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,
+                    std::shared_ptr<const shared::LightListConstants> push, const std::string& shader,
+                    const gpu::Constants& constants, std::function<void(const graph::PassContext&)> dispatch);
+
 /// The lists as bindings of a pass that walks them, and its constants.
 void declare_light_lists(graph::Pass& pass, const LightLists& lists, bool writes = false);
 gpu::Constants light_list_constants(const LightLists& lists);
