@@ -1,10 +1,7 @@
 #include "light_lists.hpp"
 #include "light_grid.hpp"
-#include <algorithm>
-#include <fmt/format.h>
-#include <optional>
+#include "light_list_buffers.hpp"
 #include <gpu/compute_pipeline.hpp>
-#include <prelight/error.hpp>
 #include <shared/bindings.h>
 #include <utility>
 
@@ -14,96 +11,6 @@ namespace {
 using shared::LightListConstants;
 
 uint32_t groups_of(uint64_t count, uint32_t size) { return static_cast<uint32_t>((count + size - 1) / size); }
-
-gpu::Buffer make_storage(const resident::Frame& frame, const char* name, uint64_t size,
-                         gpu::BufferPlace place = gpu::BufferPlace::device) {
-    const uint64_t limit = frame.context().limits().maxStorageBufferRange;
-    if (size > limit)
-        throw Error(fmt::format("{}: {} for {} lights and {}x{} pixels need {} bytes, and the device's limit is {}",
-                                frame.context().name(), name, frame.light_capacity(), frame.extent().width,
-                                frame.extent().height, size, limit));
-    return gpu::Buffer(frame.context(), name, size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, place);
-}
-
-/// The buffers, and what changes from frame to frame.
-class ListBuffers {
-public:
-    ListBuffers(const resident::Frame& frame, const LightListConstants& layout, const LightGrid& grid,
-                uint64_t first_room)
-        : frame_(frame), grid_(grid), guesses_(first_room == 0), constants_(std::make_shared<LightListConstants>(layout)),
-          cells(make_storage(frame, "light cells", uint64_t(layout.cells.w) * sizeof(shared::LightCell))),
-          coarse(make_storage(frame, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::LightCell))),
-          masks(make_storage(frame, "light masks", uint64_t(layout.coarse.w) * layout.lights.w * sizeof(uint32_t))),
-          slices(make_storage(frame, "depth slices", (LIST_SLICES + 1) * sizeof(float))) {
-        for (gpu::Buffer& one : total) {
-            one = make_storage(frame, "light list total", sizeof(uint32_t), gpu::BufferPlace::readback);
-            *one.mapped<uint32_t>() = 0;
-        }
-        make_entries(all_lights() + first_room);
-    }
-
-    /// Before each frame: the buffer whose place another one took as `entries`, if so.
-    std::optional<gpu::Buffer> update(const gpu::FrameTurn& turn) {
-        const resident::LightGroups& lights = frame_.lights();
-        const auto count = [&](resident::LightGroup group) { return lights.count[static_cast<size_t>(group)]; };
-        uint64_t needed = 0; // by the frames that are done
-        for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
-            if (turn.alone || slot == turn.slot)
-                needed = std::max<uint64_t>(needed, *total[slot].mapped<uint32_t>());
-        // The first frame has no other to learn from, and neither has one with other lights.
-        const uint32_t listed = count(resident::LightGroup::listed);
-        if (guesses_ && std::exchange(listed_, listed) != listed)
-            needed = std::max(needed, std::min<uint64_t>(first_guess(), most_entries()));
-        const bool grows = needed > constants_->lights.z && constants_->lights.z < most_entries();
-        if (grows && !full_)
-            grow(needed + needed / 4);
-        const glm::dvec3 origin = grid_.low - frame_.eye();
-        constants_->grid_origin = glm::vec4(origin, 0);
-        constants_->lights.x = count(resident::LightGroup::fullscreen);
-        constants_->lights.y = listed;
-        return std::exchange(outgrown_, std::nullopt);
-    }
-    std::shared_ptr<const LightListConstants> constants() const { return constants_; }
-
-private:
-    uint64_t first_guess() const {
-        const double overlap = grid_.cells.x > 0 ? grid_overlap(grid_, frame_.placed_lights())
-                                                 : 1.5 * frame_.lights().listed_pictures * constants_->cells.w;
-        constexpr double most_guessed = 1 << 24; // 64 MiB; what is really needed is known a frame later
-        return static_cast<uint64_t>(std::min(overlap, most_guessed)) + 2 * uint64_t(constants_->cells.w) + 16 * all_lights();
-    }
-    uint64_t all_lights() const { return frame_.light_capacity(); }
-    uint64_t most_entries() const { return frame_.context().limits().maxStorageBufferRange / sizeof(uint32_t); }
-    void make_entries(uint64_t count) {
-        const uint64_t size = std::clamp<uint64_t>(count, all_lights() + 1, std::max(most_entries(), all_lights() + 1));
-        entries = make_storage(frame_, "light lists", size * sizeof(uint32_t));
-        constants_->lights.z = static_cast<uint32_t>(std::min<uint64_t>(size, 0xffffffffu));
-    }
-
-    /// A device without room keeps the lists it has: what does not fit walks all lights.
-    void grow(uint64_t count) {
-        gpu::Buffer old = std::exchange(entries, gpu::Buffer());
-        try {
-            make_entries(count);
-            outgrown_ = std::move(old);
-        } catch (const Error&) {
-            entries = std::move(old);
-            full_ = true;
-        }
-    }
-
-    const resident::Frame& frame_;
-    LightGrid grid_;
-    bool full_ = false;
-    std::optional<gpu::Buffer> outgrown_;
-    bool guesses_;
-    uint32_t listed_ = 0; ///< lights of the last frame's lists
-    std::shared_ptr<LightListConstants> constants_;
-
-public:
-    gpu::Buffer cells, coarse, masks, slices, entries;
-    gpu::PerFrame<gpu::Buffer> total; ///< read by the host when its frame is done
-};
 
 /// All compute passes of one kind of list.
 class Builder {
