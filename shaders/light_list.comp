@@ -45,6 +45,10 @@ void add_lights(LightData own, bool wanted) {
         bool lower = lanes.x != 0u, real = lower || lanes.y != 0u;
         uint lane = uint(max(findLSB(lower ? lanes.x : lanes.y), 0)) + (lower || !real ? 0u : 32u);
         lanes = lower ? uvec2(lanes.x & (lanes.x - 1u), lanes.y) : uvec2(0u, lanes.y & (lanes.y - 1u));
+#ifdef COUNT_TARGET
+        if (!real)
+            break; // counts know no colour that is 0
+#endif
         Lamp lamp = shuffled(mine, lane);
         for (int row = 0; row < rows; ++row)
             contributing[row] += add_light(sums[row], pixels[row], lamp) && real ? 1u : 0u;
@@ -55,7 +59,8 @@ void walk(LightList list) {
     uint begin = 0u;
     do {
         uint index = begin + gl_SubgroupInvocationID;
-        add_lights(lights[listed_light(list, index)], index < list.count);
+        uint light = listed_light(list, index);
+        add_lights(lights[index < list.count ? light : 0u], index < list.count);
         begin += gl_SubgroupSize;
     } while (begin < list.count);
 }
@@ -76,7 +81,9 @@ void walk_masked(MaskedList list) {
                 word += found ? 0u : 1u;
                 bits = found ? bits & (bits - 1u) : subgroupShuffle(own_bits, min(word, gl_SubgroupSize - 1u));
             } while (word < last && count < gl_SubgroupSize);
-            add_lights(lights[masked_light(list, index)], gl_SubgroupInvocationID < count);
+            uint light = masked_light(list, index);
+            bool takes = gl_SubgroupInvocationID < count;
+            add_lights(lights[takes ? light : 0u], takes);
         } while (word < last);
         chunk += gl_SubgroupSize;
     } while (chunk < list.words);
@@ -124,8 +131,9 @@ void main() {
         ivec2 pixel = first + ivec2(0, row);
         if (number >= lit_count || any(greaterThan(pixel, last)))
             continue;
-        if (pixels[row].point.surface)
-            count_lights(pixel, evaluated, contributing[row]);
+        if (!pixels[row].point.surface)
+            continue; // stays cleared
+        count_lights(pixel, evaluated, contributing[row]);
         write_sums(pixel, sums[row]);
     }
 }

@@ -36,7 +36,7 @@ void main() {
         } while (begin < all);
         if (words > 0u)
             light_entries[to + word] = bits;
-        count += uint(bitCount(bits));
+        count += words > 0u ? uint(bitCount(bits)) : 0u;
     } while (++word < words);
     if (inside)
         light_cells[index].count = fits ? count : coarse.count;

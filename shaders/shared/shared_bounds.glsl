@@ -13,7 +13,10 @@ struct SharedBounds {
 // The lights of the list from `begin` on.
 SharedBounds load_bounds(LightCell coarse, uint begin) {
     SharedBounds own;
-    own.light = light_entries[coarse.first + min(begin + gl_SubgroupInvocationID, max(coarse.count, 1u) - 1u)];
+    // A list of none stands nowhere: light 0 instead.
+    uint at = coarse.count > 0u ? coarse.first + min(begin + gl_SubgroupInvocationID, coarse.count - 1u) : 0u;
+    uint light = light_entries[at];
+    own.light = coarse.count > 0u ? light : 0u;
     own.bounds = bounds_of(lights[own.light]);
     own.depths = depths_of(own.bounds);
     return own;

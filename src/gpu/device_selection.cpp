@@ -66,7 +66,8 @@ void read_features(Candidate& candidate, const VkPhysicalDeviceFeatures& core) {
 uint32_t shuffle_lanes(const VkPhysicalDeviceSubgroupProperties& subgroups) {
     const bool shuffles = (subgroups.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT) &&
                           (subgroups.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT);
-    return shuffles ? subgroups.subgroupSize : 0;
+    // Light lists are built by workgroups of 64, whose subgroups have to be full.
+    return shuffles && subgroups.subgroupSize <= 64 ? subgroups.subgroupSize : 0;
 }
 
 Candidate examine(VkPhysicalDevice physical, uint32_t index) {

@@ -60,7 +60,10 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
     const graph::BufferId lit = graph.buffer("lit blocks", *buffer);
     graph::Pass& find = graph.pass(name + "-lists lit");
     find.storage(INPUT_LIGHT_CELLS, lists.tiles, false).storage(INPUT_LIT_BLOCKS, lit, true);
-    dispatch_lists(find, frame, lists.constants, "light_lists_lit.comp", constants,
+    // LUV takes ambient light in when it writes, other ways as a light: every surface is lit then.
+    const bool ambient = inputs.model.ambient_as_light && inputs.target.variant != "+count";
+    dispatch_lists(find, frame, lists.constants, "light_lists_lit.comp",
+                   {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_AMBIENT_TOO, ambient}},
             [](const graph::PassContext& context) { vkCmdDispatch(context.commands, 1, 1, 1); });
 
     const std::vector<graph::ImageId>& images = inputs.target.images;

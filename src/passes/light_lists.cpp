@@ -2,6 +2,7 @@
 #include "light_grid.hpp"
 #include "light_list_buffers.hpp"
 #include <gpu/compute_pipeline.hpp>
+#include <prelight/error.hpp>
 #include <shared/bindings.h>
 #include <utility>
 
@@ -139,6 +140,8 @@ uint32_t mask_words(uint64_t lights) {
 
 LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                              const LightListInputs& inputs) {
+    if (frame.context().features().shuffle_lanes == 0)
+        throw Error(frame.context().name() + ": light lists need compute shaders that shuffle within subgroups of at most 64");
     LightListConstants layout{};
     layout.lights.w = mask_words(frame.light_capacity());
     LightGrid grid;

@@ -93,6 +93,7 @@ void DeviceRenderer::set_world(const World& world) {
     frame_ = std::make_unique<resident::Frame>(context_, world, frame_settings());
     build_graph();
     world_ = &world;
+    triangles_ = world.triangles;
 }
 
 void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
@@ -104,6 +105,14 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
         return;
     drop_graph();
     build_graph();
+}
+
+void DeviceRenderer::finish() noexcept {
+    try {
+        queue_->drain();
+    } catch (const Error&) {
+        // a device that is lost draws no more
+    }
 }
 
 void DeviceRenderer::drop_graph() {
@@ -221,7 +230,7 @@ Stats DeviceRenderer::stats() const {
     stats.settings = settings_.all();
     stats.notes = graph_->notes();
     stats.lights = frame_->placed_lights().size();
-    stats.triangles = world_->triangles;
+    stats.triangles = triangles_;
     stats.draws = draws(*frame_);
     stats.triangles_drawn = frame_->visible().triangles;
     stats.frames = frames_;
@@ -235,7 +244,7 @@ Stats DeviceRenderer::stats() const {
         pass.gpu_ms = spread(samples.passes[p].second);
         pass.bytes_read = traffic[p].bytes_read;
         pass.bytes_written = traffic[p].bytes_written;
-        if (options_.pass_cpu)
+        if (p < pass_cpu_.size())
             pass.cpu_ms = spread(pass_cpu_[p]);
     }
     stats.attachment_bytes = graph_->memory_bytes();

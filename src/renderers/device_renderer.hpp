@@ -25,6 +25,8 @@ public:
     }
 
 protected:
+    /// Waits for the frames on their way: for destructors of what owns objects that they use.
+    void finish() noexcept;
     /// Throws UsageError and Error (a picture larger than the device can make).
     DeviceRenderer(Device& device, const RenderOptions& options, Settings settings);
     /// Images that read() gives, by view name; "final" among them.
@@ -66,6 +68,7 @@ private:
     std::unique_ptr<resident::Frame> frame_;
     std::unique_ptr<graph::FrameGraph> graph_;
     Views views_;
+    uint64_t triangles_ = 0; ///< of the world
     bool drawn_ = false; ///< the graph's images hold a frame
     PlacedCamera camera_; ///< of that frame
     bool warm_ = false;  ///< every pipeline of the graph has drawn once

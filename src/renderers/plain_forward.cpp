@@ -19,6 +19,7 @@ class PlainForward final : public DeviceRenderer {
 public:
     PlainForward(Device& device, const RenderOptions& options, Settings settings)
         : DeviceRenderer(device, options, std::move(settings)) {}
+    ~PlainForward() override { finish(); } // frames on their way use its pipelines
 
 private:
     resident::FrameSettings frame_settings() const override {
@@ -80,7 +81,9 @@ private:
 
     /// What the view holds, nearest first, so that most hidden pixels are never shaded.
     void sort_visible(const resident::Frame& frame) {
-        const glm::dvec3 away(glm::transpose(frame.clip_from_world())[3]); // w: view depth
+        const glm::mat4 rows = glm::transpose(frame.clip_from_world());
+        const glm::dvec3 depth(rows[3]); // w: view depth; the same everywhere for an orthographic camera
+        const glm::dvec3 away = glm::dot(depth, depth) > 0 ? depth : -glm::dvec3(rows[2]);
         nearest_.clear();
         for (const resident::VisibleDraw& visible : frame.visible().draws) {
             const resident::Draw& draw = frame.geometry().draws[visible.draw];

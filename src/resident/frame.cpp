@@ -1,6 +1,7 @@
 #include "frame.hpp"
 #include "projection.hpp"
 #include <algorithm>
+#include <cstring>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -21,7 +22,9 @@ gpu::Buffer make_upload(const gpu::Context& context, const char* name, uint64_t 
     if (size > limit)
         throw Error(fmt::format("{}: {} {} need a buffer of {} bytes, and the device's limit is {}",
                                 context.name(), count, name, size, limit));
-    return gpu::Buffer(context, name, size, usage, gpu::BufferPlace::upload);
+    gpu::Buffer buffer(context, name, size, usage, gpu::BufferPlace::upload);
+    std::memset(buffer.mapped<std::byte>(), 0, size); // shaders may read a record that no frame has written
+    return buffer;
 }
 
 /// All of a light but its name, which nobody needs here: text would cost more than the rest.

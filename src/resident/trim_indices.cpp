@@ -55,21 +55,35 @@ void IndexTrimmer::project(const Primitive& primitive, const shared::ObjectData&
             world[c][r] = object.world_row[r][c];
     world[3][3] = 1;
     const glm::mat4 clip = view_.clip_from_world * world;
+    // What the device's rounding and ours may differ by in clip space: both grow with the object's own coordinates,
+    // also where the object's place takes them away again.
+    glm::vec3 largest(0);
+    for (const glm::vec3& position : primitive.positions)
+        largest = glm::max(largest, glm::abs(position));
+    glm::vec4 error(0);
+    for (int r = 0; r < 4; ++r) {
+        for (int k = 0; k < 4; ++k)
+            for (int c = 0; c < 4; ++c)
+                error[r] += std::abs(view_.clip_from_world[k][r] * world[c][k]) * (c < 3 ? largest[c] : 1.0f);
+        error[r] *= 4e-7f;
+    }
+    const glm::vec2 slack = glm::vec2(error) + 2 * error.w;
     const float half_width = 0.5f * view_.width, half_height = 0.5f * view_.height;
     // So much beyond the edge of the picture that no rounding brings it back, in units of w.
     const float beyond_x = 1 + 1e-4f + margin_ / half_width, beyond_y = 1 + 1e-4f + margin_ / half_height;
     for (size_t v = 0; v < count; ++v) {
         const glm::vec4 p = clip * glm::vec4(primitive.positions[v], 1);
         uint8_t outside = 0;
-        outside |= p.x < -p.w * beyond_x ? outside_left : 0;
-        outside |= p.x > p.w * beyond_x ? outside_right : 0;
-        outside |= p.y < -p.w * beyond_y ? outside_top : 0;
-        outside |= p.y > p.w * beyond_y ? outside_bottom : 0;
-        const float rounding = 1e-4f * (std::abs(p.z) + std::abs(p.w));
+        outside |= p.x < -p.w * beyond_x - slack.x ? outside_left : 0;
+        outside |= p.x > p.w * beyond_x + slack.x ? outside_right : 0;
+        outside |= p.y < -p.w * beyond_y - slack.y ? outside_top : 0;
+        outside |= p.y > p.w * beyond_y + slack.y ? outside_bottom : 0;
+        const float rounding = 1e-4f * (std::abs(p.z) + std::abs(p.w)) + error.z + error.w;
         outside |= p.z > p.w + rounding ? outside_near : 0;
         outside |= p.z < -rounding ? outside_far : 0;
         const glm::vec2 place(half_width + half_width * p.x / p.w, half_height + half_height * p.y / p.w);
-        const bool known = p.w > 1e-6f && std::abs(place.x) < farthest && std::abs(place.y) < farthest;
+        const bool exact = std::max(slack.x * half_width, slack.y * half_height) * 256 < p.w; // to a 256th of a pixel
+        const bool known = exact && p.w > 1e-6f && std::abs(place.x) < farthest && std::abs(place.y) < farthest;
         place_[v] = known ? place : glm::vec2(0);
         outside_[v] = known ? outside : static_cast<uint8_t>(outside | unknown_place);
     }

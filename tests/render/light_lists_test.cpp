@@ -1,5 +1,6 @@
 // [V6] [V7]: light lists hold every light that contributes, wherever the camera is.
 #include "garden.hpp"
+#include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 #include <random>
 #include <cstring>
@@ -198,6 +199,24 @@ TEST(LightTiles, LightsOffScreenOrDarkCostNothing) { // [L8]
     nothing.lights.clear();
     shot.world = &nothing;
     EXPECT_EQ(render(test_device(), shot).evaluated, 0u);
+    expect_validation_clean(test_device());
+}
+
+TEST(LightListContents, AreTrimmedForTilesOnly) {
+    Garden garden;
+    garden.add_lights(24, 2.5f, 4);
+    Shot shot = garden.shot();
+    shot.settings = {{"light-culling", "tiles"}};
+    const Figures built = render(test_device(), shot);
+    shot.settings["light-lists"] = "perfect";
+    const Figures perfect = render(test_device(), shot);
+    EXPECT_EQ(perfect.contributing, built.contributing);
+    EXPECT_LT(perfect.evaluated, built.evaluated);
+    EXPECT_TRUE(same_bytes(perfect.linear, built.linear)); // the others add nothing
+    shot.settings["light-lists"] = "empty";
+    EXPECT_EQ(render(test_device(), shot).evaluated, 0u);
+    shot.settings["light-culling"] = "clusters";
+    EXPECT_THROW(create_renderer("light-prepass", &test_device(), options_of(shot)), UsageError);
     expect_validation_clean(test_device());
 }
 

@@ -2,6 +2,7 @@
 // each of them approximates.
 #include "garden.hpp"
 #include <prelight/error.hpp>
+#include <algorithm>
 
 namespace prelight {
 namespace {
@@ -88,6 +89,27 @@ TEST(L5SpecularWays, LuvIsWrittenOnceByEveryWayThatCan) {
             shot.settings["ambient"] = ambient;
             expect_agrees(shot);
         }
+}
+
+/// Ambient light is on surfaces that no lamp reaches too.
+TEST(L5SpecularWays, AmbientLightIsWhereNoLampIs) {
+    Garden garden;
+    Light lamp = garden.point(1.5f, 6, {0.9f, 1, 0.6f});
+    lamp.shininess = 2;
+    garden.add_light(lamp, {0.5, 1, 2});
+    for (const char* way : {"luv", "luminance"}) {
+        Shot shot = garden.shot();
+        shot.shading = Shading::phong;
+        shot.width = 160;
+        shot.height = 90;
+        shot.settings = {{"specular", way}, {"ambient", "light"}, {"light-culling", "tiles"}};
+        const Image linear = render_linear(test_device(), shot);
+        shot.settings["light-culling"] = "fullscreen";
+        shot.settings["light-writes"] = "once";
+        EXPECT_GE(compare(linear, render_linear(test_device(), shot)).psnr, 60) << way;
+        EXPECT_GT(std::ranges::count_if(linear.pixels, [](const glm::vec3& p) { return p.y > 0; }), 160 * 90 / 3) << way;
+    }
+    expect_validation_clean(test_device());
 }
 
 /// One light on every pixel: ways 2, 3 and 4 then are exactly Σ N·L att (N·H)^(n·mn).

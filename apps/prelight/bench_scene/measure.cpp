@@ -71,7 +71,9 @@ private:
                 progress_.show(share_of_survey * double(j * stops_.size() + stop) / double(jobs_.size() * stops_.size()),
                                "pairs of " + place(job, stop));
                 renderer->set_lights(lights_of(job, stop));
-                renderer->render(camera_, 2); // lists that did not fit have grown for the second
+                renderer->render(camera_);
+                renderer->stats(); // waits: lists that did not fit grow before the frame that counts
+                renderer->render(camera_);
                 alone_.push_back({&job, stops_[stop], renderer->stats()});
             }
         } catch (const Error& error) {
@@ -99,6 +101,7 @@ private:
             show(s, 0, "warm-up of " + jobs_[j].name());
             renderers[j]->set_lights(lights_of(jobs_[j], s));
             renderers[j]->render(camera_);
+            renderers[j]->stats(); // waits, so that no other frame is drawn while one is timed
             contenders.push_back({.renderer = renderers[j].get(),
                                   .stats = {},
                                   .error = {},
