@@ -7,15 +7,11 @@
 namespace prelight::passes {
 namespace {
 
-constexpr uint32_t block = LIT_BLOCK;
-
 /// Why compute cannot be had; empty: it can.
 std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
     const gpu::Context& context = frame.context();
     if (frame.culling() != resident::LightCulling::tiles)
         return "is for light-culling=tiles";
-    if (context.features().shuffle_lanes == 0 || context.features().shuffle_lanes > block * block)
-        return fmt::format("needs subgroup shuffles, which {} has not", context.name());
     if (!context.features().store_without_format)
         return fmt::format("needs storage images without format, which {} has not", context.name());
     for (const graph::ImageId image : inputs.target.images)
@@ -25,8 +21,8 @@ std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& fram
     return {};
 }
 
-/// Rows of pixels of an invocation: as many as leave a subgroup full.
-uint32_t rows_of(uint32_t lanes) { return std::clamp(block * block / std::max(lanes, 1u), 1u, block); }
+/// Rows of pixels of an invocation: as many as leave a subgroup full. `lanes`: 1 … 64, light_list_passes() has seen to it.
+uint32_t rows_of(uint32_t lanes) { return std::clamp<uint32_t>(LIT_BLOCK * LIT_BLOCK / lanes, 1, LIT_BLOCK); }
 
 } // namespace
 
@@ -44,10 +40,8 @@ ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& fra
 
 void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                              const LightingInputs& inputs, const LightLists& lists) {
-    gpu::Constants constants = lighting_constants(frame, inputs);
-    const gpu::Constants own = light_list_constants(lists);
+    gpu::Constants constants = list_lighting_constants(frame, inputs, lists);
     const uint32_t rows = rows_of(frame.context().features().shuffle_lanes);
-    constants.insert(constants.end(), own.begin(), own.end());
     constants.insert(constants.end(), {{CONSTANT_LIST_ROWS, rows},
                                        {CONSTANT_LIST_GROUP_ROWS, LIT_BLOCK / rows},
                                        {CONSTANT_LIST_MASKED, lists.masked},

@@ -16,8 +16,7 @@ public:
         gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light_list");
         desc.name = "light lists";
         desc.vertex = "light_fullscreen.vert";
-        const gpu::Constants own = light_list_constants(lists);
-        desc.constants.insert(desc.constants.end(), own.begin(), own.end());
+        desc.constants = list_lighting_constants(frame, inputs, lists);
         desc.depth = gpu::DepthTest::surface_only;
         desc.blend = inputs.target.load == graph::Load::keep ? gpu::Blend::add : gpu::Blend::none;
         desc.push_bytes = sizeof(shared::LightListConstants);

@@ -192,4 +192,11 @@ gpu::Constants light_list_constants(const LightLists& lists) {
     return {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_LIST_SLICED, lists.sliced}};
 }
 
+gpu::Constants list_lighting_constants(const resident::Frame& frame, const LightingInputs& inputs, const LightLists& lists) {
+    gpu::Constants constants = lighting_constants(frame, inputs);
+    const gpu::Constants own = light_list_constants(lists);
+    constants.insert(constants.end(), own.begin(), own.end());
+    return constants;
+}
+
 } // namespace prelight::passes

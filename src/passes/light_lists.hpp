@@ -46,5 +46,7 @@ void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,
 /// The lists as bindings of a pass that walks them, and its constants.
 void declare_light_lists(graph::Pass& pass, const LightLists& lists, bool writes = false);
 gpu::Constants light_list_constants(const LightLists& lists);
+/// These and lighting_constants(): of shaders that walk lists and evaluate lights.
+gpu::Constants list_lighting_constants(const resident::Frame& frame, const LightingInputs& inputs, const LightLists& lists);
 
 } // namespace prelight::passes

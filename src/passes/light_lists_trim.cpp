@@ -10,9 +10,7 @@ void trim_light_lists(graph::FrameGraph& graph, const resident::Frame& frame, co
     graph::Pass& pass = graph.pass(name + (empty ? "-lists empty" : "-lists perfect"));
     declare_lit_surface(graph, pass, inputs);
     declare_light_lists(pass, lists, true);
-    gpu::Constants constants = lighting_constants(frame, inputs);
-    const gpu::Constants own = light_list_constants(lists);
-    constants.insert(constants.end(), own.begin(), own.end());
+    gpu::Constants constants = list_lighting_constants(frame, inputs, lists);
     constants.emplace_back(CONSTANT_LIST_EMPTY, empty);
     dispatch_lists(pass, frame, lists.constants, "light_lists_perfect.comp", constants,
                    [cells = lists.constants](const graph::PassContext& context) {

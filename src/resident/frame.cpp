@@ -27,6 +27,17 @@ gpu::Buffer make_upload(const gpu::Context& context, const char* name, uint64_t 
     return buffer;
 }
 
+uint32_t kinds_of(std::span<const PlacedLight> lights) {
+    uint32_t kinds = 0;
+    for (const PlacedLight& placed : lights) {
+        const Light& light = placed.light;
+        kinds |= light.kind == LightKind::spot ? LIGHT_KIND_SPOT : 0;
+        kinds |= light.kind == LightKind::directional ? LIGHT_KIND_DIRECTIONAL : 0;
+        kinds |= light.falloff != Falloff::gltf ? LIGHT_KIND_SEED_FALLOFF : 0;
+    }
+    return kinds;
+}
+
 /// All of a light but its name, which nobody needs here: text would cost more than the rest.
 void place(PlacedLight& target, const PlacedLight& light) {
     target.light.kind = light.light.kind;
@@ -44,7 +55,7 @@ void place(PlacedLight& target, const PlacedLight& light) {
 } // namespace
 
 Frame::Frame(const gpu::Context& context, const World& world, const FrameSettings& settings)
-    : context_(context), world_(world), settings_(settings), placed_(world.lights),
+    : context_(context), world_(world), settings_(settings), placed_(world.lights), kinds_(kinds_of(placed_)),
       geometry_(upload_geometry(context, world, settings.motion)),
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)) {
     for (Slot& slot : slots_) {
@@ -101,7 +112,6 @@ void Frame::make_light_buffers(size_t lights) {
 
 bool Frame::set_lights(std::span<const PlacedLight> lights) {
     const double start = thread_ms();
-    const uint32_t known = light_kinds();
     const bool fits = lights.size() <= capacity_;
     if (!fits) { // with some room, so that adding one at a time is cheap
         const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
@@ -110,7 +120,8 @@ bool Frame::set_lights(std::span<const PlacedLight> lights) {
     placed_.resize(lights.size());
     for (size_t i = 0; i < lights.size(); ++i)
         place(placed_[i], lights[i]);
-    const bool as_before = fits && (light_kinds() & ~known) == 0;
+    const uint32_t known = std::exchange(kinds_, kinds_of(placed_));
+    const bool as_before = fits && (kinds_ & ~known) == 0;
     set_lights_ms_ += thread_ms() - start;
     return as_before;
 }
@@ -147,17 +158,6 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     times_ = {.lights = std::exchange(set_lights_ms_, 0.0) + lights_end - start,
               .culling = thread_ms() - objects_end,
               .objects = objects_end - lights_end};
-}
-
-uint32_t Frame::light_kinds() const {
-    uint32_t kinds = 0;
-    for (const PlacedLight& placed : placed_) {
-        const Light& light = placed.light;
-        kinds |= light.kind == LightKind::spot ? LIGHT_KIND_SPOT : 0;
-        kinds |= light.kind == LightKind::directional ? LIGHT_KIND_DIRECTIONAL : 0;
-        kinds |= light.falloff != Falloff::gltf ? LIGHT_KIND_SEED_FALLOFF : 0;
-    }
-    return kinds;
 }
 
 } // namespace prelight::resident

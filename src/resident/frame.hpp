@@ -70,7 +70,7 @@ public:
     /// The most lights that set_lights() takes without anything being built anew.
     size_t light_capacity() const { return capacity_; }
     /// LIGHT_KIND_… bits of the lights there are: shaders leave out what only the others need.
-    uint32_t light_kinds() const;
+    uint32_t light_kinds() const { return kinds_; }
 
 private:
     void make_draw_buffers();
@@ -80,6 +80,7 @@ private:
     const World& world_;
     FrameSettings settings_;
     std::vector<PlacedLight> placed_;
+    uint32_t kinds_ = 0; ///< of placed_, found when they come: every frame may bring 65,536
     size_t capacity_ = 0; ///< lights that the buffers hold
     Geometry geometry_;
     Materials materials_;
