@@ -7,6 +7,10 @@
 
 layout(constant_id = CONSTANT_VIEW) const int view = VIEW_DEPTH;
 layout(location = 0) out vec4 out_colour;
+#ifdef LIGHT_PAIR
+#include "shared/light_pair.glsl"
+layout(set = SET_INPUTS, binding = INPUT_MATERIAL) uniform utexture2D pair_buffer;
+#endif
 
 // Black, blue, cyan, green, yellow, red, white at 0, 1, 4, 16, 64, 256, 1,024 lights.
 vec3 heat(float count) {
@@ -29,7 +33,12 @@ vec3 wheel(vec2 pixels) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     // Of the inputs, INPUT_NORMAL holds the buffer that is looked at.
+#ifdef LIGHT_PAIR
+    uvec4 bits = texelFetch(pair_buffer, pixel, 0);
+    vec4 value = half_floats(view == VIEW_SECOND_LIGHT ? bits.zw : bits.xy);
+#else
     vec4 value = texelFetch(normal_buffer, pixel, 0);
+#endif
     vec3 world;
     bool surface = read_position(pixel, world);
     vec3 colour;
@@ -41,7 +50,7 @@ void main() {
         colour = surface ? read_normal(pixel) * 0.5 + 0.5 : vec3(0.0);
     } else if (view == VIEW_ROUGHNESS) {
         colour = vec3(surface ? read_roughness(pixel) : 0.0);
-    } else if (view == VIEW_LIGHT) {
+    } else if (view == VIEW_LIGHT || view == VIEW_SECOND_LIGHT) {
         // As a white diffuse surface would show it.
         colour = srgb_encode(tonemap_pbr_neutral(value.rgb * frame.light_buffer.x / 3.14159265));
     } else if (view == VIEW_LIGHT_ALPHA) {

@@ -14,7 +14,7 @@
 #define INPUT_NORMAL 1
 #define INPUT_ROUGHNESS 2
 #define INPUT_PAIR_COUNTERS 3
-#define INPUT_MATERIAL 4  // deferred shading: RT2
+#define INPUT_MATERIAL 4  // deferred shading: RT2; views: the light buffer's pair
 #define INPUT_ALBEDO 5    // and RT3
 // material pass
 #define INPUT_DIFFUSE_LIGHT 0
@@ -178,5 +178,6 @@
 #define VIEW_ALBEDO 8
 #define VIEW_SPECULAR 9
 #define VIEW_MOTION 10
+#define VIEW_SECOND_LIGHT 11  // the other half of a pair
 
 #endif

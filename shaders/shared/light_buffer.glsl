@@ -7,7 +7,8 @@
 
 layout(constant_id = CONSTANT_PACKED_LIGHT) const bool packed_light = false;
 layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_STORED;
-#ifdef LIGHT_BITS  // half floats as they lie in memory: graph::Pass::sample_bits()
+#if defined(LIGHT_BITS) || defined(LIGHT_PAIR)  // half floats as they lie in memory
+#include "shared/light_pair.glsl"
 #define LIGHT_TEXTURE utexture2D
 #else
 #define LIGHT_TEXTURE texture2D
@@ -15,12 +16,18 @@ layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_ST
 layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform LIGHT_TEXTURE diffuse_light;
 layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform LIGHT_TEXTURE specular_light;
 
-vec4 fetch_light(LIGHT_TEXTURE light, ivec2 pixel) {
-#ifdef LIGHT_BITS
-    uvec2 bits = texelFetch(light, pixel, 0).rg;
-    return vec4(unpackHalf2x16(bits.x), unpackHalf2x16(bits.y));
+struct LightTexels {
+    vec4 first, second;
+};
+
+LightTexels fetch_light(ivec2 pixel) {
+#ifdef LIGHT_PAIR
+    uvec4 bits = texelFetch(diffuse_light, pixel, 0);
+    return LightTexels(half_floats(bits.xy), half_floats(bits.zw));
+#elif defined(LIGHT_BITS)  // graph::Pass::sample_bits()
+    return LightTexels(half_floats(texelFetch(diffuse_light, pixel, 0).rg), half_floats(texelFetch(specular_light, pixel, 0).rg));
 #else
-    return texelFetch(light, pixel, 0);
+    return LightTexels(texelFetch(diffuse_light, pixel, 0), texelFetch(specular_light, pixel, 0));
 #endif
 }
 
@@ -33,18 +40,19 @@ struct Light {
 Light read_light() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     // Blending may have gone past the largest half float.
-    vec4 first = fetch_light(diffuse_light, pixel);
+    LightTexels texels = fetch_light(pixel);
+    vec4 first = texels.first;
     float luv_luminance = first.b;
     if (specular_way == SPECULAR_LUV)
         first.rgb = luv_decode(first.rg) * luv_luminance;
     first = min(first * frame.light_buffer.x, vec4(65504.0));
     if (!packed_light) {
-        vec4 second = min(fetch_light(specular_light, pixel) * frame.light_buffer.x, vec4(65504.0));
+        vec4 second = min(texels.second * frame.light_buffer.x, vec4(65504.0));
         return Light(first, second, 0.0);
     }
     float weight = luminance(first.rgb);
     if (specular_way == SPECULAR_FIFTH_CHANNEL)
-        weight = fetch_light(specular_light, pixel).r * frame.light_buffer.x;
+        weight = texels.second.r * frame.light_buffer.x;
     if (specular_way == SPECULAR_LUV)
         weight = luv_luminance * frame.light_buffer.x;
     return Light(vec4(first.rgb, 0.0), vec4(first.aaa, 0.0), min(weight, 65504.0));

@@ -68,6 +68,8 @@ void write_sums(ivec2 pixel, LightSums sums) {
     if (specular_way == SPECULAR_LUV)
         diffuse = vec3(luv_encode(diffuse), luminance(diffuse));
     write_first(pixel, stored(vec4(diffuse, channel4)));
+#elif defined(LIGHT_PAIR)
+    write_pair(pixel, stored(sums.diffuse * scale), stored(sums.specular * scale));
 #else
     if (specular_way == SPECULAR_FIFTH_CHANNEL) {
         write_first(pixel, stored(vec4(sums.diffuse.rgb * scale, channel4)));

@@ -5,11 +5,17 @@
 #extension GL_EXT_samplerless_texture_functions : require
 
 #ifdef STORAGE_TARGET
+#ifdef LIGHT_PAIR
+#include "shared/light_pair.glsl"
+layout(set = SET_INPUTS, binding = INPUT_LIGHT_TARGET) uniform writeonly uimage2D pair_target;
+void write_pair(ivec2 pixel, vec4 first, vec4 second) { imageStore(pair_target, pixel, light_pair(first, second)); }
+#else
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_TARGET) uniform writeonly image2D first_target;
 void write_first(ivec2 pixel, vec4 value) { imageStore(first_target, pixel, value); }
 #ifndef ONE_TARGET
 layout(set = SET_INPUTS, binding = INPUT_SECOND_LIGHT_TARGET) uniform writeonly image2D second_target;
 void write_second(ivec2 pixel, vec4 value) { imageStore(second_target, pixel, value); }
+#endif
 #endif
 #ifdef DEFERRED_TARGET  // what the target held; draws blend instead
 layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform texture2D target_before;

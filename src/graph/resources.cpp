@@ -33,6 +33,7 @@ constexpr FormatInfo formats[] = {
     {VK_FORMAT_R16G16B16A16_SFLOAT, 8, "RGBA16F"},
     {VK_FORMAT_R32G32_SFLOAT, 8, "RG32F"},
     {VK_FORMAT_R32G32B32A32_SFLOAT, 16, "RGBA32F"},
+    {VK_FORMAT_R32G32B32A32_UINT, 16, "RGBA32UI"},
 };
 
 const FormatInfo& find(VkFormat format) {

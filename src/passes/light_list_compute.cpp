@@ -7,13 +7,19 @@
 namespace prelight::passes {
 namespace {
 
-/// Why compute cannot be had; empty: it can.
-std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
-    const gpu::Context& context = frame.context();
+/// Why compute cannot be had, whatever the target; empty: it can.
+std::string obstacle(const resident::Frame& frame) {
     if (frame.culling() != resident::LightCulling::tiles)
         return "is for light-culling=tiles";
-    if (!context.features().store_without_format)
-        return fmt::format("needs storage images without format, which {} has not", context.name());
+    if (!frame.context().features().store_without_format)
+        return fmt::format("needs storage images without format, which {} has not", frame.context().name());
+    return {};
+}
+
+std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
+    const gpu::Context& context = frame.context();
+    if (std::string why_not = obstacle(frame); !why_not.empty())
+        return why_not;
     for (const graph::ImageId image : inputs.target.images)
         if (!context.supports(graph.desc(image).format, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT))
             return fmt::format("needs storage images of {}, which {} has not",
@@ -25,6 +31,11 @@ std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& fram
 uint32_t rows_of(uint32_t lanes) { return std::clamp<uint32_t>(LIT_BLOCK * LIT_BLOCK / lanes, 1, LIT_BLOCK); }
 
 } // namespace
+
+bool light_pair_pays(const resident::Frame& frame, const LightModel& model, ListShading asked) {
+    return asked != ListShading::fragment && frame.context().is_software() && obstacle(frame).empty() &&
+           model.buffer == LightBufferFormat::rgba16f && model.specular != SpecularWay::fifth_channel;
+}
 
 ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs) {
     const ListShading asked = inputs.list_shading;

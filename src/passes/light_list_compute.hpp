@@ -8,6 +8,10 @@ namespace prelight::passes {
 /// what was asked for cannot be had.
 ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& inputs);
 
+/// True where the light buffer should be one image of pairs (make_light_buffer()): a software device with such a pass,
+/// and the model's light buffer is a pair of RGBA16F.
+bool light_pair_pays(const resident::Frame& frame, const LightModel& model, ListShading asked);
+
 /// The lights of each tile by a compute pass that writes the target as storage images, once a pixel: each
 /// invocation of a subgroup loads another light and hands it to its neighbours. Ambient light, if it is
 /// one, is summed with the others.

@@ -7,7 +7,7 @@ namespace prelight::passes {
 /// Where a light pass puts its sums. The shaders have one variant for each kind of target
 /// (shaders/shared/light_sums.glsl).
 struct LightTarget {
-    std::string variant;                ///< "" light buffer, "+packed", "+count", "+deferred"
+    std::string variant;                ///< "" light buffer, "+packed", "+pair", "+count", "+deferred"
     std::vector<graph::ImageId> images; ///< colour attachments, in the order of the variant's outputs
     graph::Load load = graph::Load::clear;
     gpu::Constants constants;           ///< of the variant
@@ -41,8 +41,13 @@ struct LightBuffer {
     graph::ImageId diffuse;
     graph::ImageId specular;
     LightTarget target;
+    bool pair = false; ///< both lie in `diffuse`: is_light_pair()
 };
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model);
+/// `pair`: as light_pair_pays() says.
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair = false);
+/// Four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel (shaders/shared/light_pair.glsl),
+/// which only a light pass that writes each pixel once can fill.
+bool is_light_pair(VkFormat format);
 
 /// RGBA16F: lights evaluated in R, contributing in G, for --view light-count.
 LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& frame);

@@ -14,6 +14,7 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     graph::Pass& pass = graph.pass(name);
     pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f})
         .depth_test(inputs.depth);
+    const bool pair = inputs.light.pair;
     const bool bits = frame.context().is_software() && is_half(graph, inputs.light.diffuse) &&
                       is_half(graph, inputs.light.specular);
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
@@ -30,7 +31,7 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
                                        : "material_metallic_roughness+weighted";
     draw_surfaces(pass, frame,
                   {.name = "material",
-                   .fragment = shader + (bits ? "+bits.frag" : ".frag"),
+                   .fragment = shader + (pair ? "+pair.frag" : bits ? "+bits.frag" : ".frag"),
                    .constants = constants,
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,

@@ -1,5 +1,6 @@
 #include "view.hpp"
 #include "fullscreen.hpp"
+#include "lighting.hpp"
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -8,13 +9,16 @@ graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                          ViewKind kind, const SurfaceBuffers& surface, graph::ImageId buffer) {
     const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, frame.extent()});
     graph::Pass& pass = graph.pass("view-" + name);
+    const bool pair = is_light_pair(graph.desc(buffer).format);
     pass.colour(target, graph::Load::discard)
         .sample(INPUT_DEPTH, surface.depth_source)
-        .sample(INPUT_NORMAL, buffer)
+        .sample(INPUT_NORMAL, pair ? surface.normal : buffer)
         .sample(INPUT_ROUGHNESS, surface.roughness);
+    if (pair)
+        pass.sample(INPUT_MATERIAL, buffer);
     gpu::Constants constants = surface.format.constants();
     constants.emplace_back(CONSTANT_VIEW, static_cast<uint32_t>(kind));
-    draw_fullscreen(pass, frame, "view.frag", constants);
+    draw_fullscreen(pass, frame, pair ? "view+pair.frag" : "view.frag", constants);
     return target;
 }
 

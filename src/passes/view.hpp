@@ -9,6 +9,7 @@ enum class ViewKind {
     albedo,   ///< of a G-buffer: RT3
     specular, ///< of a G-buffer: the target that holds it
     motion,   ///< of a G-buffer: RT2
+    second_light, ///< the other half of a pair in one image
 };
 
 /// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.

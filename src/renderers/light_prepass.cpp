@@ -5,6 +5,7 @@
 #include "light_culling_choice.hpp"
 #include "light_model_settings.hpp"
 #include "light_prepass_presets.hpp"
+#include <passes/light_list_compute.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/materials.hpp>
 #include <passes/view.hpp>
@@ -42,14 +43,15 @@ private:
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto surface = passes::depth_normal_pass(graph, frame, surface_format(settings()));
-        const auto light = passes::make_light_buffer(graph, frame, model_);
+        const auto list_shading = passes::list_shading(settings().get("list-shading"));
+        const auto light = passes::make_light_buffer(graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading));
         const passes::LightingInputs lighting{.surface = surface,
                                         .model = model_,
                                         .target = light.target,
                                         .pair_counters = &pair_counters(),
                                         .count_pairs = options().count_pairs,
                                         .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
-                                        .list_shading = passes::list_shading(settings().get("list-shading")),
+                                        .list_shading = list_shading,
                                         .list_contents = passes::list_contents(settings().get("light-lists")),
                                         .write_once = settings().is("light-writes", "once")};
         passes::light_pass(graph, frame, "light", lighting);
@@ -70,7 +72,7 @@ private:
         if (model_.packed())
             show("specular-light", ViewKind::light_alpha, light.diffuse);
         else
-            show("specular-light", ViewKind::light, light.specular);
+            show("specular-light", light.pair ? ViewKind::second_light : ViewKind::light, light.specular);
         for (const bool specular : {false, true})
             if (const char* name = specular ? "specular-sum" : "diffuse-sum"; wants(name))
                 views[name] = passes::light_sum_pass(graph, frame, materials, specular);
