@@ -118,7 +118,7 @@ void main() {
         pixels[row] = read_pixel(min(first + ivec2(0, row), last));
         sums[row] = no_light();
         contributing[row] = 0u;
-        if (ambient_too)
+        if (ambient_too && pixels[row].point.surface)
             add_ambient(sums[row]);
     }
     front = front_of_pixels();
@@ -131,9 +131,12 @@ void main() {
         ivec2 pixel = first + ivec2(0, row);
         if (number >= lit_count || any(greaterThan(pixel, last)))
             continue;
-        if (!pixels[row].point.surface)
-            continue; // stays cleared
-        count_lights(pixel, evaluated, contributing[row]);
+        bool surface = pixels[row].point.surface;
+        count_lights(pixel, surface ? evaluated : 0u, contributing[row]);
+#ifdef DEFERRED_TARGET
+        if (!surface)
+            continue; // stays as it is; elsewhere the sum of nothing takes the place of what was here before
+#endif
         write_sums(pixel, sums[row]);
     }
 }

@@ -24,6 +24,9 @@ set(PRELIGHT_SHADER_VARIANTS
     "light_list+count.frag|light_list.frag|-DCOUNT_TARGET"
     "light_list+deferred.frag|light_list.frag|-DDEFERRED_TARGET"
     "light_list+packed.comp|light_list.comp|-DONE_TARGET"
+    "light_list_clear+packed.comp|light_list_clear.comp|-DONE_TARGET"
+    "light_list_clear+count.comp|light_list_clear.comp|-DONE_TARGET"
+    "light_list_clear+pair.comp|light_list_clear.comp|-DLIGHT_PAIR"
     "light_list+count.comp|light_list.comp|-DCOUNT_TARGET"
     "light_list+deferred.comp|light_list.comp|-DDEFERRED_TARGET"
     # Cells in the world instead of on the screen: no depth buffer is bound.

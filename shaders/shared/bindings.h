@@ -33,6 +33,8 @@
 #define INPUT_SECOND_LIGHT_TARGET 17
 #define INPUT_COLOUR_BEFORE 18
 #define INPUT_LIT_BLOCKS 19
+#define INPUT_LIT_BEFORE 20
+#define INPUT_STALE_BLOCKS 21
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0

@@ -60,9 +60,11 @@ void write_sums(ivec2 pixel, LightSums sums) {
     float scale = 1.0 / frame.light_buffer.x;
     float channel4 = luminance(sums.specular.rgb) * scale;
 #ifdef ONE_TARGET
+#ifndef STORAGE_TARGET
     // Chromaticity does not add up: ambient light cannot be blended to it later.
     if (specular_way == SPECULAR_LUV && ambient_as_light)
         add_ambient(sums);
+#endif
     vec3 diffuse = sums.diffuse.rgb * scale;
     // Chromaticity comes from the sum: that is the mean of the lights' own, weighted by energy.
     if (specular_way == SPECULAR_LUV)

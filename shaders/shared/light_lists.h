@@ -34,7 +34,8 @@ struct LightCell {
     uint first, count;
 };
 
-// Before the numbers of the blocks of pixels that have a light: VkDispatchIndirectCommand, and their count.
+// Before the numbers of blocks of pixels, those that have a light or those that had one in the frame before:
+// VkDispatchIndirectCommand, and their count.
 struct LitBlocks {
     uvec4 dispatch;
 };

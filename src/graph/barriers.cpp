@@ -59,9 +59,10 @@ void FrameGraph::derive_image_barriers(GraphImage& image, uint32_t index) {
 
     // The first use waits for whatever used this memory before: an image that was here earlier in
     // the frame, or anything of the frame before.
+    const std::vector<Group> groups = group_uses(uses);
     Access before = everything_that_shares_memory(image);
-    before.layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    for (const Group& group : group_uses(uses)) {
+    before.layout = image.persists ? groups.back().access.layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    for (const Group& group : groups) {
         VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
         barrier.srcStageMask = before.stages;
         barrier.srcAccessMask = before.access & write_bits;

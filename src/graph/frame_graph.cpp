@@ -149,6 +149,8 @@ Pass& FrameGraph::pass(std::string name) {
 
 void FrameGraph::keep(ImageId image) { images_[image.index].kept = true; }
 
+void FrameGraph::persist(ImageId image) { images_[image.index].persists = true; }
+
 Access FrameGraph::sampled_access(const Pass& pass, ImageId image) const {
     Access access = Access::sampled(is_depth(images_[image.index].desc.format));
     if (pass.stencil_ && pass.depth_->image == image)
@@ -169,6 +171,7 @@ void FrameGraph::compile() {
     place_images();
     create_views();
     derive_barriers();
+    clear_persistent();
     prepare_passes();
     if (passes_.empty())
         return;

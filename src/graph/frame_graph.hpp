@@ -153,6 +153,8 @@ public:
     Pass& pass(std::string name);
     /// The image's content stays for read_back() after the frame.
     void keep(ImageId image);
+    /// The colour image's content stays for the next frame, and is 0 before the first. It shares memory with none.
+    void persist(ImageId image);
     const ImageDesc& desc(ImageId image) const { return images_[image.index].desc; }
     const std::string& name(ImageId image) const { return images_[image.index].name; }
 
@@ -187,9 +189,10 @@ private:
         std::string name;
         ImageDesc desc;
         bool kept = false;
+        bool persists = false;
         bool as_bits = false; ///< some pass reads it by sample_bits()
         VkImageUsageFlags usage = 0;
-        uint32_t first = 0xffffffffu, last = 0; ///< living passes; last is huge when kept
+        uint32_t first = 0xffffffffu, last = 0; ///< living passes; last is huge when kept, and so are both ends when it persists
         VkMemoryRequirements requirements{};
         uint64_t offset = 0;
         gpu::UniqueImage image;
@@ -211,6 +214,7 @@ private:
     void create_images();
     void place_images();
     void create_views();
+    void clear_persistent() const;
     gpu::UniqueImageView create_view(const GraphImage& image, VkImageAspectFlags aspects, VkFormat format) const;
     VkImageView sampled_view(const Pass& pass, uint32_t binding, const GraphImage& image) const;
     void derive_barriers();

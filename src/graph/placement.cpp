@@ -30,11 +30,18 @@ void FrameGraph::find_lifetimes() {
         for (const auto& [binding, image] : pass.stored_)
             images_[image.index].usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     }
-    for (GraphImage& image : images_)
-        if (image.kept && image.usage) {
-            image.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    for (GraphImage& image : images_) {
+        if (!image.usage)
+            continue;
+        if (image.kept || image.persists)
             image.last = 0xfffffffeu;
+        if (image.kept)
+            image.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+        if (image.persists) {
+            image.first = 0;
+            image.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
         }
+    }
 }
 
 void FrameGraph::create_images() {

@@ -27,6 +27,20 @@ std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& fram
     return {};
 }
 
+/// A list of blocks of pixels that the device writes and dispatches over.
+struct BlockList {
+    BlockList(graph::FrameGraph& graph, const resident::Frame& frame, const char* name, uint64_t room)
+        : buffer(std::make_shared<gpu::Buffer>(frame.context(), name, sizeof(shared::LitBlocks) + room * sizeof(uint32_t),
+                                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                                               gpu::BufferPlace::device)),
+          id(graph.buffer(name, *buffer)) {}
+    void dispatch(const graph::PassContext& context) const {
+        vkCmdDispatchIndirect(context.commands, buffer->handle(), 0);
+    }
+    std::shared_ptr<gpu::Buffer> buffer;
+    graph::BufferId id;
+};
+
 /// Rows of pixels of an invocation: as many as leave a subgroup full. `lanes`: 1 … 64, light_list_passes() has seen to it.
 uint32_t rows_of(uint32_t lanes) { return std::clamp<uint32_t>(LIT_BLOCK * LIT_BLOCK / lanes, 1, LIT_BLOCK); }
 
@@ -51,49 +65,58 @@ ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& fra
 
 void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                              const LightingInputs& inputs, const LightLists& lists) {
+    const std::vector<graph::ImageId>& images = inputs.target.images;
+    const bool keeps = inputs.target.load == graph::Load::keep;
+    // With ambient light as a light every surface is lit.
+    const bool ambient = inputs.model.ambient_as_light && inputs.target.variant != "+count";
+    const auto store = [&](graph::Pass& pass) {
+        pass.store(INPUT_LIGHT_TARGET, images[0]);
+        if (images.size() > 1)
+            pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
+    };
+
+    const uint64_t blocks = uint64_t(lists.constants->blocks.x) * lists.constants->blocks.y, words = (blocks + 31) / 32;
+    const BlockList lit(graph, frame, "lit blocks", blocks), stale(graph, frame, "stale blocks", blocks + words);
+    const auto before = std::make_shared<gpu::Buffer>(gpu::make_device_buffer(
+        frame.context(), "blocks lit before", std::vector<std::byte>(words * sizeof(uint32_t)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    graph::Pass& find = graph.pass(name + "-lists lit");
+    find.storage(INPUT_LIGHT_CELLS, lists.tiles, false)
+        .storage(INPUT_LIT_BLOCKS, lit.id, true)
+        .storage(INPUT_STALE_BLOCKS, stale.id, true)
+        .storage(INPUT_LIT_BEFORE, graph.buffer("blocks lit before", *before), true);
+    dispatch_lists(find, frame, lists.constants, "light_lists_lit.comp",
+                   {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_AMBIENT_TOO, ambient}},
+                   [before, stale](const graph::PassContext& context) { vkCmdDispatch(context.commands, 1, 1, 1); });
+
+    if (!keeps) { // blocks without light stay as they are: a clear of the whole picture costs more than few lights
+        for (const graph::ImageId image : images)
+            graph.persist(image);
+        graph::Pass& clear = graph.pass(name + " clear");
+        clear.storage(INPUT_STALE_BLOCKS, stale.id, false).indirect(stale.id);
+        store(clear);
+        dispatch_lists(clear, frame, lists.constants, "light_list_clear" + inputs.target.variant + ".comp", {},
+                       [stale](const graph::PassContext& context) { stale.dispatch(context); });
+    }
     gpu::Constants constants = list_lighting_constants(frame, inputs, lists);
     const uint32_t rows = rows_of(frame.context().features().shuffle_lanes);
     constants.insert(constants.end(), {{CONSTANT_LIST_ROWS, rows},
                                        {CONSTANT_LIST_GROUP_ROWS, LIT_BLOCK / rows},
                                        {CONSTANT_LIST_MASKED, lists.masked},
-                                       {CONSTANT_AMBIENT_TOO, AmbientDraw::needed(inputs)}});
-
-    const uint64_t blocks = uint64_t(lists.constants->blocks.x) * lists.constants->blocks.y;
-    auto buffer = std::make_shared<gpu::Buffer>(
-        frame.context(), "lit blocks", sizeof(shared::LitBlocks) + blocks * sizeof(uint32_t),
-        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, gpu::BufferPlace::device);
-    const graph::BufferId lit = graph.buffer("lit blocks", *buffer);
-    graph::Pass& find = graph.pass(name + "-lists lit");
-    find.storage(INPUT_LIGHT_CELLS, lists.tiles, false).storage(INPUT_LIT_BLOCKS, lit, true);
-    // LUV takes ambient light in when it writes, other ways as a light: every surface is lit then.
-    const bool ambient = inputs.model.ambient_as_light && inputs.target.variant != "+count";
-    dispatch_lists(find, frame, lists.constants, "light_lists_lit.comp",
-                   {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_AMBIENT_TOO, ambient}},
-            [](const graph::PassContext& context) { vkCmdDispatch(context.commands, 1, 1, 1); });
-
-    const std::vector<graph::ImageId>& images = inputs.target.images;
-    const bool keeps = inputs.target.load == graph::Load::keep;
-    if (!keeps) { // blocks without light keep this
-        graph::Pass& clear = graph.pass(name + " clear");
-        for (const graph::ImageId image : images)
-            clear.colour(image, graph::Load::clear);
-        clear.record([](const graph::PassContext&) {});
-    }
+                                       {CONSTANT_AMBIENT_TOO, ambient}});
     graph::Pass& pass = graph.pass(name);
     declare_lit_surface(graph, pass, inputs);
     declare_light_lists(pass, lists);
-    pass.storage(INPUT_LIT_BLOCKS, lit, false).indirect(lit).store(INPUT_LIGHT_TARGET, images[0]);
-    if (images.size() > 1)
-        pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
+    pass.storage(INPUT_LIT_BLOCKS, lit.id, false).indirect(lit.id);
+    store(pass);
     if (keeps)
         pass.sample(INPUT_COLOUR_BEFORE, images[0]);
     dispatch_lists(pass, frame, lists.constants, "light_list" + inputs.target.variant + ".comp", constants,
-            [buffer](const graph::PassContext& context) {
-                if (context.one_pixel)
-                    vkCmdDispatch(context.commands, 1, 1, 1);
-                else
-                    vkCmdDispatchIndirect(context.commands, buffer->handle(), 0);
-            });
+                   [lit](const graph::PassContext& context) {
+                       if (context.one_pixel)
+                           vkCmdDispatch(context.commands, 1, 1, 1);
+                       else
+                           lit.dispatch(context);
+                   });
 }
 
 } // namespace prelight::passes

@@ -139,6 +139,39 @@ TEST_P(LightLists, GiveTheSameBytesTwice) {
     EXPECT_EQ(once.evaluated, twice.evaluated);
 }
 
+// Blocks without light keep what they held, and that must be none.
+TEST_P(LightLists, LeaveNoLightWhereNoneIsAnyMore) {
+    Garden garden;
+    garden.add_lights(12, 1.2f, 4);
+    for (const auto& [shading, more] : {std::pair(Shading::ggx, Settings{}), {Shading::ggx, {{"light-buffer", "packed-rgba16f"}}},
+                                        {Shading::phong, {{"specular", "luv"}, {"ambient", "light"}}}}) {
+        Shot shot = garden.shot();
+        shot.shading = shading;
+        shot.settings = settings(more);
+        RenderOptions options = options_of(shot);
+        options.views = {"diffuse-light", "specular-light", "light-count"};
+        const auto renderer = create_renderer(shot.renderer, &test_device(), options);
+        const auto fresh = create_renderer(shot.renderer, &test_device(), options);
+        renderer->set_world(garden.world);
+        renderer->render(shot.camera, 2);
+        std::vector<PlacedLight> lights = garden.world.lights;
+        for (PlacedLight& light : lights)
+            light.position += glm::dvec3(1.5, 0.3, -2);
+        lights.resize(7);
+        PlacedCamera camera = shot.camera;
+        camera.position += glm::dvec3(0.4, 1, 0.5);
+        renderer->set_lights(lights);
+        renderer->render(camera, 3);
+        World world = garden.world;
+        world.lights = lights;
+        fresh->set_world(world);
+        fresh->render(camera);
+        for (const std::string& view : options.views)
+            EXPECT_TRUE(same_bytes(renderer->read(view), fresh->read(view))) << view << ", " << options.settings.at("tile-size");
+    }
+    expect_validation_clean(test_device());
+}
+
 TEST_P(LightLists, AgreeOnSwiftShader) {
     const std::unique_ptr<Device> device = swiftshader_device();
     if (!device)
