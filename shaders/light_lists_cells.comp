@@ -19,10 +19,10 @@ uint visit(LightCell coarse, bool wanted, LightCell cell, Piece piece, uint to) 
         SharedBounds own = load_bounds(coarse, begin);
         uint some = min(gl_SubgroupSize, coarse.count - begin), lane = 0u;
         do {
-            uint light = subgroupShuffle(own.light, lane);
-            if (reaches(own, lane, cell, piece) && wanted) {
+            SharedBounds light = shared_bounds(own, lane);
+            if (reaches(light, cell, piece) && wanted) {
                 if (fill)
-                    light_entries[to + count] = light;
+                    light_entries[to + count] = light.light;
                 ++count;
             }
         } while (++lane < some);

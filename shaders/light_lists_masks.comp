@@ -1,43 +1,57 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Which of its coarse cell's lights each tile has, a bit a light. One invocation a tile; all invocations of a
-// workgroup walk the same lights, so that each loads another one and hands it to its neighbours.
+// Which of its coarse cell's lights each tile has, a bit a light. A workgroup is a coarse cell and one subgroup, so
+// that each light is loaded once: by one invocation, which hands it to the others. An invocation has `tiles` tiles.
 #include "shared/light_cells.glsl"
 #include "shared/light_share.glsl"
 #include "shared/shared_bounds.glsl"
 
-layout(local_size_x = LIST_GROUP) in;
+layout(constant_id = CONSTANT_LIST_LANES) const int lanes = 8;
+layout(local_size_x_id = CONSTANT_LIST_LANES) in;
+const int tiles = LIST_GROUP / lanes;
+
+LightCell cells[tiles];
+Piece pieces[tiles];
+uint bits[tiles];
+uint counts[tiles];
+
+uvec3 tile_at(int tile) { return cell_at(gl_WorkGroupID, gl_LocalInvocationIndex + uint(tile * lanes)); }
+uint index_of(int tile) { return index_in(min(tile_at(tile), lists.cells.xyz - 1u), lists.cells.xyz); }
 
 void main() {
-    uvec3 at = cell_at(gl_WorkGroupID, gl_LocalInvocationIndex);
-    bool inside = all(lessThan(at, lists.cells.xyz));
-    at = min(at, lists.cells.xyz - 1u);
     LightCell coarse = coarse_cells[index_in(gl_WorkGroupID, lists.coarse.xyz)];
-    uint index = index_in(at, lists.cells.xyz);
-    LightCell cell = light_cells[index];
-    if (!inside)
-        cell.depths = 0u;
-    Piece piece = cell_piece(at, cell, 0u);
+    for (int t = 0; t < tiles; ++t) {
+        cells[t] = light_cells[index_of(t)];
+        if (!all(lessThan(tile_at(t), lists.cells.xyz)))
+            cells[t].depths = 0u;
+        pieces[t] = cell_piece(min(tile_at(t), lists.cells.xyz - 1u), cells[t], 0u);
+        counts[t] = 0u;
+    }
     bool fits = coarse.first != lists.lights.x;
     uint words = fits ? (coarse.count + 31u) / 32u : 0u;
-    uint to = coarse.first + coarse.count + gl_LocalInvocationIndex * words;
-    uint batch = min(gl_SubgroupSize, 32u);
-    uint word = 0u, count = 0u;
+    uint batch = min(min(uint(lanes), gl_SubgroupSize), 32u), word = 0u;
     do { // loops that are left at their end: see light_list.comp
-        uint bits = 0u, begin = 0u;
-        uint all = min(32u, coarse.count - word * 32u);
+        uint begin = 0u, all = min(32u, coarse.count - word * 32u);
+        for (int t = 0; t < tiles; ++t)
+            bits[t] = 0u;
         do {
             SharedBounds own = load_bounds(coarse, word * 32u + begin);
             uint some = min(batch, all - begin), lane = 0u;
-            do
-                bits |= reaches(own, lane, cell, piece) ? 1u << (begin + lane) : 0u;
-            while (++lane < some);
+            do {
+                SharedBounds light = shared_bounds(own, lane);
+                for (int t = 0; t < tiles; ++t)
+                    bits[t] |= reaches(light, cells[t], pieces[t]) ? 1u << (begin + lane) : 0u;
+            } while (++lane < some);
             begin += batch;
         } while (begin < all);
-        if (words > 0u)
-            light_entries[to + word] = bits;
-        count += words > 0u ? uint(bitCount(bits)) : 0u;
+        for (int t = 0; t < tiles; ++t) {
+            uint tile = gl_LocalInvocationIndex + uint(t * lanes);
+            if (words > 0u)
+                light_entries[coarse.first + coarse.count + tile * words + word] = bits[t];
+            counts[t] += words > 0u ? uint(bitCount(bits[t])) : 0u;
+        }
     } while (++word < words);
-    if (inside)
-        light_cells[index].count = fits ? count : coarse.count;
+    for (int t = 0; t < tiles; ++t)
+        if (all(lessThan(tile_at(t), lists.cells.xyz)))
+            light_cells[index_of(t)].count = fits ? counts[t] : coarse.count;
 }

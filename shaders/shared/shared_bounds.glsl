@@ -22,10 +22,14 @@ SharedBounds load_bounds(LightCell coarse, uint begin) {
     return own;
 }
 
-// Whether the light that invocation `lane` has loaded may reach the cell.
-bool reaches(SharedBounds own, uint lane, LightCell cell, Piece piece) {
+// What invocation `lane` has loaded.
+SharedBounds shared_bounds(SharedBounds own, uint lane) {
     LightBounds b = LightBounds(shuffled(own.bounds.centre, lane), subgroupShuffle(own.bounds.radius, lane),
                                 shuffled(own.bounds.axis, lane), shuffled(own.bounds.cone, lane));
-    return holds_depths(cell, subgroupShuffle(own.depths, lane)) && touches(piece, b);
+    return SharedBounds(subgroupShuffle(own.light, lane), subgroupShuffle(own.depths, lane), b);
+}
+
+bool reaches(SharedBounds light, LightCell cell, Piece piece) {
+    return holds_depths(cell, light.depths) && touches(piece, light.bounds);
 }
 #endif

@@ -76,7 +76,8 @@ public:
         LightLists lists{.cells = coarse_, .tiles = cells_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
                          .tile_size = inputs_.tile_size, .sliced = inputs_.sliced, .masked = inputs_.masked};
         if (lists.masked) {
-            add(name_ + "-lists masks", "light_lists_masks.comp", whole)
+            add(name_ + "-lists masks", "light_lists_masks.comp", whole,
+                {{CONSTANT_LIST_LANES, frame_.context().features().shuffle_lanes}})
                 .storage(INPUT_LIGHT_CELLS, cells_, true)
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
                 .storage(INPUT_LIGHT_ENTRIES, entries_, true)
