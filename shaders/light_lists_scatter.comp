@@ -28,7 +28,7 @@ void main() {
         uvec3 at = uvec3(clamp(low + step, ivec3(0), ivec3(lists.coarse.xyz) - 1));
         uint coarse = index_in(at, lists.coarse.xyz);
         LightCell cell = coarse_cells[coarse];
-        if (left > 0 && holds_depths(cell, depths) && touches(coarse_piece(at, cell), light)) {
+        if (left > 0 && holds_depths(cell, depths) && may_reach_coarse(at, cell, light)) {
             uint start = mask_start(coarse);
             atomicOr(light_masks[start + bit / 1024u], 1u << (bit / 32u & 31u));
             atomicOr(light_masks[start + summary_words() + bit / 32u], 1u << (bit & 31u));

@@ -29,9 +29,9 @@ void light_extent(LightBounds light, out ivec3 low, out ivec3 high) {
     high = ivec3(clamp(floor((centre + light.radius) / size + 0.01), vec3(-1.0), most - 1.0));
 }
 
-Piece coarse_piece(uvec3 at, LightCell cell) {
+bool may_reach_coarse(uvec3 at, LightCell cell, LightBounds light) {
     vec3 size = lists.grid_cell.xyz * float(LIST_COARSE_CELLS);
-    return grid_piece(lists.grid_origin.xyz + vec3(at) * size, size);
+    return touches(grid_piece(lists.grid_origin.xyz + vec3(at) * size, size), light);
 }
 
 uint depths_of(LightBounds light) { return 0u; }

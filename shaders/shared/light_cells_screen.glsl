@@ -81,9 +81,11 @@ void light_extent(LightBounds light, out ivec3 low, out ivec3 high) {
     high = ivec3(clamp(floor((to + 1.0) * coarse + 0.01), vec2(-1.0), most - 1.0), 0);
 }
 
-Piece coarse_piece(uvec3 at, LightCell cell) {
-    vec2 low = vec2(at.xy) * float(LIST_COARSE_TILES * tile_size);
-    return screen_piece(low, low + float(LIST_COARSE_TILES * tile_size), cell.nearest, cell.farthest);
+// Of a coarse cell within its light_extent(). A pyramid around the coarse cell would leave out a few lights more, and
+// takes longer than its tiles take for these.
+bool may_reach_coarse(uvec3 at, LightCell cell, LightBounds light) {
+    float z = dot(light.centre, frame.forward.xyz);
+    return !(z + light.radius < cell.nearest) && !(z - light.radius > cell.farthest);
 }
 
 // The stored depths within the light's reach, as depth_bits().
