@@ -49,6 +49,7 @@ void light_list_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
                            .sliced = frame.culling() == resident::LightCulling::clusters,
                            // Only lists of tiles' own can be trimmed.
                            .masked = shading == ListShading::compute && inputs.list_contents == ListContents::built,
+                           .ambient = inputs.model.ambient_as_light,
                            .first_room = inputs.list_room});
     if (inputs.list_contents != ListContents::built)
         trim_light_lists(graph, frame, name, inputs, lists);

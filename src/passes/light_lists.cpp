@@ -47,7 +47,7 @@ public:
         };
         const std::string kind = inputs_.surface ? ".comp" : "+grid.comp";
         if (inputs_.surface) {
-            graph::Pass& range = add("depth-range", "depth_range.comp", whole);
+            graph::Pass& range = add("depth-range", "depth_range.comp", whole, {{CONSTANT_AMBIENT_TOO, inputs_.ambient}});
             range.storage(INPUT_LIGHT_CELLS, cells_, true);
             read_depth(range);
         }

@@ -23,6 +23,7 @@ struct LightListInputs {
     uint32_t tile_size = 8;                  ///< tiles and clusters: 8, 16 or 32 pixels
     bool sliced = false;                     ///< clusters; without `surface`: a grid over the world
     bool masked = false;                     ///< tiles: masks of the lists of 8 × 8 tiles instead of lists
+    bool ambient = false;                    ///< who walks them lights surfaces that no list's light reaches
     /// Room for lists in the first frame, in lights; 0: a guess. It grows by itself.
     uint64_t first_room = 0;
 };
