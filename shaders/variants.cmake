@@ -11,6 +11,7 @@ set(PRELIGHT_SHADER_VARIANTS
     "material_metallic_roughness+weighted.frag|material_metallic_roughness.frag|-DONLY_WEIGHTED"
     "material_metallic_roughness+weighted+bits.frag|material_metallic_roughness.frag|-DONLY_WEIGHTED -DLIGHT_BITS"
     "material_blinn_phong+bits.frag|material_blinn_phong.frag|-DLIGHT_BITS"
+    "trim_test+depth.comp|trim_test.comp|-DBY_DEPTH"
     "light+packed.frag|light.frag|-DONE_TARGET"
     "light+count.frag|light.frag|-DCOUNT_TARGET"
     "light+deferred.frag|light.frag|-DDEFERRED_TARGET"
