@@ -16,6 +16,7 @@ set(PRELIGHT_SHADER_VARIANTS
     "material_blinn_phong+pair.frag|material_blinn_phong.frag|-DLIGHT_PAIR"
     "view+pair.frag|view.frag|-DLIGHT_PAIR"
     "light_list+pair.comp|light_list.comp|-DLIGHT_PAIR"
+    "trim_test+depth.comp|trim_test.comp|-DBY_DEPTH"
     "light+packed.frag|light.frag|-DONE_TARGET"
     "light+count.frag|light.frag|-DCOUNT_TARGET"
     "light+deferred.frag|light.frag|-DDEFERRED_TARGET"

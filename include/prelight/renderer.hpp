@@ -89,7 +89,10 @@ struct Stats {
     std::map<std::string, std::string> settings; ///< every setting with the value in force
     std::vector<std::string> notes; ///< what the device could not give as asked for, one line each
     uint64_t lights = 0, triangles = 0, draws = 0;
-    uint64_t triangles_drawn = 0;   ///< of them, what a pass over all geometry sends to the device
+    uint64_t triangles_drawn = 0;   ///< of them, what the first pass over all geometry sends to the device
+    /// What of that is not drawn again by later passes, because no pixel of it was left: draws by occlusion queries,
+    /// triangles by the depth buffer. Without them nothing is known of it.
+    std::optional<uint64_t> draws_skipped = {}, triangles_skipped = {};
     uint32_t frames = 0;
     /// Wall and CPU time go from the end of one frame to the end of the next, for one is prepared while
     /// another is drawn; a single frame's from the call of render().

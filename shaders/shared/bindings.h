@@ -35,6 +35,17 @@
 #define INPUT_LIT_BLOCKS 19
 #define INPUT_LIT_BEFORE 20
 #define INPUT_STALE_BLOCKS 21
+// index trimming on the device
+#define INPUT_TRIM_DRAWS 20
+#define INPUT_TRIM_GROUPS 21
+#define INPUT_TRIM_OBJECTS 22
+#define INPUT_TRIM_POSITIONS 23
+#define INPUT_TRIM_SOURCE 24
+#define INPUT_TRIM_SOURCE_COMMANDS 25
+#define INPUT_TRIM_MASKS 26
+#define INPUT_TRIM_INDICES 27
+#define INPUT_TRIM_COMMANDS 28
+#define INPUT_TRIM_COUNTS 29
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -99,6 +110,9 @@
 #define CONSTANT_GBUFFER 42
 #define CONSTANT_CLIPPED_LIGHT 43
 #define CONSTANT_TARGET_ENCODES 50
+#define CONSTANT_TRIM_SUBPIXEL_BITS 60
+#define CONSTANT_TRIM_BY_DEPTH 61
+#define CONSTANT_TRIM_AGAIN 62
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u

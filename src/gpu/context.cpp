@@ -37,7 +37,7 @@ Context::Context(const DeviceOptions& options)
     vkGetPhysicalDeviceProperties(physical(), &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical(), &memory_);
     create_device();
-    load_labels();
+    load_functions();
     vkGetDeviceQueue(device_, queue_family(), 0, &queue_);
     set_name(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<uint64_t>(queue_), "graphics queue");
 
@@ -94,12 +94,27 @@ void Context::create_device() {
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT};
+    conditional.conditionalRendering = VK_TRUE;
+    const char* const conditional_name = VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME;
+    if (o.conditional_rendering) {
+        v13.pNext = &conditional;
+        info.enabledExtensionCount = 1;
+        info.ppEnabledExtensionNames = &conditional_name;
+    }
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     check(vkCreateDevice(physical(), &info, nullptr, &device_), name());
 }
 
-void Context::load_labels() {
+void Context::load_functions() {
+    if (features().conditional_rendering) {
+        begin_conditional_ = reinterpret_cast<PFN_vkCmdBeginConditionalRenderingEXT>(
+            vkGetDeviceProcAddr(device_, "vkCmdBeginConditionalRenderingEXT"));
+        end_conditional_ = reinterpret_cast<PFN_vkCmdEndConditionalRenderingEXT>(
+            vkGetDeviceProcAddr(device_, "vkCmdEndConditionalRenderingEXT"));
+    }
     if (!instance_.debug_utils())
         return;
     const auto load = [&](const char* function) {
@@ -196,6 +211,15 @@ void Context::set_name(VkObjectType type, uint64_t handle, std::string_view text
     info.pObjectName = terminated.c_str();
     set_object_name_(device_, &info);
 }
+
+void Context::begin_conditional(VkCommandBuffer commands, VkBuffer buffer, uint64_t offset) const {
+    VkConditionalRenderingBeginInfoEXT info{VK_STRUCTURE_TYPE_CONDITIONAL_RENDERING_BEGIN_INFO_EXT};
+    info.buffer = buffer;
+    info.offset = offset;
+    begin_conditional_(commands, &info);
+}
+
+void Context::end_conditional(VkCommandBuffer commands) const { end_conditional_(commands); }
 
 void Context::begin_label(VkCommandBuffer commands, std::string_view text) const {
     if (!begin_label_)

@@ -54,6 +54,11 @@ public:
     void begin_label(VkCommandBuffer commands, std::string_view name) const;
     void end_label(VkCommandBuffer commands) const;
 
+    /// Commands up to the end are left out where the 32-bit number in the buffer is 0. Only with
+    /// OptionalFeatures::conditional_rendering.
+    void begin_conditional(VkCommandBuffer commands, VkBuffer buffer, uint64_t offset) const;
+    void end_conditional(VkCommandBuffer commands) const;
+
     /// Device memory held now, and the most that was held at once.
     uint64_t device_bytes() const { return device_bytes_; }
     uint64_t device_bytes_peak() const { return device_bytes_peak_; }
@@ -68,7 +73,7 @@ public:
 
 private:
     void create_device();
-    void load_labels();
+    void load_functions();
 
     Instance instance_;
     Candidate chosen_;
@@ -87,6 +92,8 @@ private:
     PFN_vkSetDebugUtilsObjectNameEXT set_object_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
+    PFN_vkCmdBeginConditionalRenderingEXT begin_conditional_ = nullptr;
+    PFN_vkCmdEndConditionalRenderingEXT end_conditional_ = nullptr;
 };
 
 } // namespace prelight::gpu

@@ -63,6 +63,25 @@ void read_features(Candidate& candidate, const VkPhysicalDeviceFeatures& core) {
     o.store_without_format = note(core.shaderStorageImageWriteWithoutFormat, "storage images without format");
 }
 
+bool has_extension(VkPhysicalDevice physical, std::string_view name) {
+    uint32_t count = 0;
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> extensions(count);
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const VkExtensionProperties& one) { return one.extensionName == name; });
+}
+
+bool conditional_rendering(VkPhysicalDevice physical) {
+    if (!has_extension(physical, VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME))
+        return false;
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &conditional, {}};
+    vkGetPhysicalDeviceFeatures2(physical, &features);
+    return conditional.conditionalRendering;
+}
+
 uint32_t shuffle_lanes(const VkPhysicalDeviceSubgroupProperties& subgroups) {
     const bool shuffles = (subgroups.supportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT) &&
                           (subgroups.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT);
@@ -98,6 +117,8 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     read_features(candidate, features.features);
     candidate.optional.shuffle_lanes = shuffle_lanes(subgroups);
     (candidate.optional.shuffle_lanes > 0 ? info.features : info.missing).push_back("subgroup shuffle");
+    candidate.optional.conditional_rendering = conditional_rendering(physical);
+    (candidate.optional.conditional_rendering ? info.features : info.missing).push_back("conditional rendering");
     const bool fragment_stores = features.features.fragmentStoresAndAtomics;
     const std::optional<uint32_t> family = graphics_queue_family(physical);
     if (!family)

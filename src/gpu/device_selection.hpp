@@ -13,6 +13,7 @@ struct OptionalFeatures {
     bool first_instance_indirect = false;
     bool sample_rate_shading = false;
     bool precise_occlusion = false;
+    bool conditional_rendering = false; ///< VK_EXT_conditional_rendering
     bool store_without_format = false; ///< shaders write storage images of any format
     uint32_t shuffle_lanes = 0;        ///< size of a subgroup whose compute shaders can shuffle; 0: they cannot
 };

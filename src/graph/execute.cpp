@@ -108,6 +108,8 @@ void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_
     if (renders) {
         const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
         pass_context.extent = images_[target.index].desc.extent;
+        if (pass.before_rendering_)
+            pass.before_rendering_(pass_context);
         begin_rendering(commands, index, pass_context.extent);
         cover(commands, pass_context.extent, one_pixel ? VkExtent2D{1, 1} : pass_context.extent);
     }

@@ -74,6 +74,26 @@ Pass& Pass::indirect(BufferId buffer) {
     return *this;
 }
 
+Pass& Pass::indices(BufferId buffer) {
+    buffers_.push_back({buffer, Access::indices()});
+    return *this;
+}
+
+Pass& Pass::condition(BufferId buffer) {
+    buffers_.push_back({buffer, Access::condition()});
+    return *this;
+}
+
+Pass& Pass::copy_to(BufferId buffer) {
+    buffers_.push_back({buffer, Access::copied_to()});
+    return *this;
+}
+
+Pass& Pass::before_rendering(std::function<void(const PassContext&)> callback) {
+    before_rendering_ = std::move(callback);
+    return *this;
+}
+
 Pass& Pass::prepare(std::function<void(const PassInterface&)> callback) {
     prepare_ = std::move(callback);
     return *this;
@@ -111,18 +131,26 @@ void FrameGraph::note(const std::string& line) {
         notes_.push_back(line);
 }
 
-BufferId FrameGraph::buffer(std::string name, const gpu::Buffer& buffer) {
-    GraphBuffer& added = buffers_.emplace_back();
-    added.name = std::move(name);
-    added.handles.fill(buffer.handle());
+BufferId FrameGraph::add_buffer(std::string name, const gpu::PerFrame<VkBuffer>& handles) {
+    const auto known = std::find_if(buffers_.begin(), buffers_.end(),
+                                    [&](const GraphBuffer& buffer) { return buffer.handles == handles; });
+    if (known != buffers_.end())
+        return {static_cast<uint32_t>(known - buffers_.begin())};
+    buffers_.push_back({std::move(name), handles});
     return {static_cast<uint32_t>(buffers_.size() - 1)};
 }
 
+BufferId FrameGraph::buffer(std::string name, const gpu::Buffer& buffer) {
+    gpu::PerFrame<VkBuffer> handles;
+    handles.fill(buffer.handle());
+    return add_buffer(std::move(name), handles);
+}
+
 BufferId FrameGraph::buffer(std::string name, const gpu::PerFrame<gpu::Buffer>& buffers) {
-    const BufferId id = buffer(std::move(name), buffers[0]);
+    gpu::PerFrame<VkBuffer> handles;
     for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
-        buffers_[id.index].handles[slot] = buffers[slot].handle();
-    return id;
+        handles[slot] = buffers[slot].handle();
+    return add_buffer(std::move(name), handles);
 }
 
 void FrameGraph::rebind(BufferId id, const gpu::Buffer& buffer) {

@@ -59,7 +59,15 @@ public:
     Pass& storage(uint32_t binding, BufferId buffer, bool writes);
     /// The buffer holds commands of indirect draws or dispatches.
     Pass& indirect(BufferId buffer);
+    /// The buffer holds indices, bound as such.
+    Pass& indices(BufferId buffer);
+    /// The buffer holds what conditional rendering asks.
+    Pass& condition(BufferId buffer);
+    /// The pass copies into the buffer.
+    Pass& copy_to(BufferId buffer);
     Pass& prepare(std::function<void(const PassInterface&)> callback);
+    /// Commands that may not stand inside of rendering, recorded before it begins.
+    Pass& before_rendering(std::function<void(const PassContext&)> callback);
     Pass& record(std::function<void(const PassContext&)> callback);
     const std::string& name() const { return name_; }
 
@@ -96,7 +104,7 @@ private:
     std::vector<uint32_t> bits_; ///< bindings of `sampled_` that sample_bits() made
     std::vector<std::pair<uint32_t, BufferId>> storages_;
     std::function<void(const PassInterface&)> prepare_;
-    std::function<void(const PassContext&)> record_;
+    std::function<void(const PassContext&)> before_rendering_, record_;
 
     // Set by FrameGraph::compile.
     bool alive_ = true;
@@ -133,7 +141,8 @@ public:
     const std::vector<std::string>& notes() const { return notes_; }
     /// Adds a line to notes(), once.
     void note(const std::string& line);
-    /// A buffer of the caller's, alive as long as the graph; host writes before a frame are seen.
+    /// A buffer of the caller's, alive as long as the graph; host writes before a frame are seen. The same buffer
+    /// has the same id, whoever asks.
     BufferId buffer(std::string name, const gpu::Buffer& buffer);
     /// A buffer for each frame in flight, alive as long as the graph: for what the host writes before a
     /// frame, or reads after it, while the device may be busy with another frame.
@@ -209,6 +218,7 @@ private:
         uint64_t frame = 0; ///< the first that does without it
         gpu::Buffer buffer;
     };
+    BufferId add_buffer(std::string name, const gpu::PerFrame<VkBuffer>& handles);
     void cull_passes();
     void find_lifetimes();
     void create_images();

@@ -91,6 +91,19 @@ Access Access::indirect() {
     return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, false};
 }
 
+Access Access::indices() {
+    return {VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT, VK_ACCESS_2_INDEX_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, false};
+}
+
+Access Access::condition() {
+    return {VK_PIPELINE_STAGE_2_CONDITIONAL_RENDERING_BIT_EXT, VK_ACCESS_2_CONDITIONAL_RENDERING_READ_BIT_EXT,
+            VK_IMAGE_LAYOUT_GENERAL, false};
+}
+
+Access Access::copied_to() {
+    return {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
+}
+
 Access& Access::operator|=(const Access& other) {
     stages |= other.stages;
     access |= other.access;

@@ -39,6 +39,10 @@ struct Access {
     static Access storage(bool writes);
     static Access storage_image();
     static Access indirect();
+    static Access indices();
+    /// What conditional rendering asks.
+    static Access condition();
+    static Access copied_to();
     /// Reads of both in one pass, or in neighbouring passes (layouts must agree).
     Access& operator|=(const Access& other);
 };

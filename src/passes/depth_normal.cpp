@@ -1,5 +1,6 @@
 #include "depth_normal.hpp"
 #include "depth_only.hpp"
+#include "hidden_geometry.hpp"
 #include "surface_draws.hpp"
 #include <algorithm>
 #include <array>
@@ -48,8 +49,9 @@ void depth_pass(graph::FrameGraph& graph, const resident::Frame& frame, SurfaceB
     out.depth_source = linear_depth_target(graph, frame.extent(), out.format.depth);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(out.depth).colour(out.depth_source, graph::Load::clear);
-    draw_surfaces(pass, frame,
+    draw_surfaces(graph, pass, frame,
                   {.name = "depth", .fragment = "linear_depth.frag", .constants = out.format.constants(), .normal = false});
+    hidden_geometry_passes(graph, frame, out.depth);
 }
 
 } // namespace
@@ -126,7 +128,7 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
         pass.colour(out.depth_source, graph::Load::clear);
         shader += "+depth";
     }
-    draw_surfaces(pass, frame,
+    draw_surfaces(graph, pass, frame,
                   {.name = pass.name(),
                    .fragment = shader + ".frag",
                    .constants = out.format.constants(),
@@ -134,6 +136,8 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
                    .keeps_alpha_mask = !format.two_passes,
                    .world = !format.two_passes && format.depth != DepthSource::attachment,
                    .untextured_variant = true});
+    if (!format.two_passes)
+        hidden_geometry_passes(graph, frame, out.depth);
     return out;
 }
 

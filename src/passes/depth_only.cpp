@@ -1,5 +1,6 @@
 #include "depth_only.hpp"
 #include "depth_normal.hpp"
+#include "hidden_geometry.hpp"
 #include "surface_draws.hpp"
 
 namespace prelight::passes {
@@ -8,7 +9,8 @@ graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::Frame& 
     const graph::ImageId depth = make_depth(graph, frame.extent(), stencil);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(depth);
-    draw_surfaces(pass, frame, {.name = "depth", .fragment = "depth_mask.frag", .constants = {}, .depth_only = true});
+    draw_surfaces(graph, pass, frame, {.name = "depth", .fragment = "depth_mask.frag", .constants = {}, .depth_only = true});
+    hidden_geometry_passes(graph, frame, depth);
     return depth;
 }
 

@@ -79,6 +79,7 @@ void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const 
         pass.blends();
     if (!base || inputs.kinds.size() > 1)
         pass.storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    declare_surfaces(graph, pass, frame, base ? gpu::DepthTest::write_nearer : gpu::DepthTest::equal);
     auto draws = std::make_shared<std::optional<ForwardDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
@@ -88,7 +89,7 @@ graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Fra
     const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
     graph::Pass& pass = graph.pass("albedo");
     pass.colour(target, graph::Load::clear).depth_test(depth);
-    draw_surfaces(pass, frame, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal));
+    draw_surfaces(graph, pass, frame, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal));
     return target;
 }
 

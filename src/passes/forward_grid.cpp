@@ -24,6 +24,7 @@ void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
         .depth_test(inputs.depth)
         .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
     declare_light_lists(pass, lists);
+    declare_surfaces(graph, pass, frame, desc.depth);
     auto draws = std::make_shared<std::optional<SurfaceDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, desc); });
     pass.record([=, &frame](const graph::PassContext& context) {

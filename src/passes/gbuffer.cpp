@@ -44,7 +44,7 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     pass.depth_write(out.surface.depth);
     for (const graph::ImageId target : {out.light, out.surface.normal, out.motion, out.albedo})
         pass.colour(target, graph::Load::clear);
-    draw_surfaces(pass, frame,
+    draw_surfaces(graph, pass, frame,
                   {.name = "geometry",
                    .fragment = "gbuffer_fill.frag",
                    .constants = out.surface.format.constants(),

@@ -29,7 +29,7 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     const std::string shader = !ggx    ? "material_blinn_phong"
                                : at_nv ? "material_metallic_roughness"
                                        : "material_metallic_roughness+weighted";
-    draw_surfaces(pass, frame,
+    draw_surfaces(graph, pass, frame,
                   {.name = "material",
                    .fragment = shader + (pair ? "+pair.frag" : bits ? "+bits.frag" : ".frag"),
                    .constants = constants,

@@ -70,7 +70,8 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
     : frame_(frame), features_kept_(desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
                                     : desc.keeps_alpha_mask ? ~0u
                                                             : ~FEATURE_ALPHA_MASK),
-      motion_(desc.motion) {
+      motion_(desc.motion), later_(is_later(desc.depth)), counts_(frame.visible_pixels() && !later_),
+      skips_(frame.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
                                sizeof(shared::ObjectData)};
@@ -110,9 +111,8 @@ void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
 }
 
 void SurfaceDraws::bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw,
-                              bool trimmed) const {
+                              VkBuffer indices) const {
     const gpu::GraphicsPipeline& pipeline = pipelines_.at(key(draw));
-    const VkBuffer indices = trimmed ? frame_.trimmed_indices() : frame_.geometry().indices.handle();
     if (&pipeline != bound.pipeline) {
         pipeline.bind(pass.commands);
         pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
@@ -143,53 +143,108 @@ bool SurfaceDraws::draw(const graph::PassContext& pass, Bound& bound, uint32_t i
     if (!visible)
         return false;
     const resident::Draw& draw = frame_.geometry().draws[index];
-    bind_state(pass, bound, draw, visible->trimmed);
+    const Source from = source(visible->trimmed, visible->device_trimmed);
+    bind_state(pass, bound, draw, from.indices);
     if (!push.empty())
         bound.pipeline->push(pass.commands, push);
-    vkCmdDrawIndexed(pass.commands, visible->index_count, 1, visible->first_index, draw.vertex_offset,
-                     visible->instance);
+    if (skips_)
+        frame_.visible_pixels()->begin_if_visible(pass.commands, visible->instance);
+    if (from.device)
+        draw_indirect(pass, from.commands, visible->instance, visible->instance + 1);
+    else
+        vkCmdDrawIndexed(pass.commands, visible->index_count, 1, visible->first_index, draw.vertex_offset,
+                         visible->instance);
+    if (skips_)
+        frame_.visible_pixels()->end_if_visible(pass.commands);
     return true;
 }
 
 void SurfaceDraws::record(const graph::PassContext& pass, std::span<const std::byte> push) const {
     const std::vector<resident::DrawBatch>& batches = frame_.visible().batches;
     const resident::Geometry& geometry = frame_.geometry();
+    const bool alone = counts_ || skips_; // each draw has its own query
     bind_geometry(pass);
     Bound bound;
     for (size_t first = 0; first < batches.size();) {
         const resident::DrawBatch& batch = batches[first];
         const resident::Draw& draw = geometry.draws[batch.draw];
-        bind_state(pass, bound, draw, batch.trimmed);
+        const Source from = source(batch.trimmed, batch.device_trimmed);
+        bind_state(pass, bound, draw, from.indices);
         if (!push.empty() && bound.pipeline != bound.pushed)
             (bound.pushed = bound.pipeline)->push(pass.commands, push);
         size_t end = first + 1;
-        if (frame_.draw_options().indirect) {
-            while (end < batches.size() && batches[end].trimmed == batch.trimmed &&
+        if (alone || !(from.device || frame_.draw_options().indirect)) {
+            draw_batch(pass, from, first);
+        } else {
+            while (end < batches.size() && source(batches[end].trimmed, batches[end].device_trimmed) == from &&
                    same_state(geometry.draws[batches[end].draw], draw))
                 ++end;
-            draw_indirect(pass, first, end);
-        } else {
-            const VkDrawIndexedIndirectCommand& c = batch.command;
-            vkCmdDrawIndexed(pass.commands, c.indexCount, c.instanceCount, c.firstIndex, c.vertexOffset, c.firstInstance);
+            draw_indirect(pass, from.commands, first, end);
         }
         first = end;
     }
+}
+
+void SurfaceDraws::draw_batch(const graph::PassContext& pass, const Source& from, size_t batch) const {
+    const resident::VisiblePixels* pixels = frame_.visible_pixels();
+    const uint32_t query = static_cast<uint32_t>(batch);
+    if (counts_)
+        pixels->begin(pass.commands, query);
+    if (skips_)
+        pixels->begin_if_visible(pass.commands, query);
+    if (from.device || frame_.draw_options().indirect) {
+        draw_indirect(pass, from.commands, batch, batch + 1);
+    } else {
+        const VkDrawIndexedIndirectCommand& c = frame_.visible().batches[batch].command;
+        vkCmdDrawIndexed(pass.commands, c.indexCount, c.instanceCount, c.firstIndex, c.vertexOffset, c.firstInstance);
+    }
+    if (skips_)
+        pixels->end_if_visible(pass.commands);
+    if (counts_)
+        pixels->end(pass.commands, query);
+}
+
+SurfaceDraws::Source SurfaceDraws::source(bool trimmed, bool device_trimmed) const {
+    const resident::DrawOptions& options = frame_.draw_options();
+    const resident::DeviceTrimming* device = frame_.device_trimming();
+    if (device_trimmed && later_ && options.trims_by_depth)
+        return {device->later().indices.handle(), device->later().commands.handle(), true};
+    if (device_trimmed && options.trimming == resident::IndexTrimming::device)
+        return {device->first().indices.handle(), device->first().commands.handle(), true};
+    return {trimmed ? frame_.trimmed_indices() : frame_.geometry().indices.handle(), frame_.commands(), false};
 }
 
 bool SurfaceDraws::same_state(const resident::Draw& a, const resident::Draw& b) const {
     return key(a) == key(b) && a.material == b.material && a.mirrored == b.mirrored;
 }
 
-void SurfaceDraws::draw_indirect(const graph::PassContext& pass, size_t first, size_t end) const {
+void SurfaceDraws::draw_indirect(const graph::PassContext& pass, VkBuffer commands, size_t first, size_t end) const {
     constexpr uint32_t stride = sizeof(VkDrawIndexedIndirectCommand);
     const gpu::Context& context = frame_.context();
     const size_t most = context.features().multi_draw_indirect ? context.limits().maxDrawIndirectCount : 1;
     for (; first < end; first += std::min(most, end - first))
-        vkCmdDrawIndexedIndirect(pass.commands, frame_.commands(), first * stride,
+        vkCmdDrawIndexedIndirect(pass.commands, commands, first * stride,
                                  static_cast<uint32_t>(std::min(most, end - first)), stride);
 }
 
-void draw_surfaces(graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc) {
+void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, gpu::DepthTest depth) {
+    const bool later = SurfaceDraws::is_later(depth);
+    const resident::DrawOptions& options = frame.draw_options();
+    const auto reads = [&](const resident::DeviceTrimming::Output& from) {
+        pass.indices(graph.buffer("kept indices", from.indices)).indirect(graph.buffer("trimmed draw commands", from.commands));
+    };
+    if (later && options.trims_by_depth)
+        reads(frame.device_trimming()->later());
+    else if (options.trimming == resident::IndexTrimming::device)
+        reads(frame.device_trimming()->first());
+    if (later && frame.visible_pixels())
+        pass.condition(graph.buffer("draw conditions", frame.visible_pixels()->conditions()));
+    if (!later && frame.visible_pixels())
+        pass.before_rendering([&frame](const graph::PassContext& context) { frame.visible_pixels()->reset(context.commands); });
+}
+
+void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc) {
+    declare_surfaces(graph, pass, frame, desc.depth);
     auto draws = std::make_shared<std::optional<SurfaceDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, desc); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });

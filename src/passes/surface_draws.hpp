@@ -34,6 +34,8 @@ public:
         VkBuffer indices = VK_NULL_HANDLE;
         std::optional<std::pair<bool, bool>> faces; ///< double-sided, mirrored
     };
+    /// Whether the pass comes after the frame's first one over the geometry: it may leave out what that one hid.
+    static bool is_later(gpu::DepthTest depth) { return depth == gpu::DepthTest::equal; }
     SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface, const Desc& desc);
     /// Every visible object once, in the draws that the frame's DrawOptions make of them.
     void record(const graph::PassContext& pass, std::span<const std::byte> push = {}) const;
@@ -46,15 +48,27 @@ public:
 private:
     uint32_t key(const resident::Draw& draw) const;
     bool same_state(const resident::Draw& a, const resident::Draw& b) const;
-    void bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw, bool trimmed) const;
-    void draw_indirect(const graph::PassContext& pass, size_t first, size_t end) const;
+    /// Where a draw's indices and its command stand.
+    struct Source {
+        VkBuffer indices = VK_NULL_HANDLE, commands = VK_NULL_HANDLE;
+        bool device = false; ///< only the device knows the command
+        bool operator==(const Source&) const = default;
+    };
+    Source source(bool trimmed, bool device_trimmed) const;
+    void bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw, VkBuffer indices) const;
+    void draw_indirect(const graph::PassContext& pass, VkBuffer commands, size_t first, size_t end) const;
+    void draw_batch(const graph::PassContext& pass, const Source& source, size_t batch) const;
     const resident::Frame& frame_;
     uint32_t features_kept_;
     bool motion_;
+    bool later_, counts_, skips_; ///< [G1]: the pass counts pixels, or leaves out what has none
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by FEATURE_… bits
 };
 
+/// Says what draws with this depth test read beside attachments; draw_surfaces() does it by itself.
+void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, gpu::DepthTest depth);
+
 /// Makes `pass` draw every object of the frame once.
-void draw_surfaces(graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc);
+void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc);
 
 } // namespace prelight::passes

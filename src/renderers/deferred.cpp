@@ -99,7 +99,7 @@ RendererInfo deferred_info() {
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count"},
         .presets = {"killzone2"},
         .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}}}};
-    for (SettingInfo& setting : draw_settings())
+    for (SettingInfo& setting : draw_settings(false))
         info.settings.push_back(std::move(setting));
     const std::vector<SettingInfo> volumes = passes::volume_settings();
     info.settings.insert(info.settings.end(), volumes.begin(), volumes.end());

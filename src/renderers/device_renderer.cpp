@@ -6,6 +6,7 @@
 #include <prelight/error.hpp>
 #include <glm/gtc/packing.hpp>
 #include <gpu/check.hpp>
+#include <passes/index_trimming.hpp>
 #include <timing/clocks.hpp>
 
 namespace prelight {
@@ -128,6 +129,7 @@ void DeviceRenderer::build_graph() {
     auto graph = std::make_unique<graph::FrameGraph>(context_);
     for (const std::string& note : settings_.notes())
         graph->note(note);
+    passes::index_trimming_passes(*graph, *frame_);
     views_ = build(*graph, *frame_);
     for (const auto& [name, image] : views_)
         graph->keep(image);
@@ -232,7 +234,9 @@ Stats DeviceRenderer::stats() const {
     stats.lights = frame_->placed_lights().size();
     stats.triangles = triangles_;
     stats.draws = draws(*frame_);
-    stats.triangles_drawn = frame_->visible().triangles;
+    stats.triangles_drawn = frame_->triangles_drawn();
+    stats.draws_skipped = frame_->draws_skipped();
+    stats.triangles_skipped = frame_->triangles_skipped();
     stats.frames = frames_;
     stats.wall_ms = spread(samples.wall);
     stats.cpu_ms = spread(samples.cpu);

@@ -55,7 +55,7 @@ void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const re
     }
 }
 
-std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own) {
+std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twice) {
     const std::vector<SettingInfo> common{
         {"model", {"full", "nv"}, "full", "Fresnel: of each light at V·H, or at N·V"},
         {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
@@ -63,7 +63,7 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own) {
         {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
          "bilinear: level 0 only, for comparing with the reference"}};
     own.insert(own.end(), common.begin(), common.end());
-    for (SettingInfo& setting : draw_settings())
+    for (SettingInfo& setting : draw_settings(twice))
         own.push_back(std::move(setting));
     return own;
 }

@@ -30,8 +30,8 @@ private:
     uint64_t draws_ = 0; ///< of the last recording of the pass with lights
 };
 
-/// The settings that both have, after `own`; and their views.
-std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own);
+/// The settings that both have, after `own`; and their views. `twice`: as draw_settings() has it.
+std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twice);
 std::vector<std::string> forward_views();
 
 } // namespace prelight

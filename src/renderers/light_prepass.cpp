@@ -114,7 +114,7 @@ RendererInfo light_prepass_info() {
                       "diffuse-sum", "specular-sum", "albedo", "light-count"},
             .presets = {"engel", "round2", "prelighting"},
             .preset_settings = light_prepass_presets()};
-    for (SettingInfo& setting : draw_settings())
+    for (SettingInfo& setting : draw_settings(true))
         info.settings.push_back(std::move(setting));
     for (const SettingInfo& setting : passes::volume_settings())
         info.settings.push_back(setting);

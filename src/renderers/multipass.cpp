@@ -54,7 +54,7 @@ RendererInfo multipass_info() {
             .settings = forward_settings(
                 {{"order", {"lights", "objects"}, "lights", "the outer loop: over lights, or over objects"},
                  {"ambient", {"first", "per-object"}, "first", "ambient of all objects first, or with each object"},
-                 {"lights-per-pass", {"1", "2", "3", "4", "5", "6", "7", "8"}, "1", "lights that one draw adds"}}),
+                 {"lights-per-pass", {"1", "2", "3", "4", "5", "6", "7", "8"}, "1", "lights that one draw adds"}}, false),
             .views = forward_views(),
             .presets = {}};
 }

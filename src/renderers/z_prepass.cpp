@@ -76,7 +76,7 @@ RendererInfo z_prepass_info() {
             .description = "depth alone, then every visible pixel shaded with the lights of its object",
             .settings = forward_settings(
                 {{"lights", {"per-draw", "grid"}, "per-draw",
-                  "how a pixel finds its lights: eight a draw, strongest first; or by a grid over the world"}}),
+                  "how a pixel finds its lights: eight a draw, strongest first; or by a grid over the world"}}, true),
             .views = forward_views(),
             .presets = {}};
 }

@@ -56,7 +56,7 @@ void place(PlacedLight& target, const PlacedLight& light) {
 
 Frame::Frame(const gpu::Context& context, const World& world, const FrameSettings& settings)
     : context_(context), world_(world), settings_(settings), placed_(world.lights), kinds_(kinds_of(placed_)),
-      geometry_(upload_geometry(context, world, settings.motion)),
+      geometry_(upload_geometry(context, world, settings.motion, settings.draws.trims_on_device())),
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)) {
     for (Slot& slot : slots_) {
         slot.constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
@@ -72,16 +72,47 @@ void Frame::make_draw_buffers() {
     };
     const uint64_t draws = geometry_.draws.size();
     uint64_t indices = 0;
-    if (settings_.draws.trimming == IndexTrimming::host)
-        for (const Draw& draw : geometry_.draws)
-            indices += draw.index_count;
-    for (Slot& slot : slots_) {
-        slot.objects = make("objects", draws * sizeof(shared::ObjectData), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-        slot.commands = make("draw commands", draws * sizeof(VkDrawIndexedIndirectCommand),
-                             VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        slot.trimmed = make("trimmed indices", std::min(indices, most_trimmed) * sizeof(uint32_t),
-                            VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    for (const Draw& draw : geometry_.draws)
+        indices += draw.index_count;
+    indices = std::min(indices, most_trimmed);
+    const DrawOptions& options = settings_.draws;
+    const VkBufferUsageFlags storage = options.trims_on_device() ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
+    const uint64_t host_indices = options.trimming == IndexTrimming::host ? indices : 0;
+    for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot) {
+        objects_[slot] = make("objects", draws * sizeof(shared::ObjectData), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | storage);
+        slots_[slot].commands = make("draw commands", draws * sizeof(VkDrawIndexedIndirectCommand),
+                                     VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+        trimmed_[slot] = make("trimmed indices", host_indices * sizeof(uint32_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
     }
+    if (options.counts_pixels)
+        visible_pixels_.emplace(context_, static_cast<uint32_t>(draws));
+    if (options.trims_on_device())
+        device_trimming_.emplace(context_, geometry_, indices, options);
+}
+
+uint64_t Frame::triangles_drawn() const {
+    const bool on_device = settings_.draws.trimming == IndexTrimming::device;
+    if (!on_device)
+        return visible_.triangles;
+    uint64_t triangles = device_trimming_->first().triangles(slot_, visible_.draws.size());
+    for (const VisibleDraw& one : visible_.draws)
+        triangles += one.device_trimmed ? 0 : one.index_count / 3;
+    return triangles;
+}
+
+std::optional<uint64_t> Frame::draws_skipped() const {
+    if (!visible_pixels_)
+        return {};
+    return visible_pixels_->hidden(slot_, static_cast<uint32_t>(visible_.batches.size()));
+}
+
+std::optional<uint64_t> Frame::triangles_skipped() const {
+    if (!settings_.draws.trims_by_depth)
+        return {};
+    uint64_t later = device_trimming_->later().triangles(slot_, visible_.draws.size());
+    for (const VisibleDraw& one : visible_.draws)
+        later += one.device_trimmed ? 0 : one.index_count / 3;
+    return triangles_drawn() - later;
 }
 
 void Frame::make_light_buffers(size_t lights) {
@@ -145,10 +176,12 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     for (size_t i = 0; i < placed_.size(); ++i)
         lights[i] = light_data(placed_[i], camera.position, settings_.exposure);
     const double lights_end = thread_ms();
-    const std::span trimmed(target.trimmed.mapped<uint32_t>(), target.trimmed.size() / sizeof(uint32_t));
+    const std::span trimmed(trimmed_[slot].mapped<uint32_t>(), trimmed_[slot].size() / sizeof(uint32_t));
     find_visible(visible_, geometry_, world_, next, eye_, context_.limits().subPixelPrecisionBits, settings_.draws,
-                 {target.objects.mapped<shared::ObjectData>(), target.commands.mapped<VkDrawIndexedIndirectCommand>(),
-                  trimmed});
+                 {objects_[slot].mapped<shared::ObjectData>(), target.commands.mapped<VkDrawIndexedIndirectCommand>(),
+                  trimmed, most_trimmed});
+    if (device_trimming_)
+        device_trimming_->update(slot, visible_, geometry_);
     const double objects_end = thread_ms();
     groups_ = group_lights(placed_, camera, next, settings_.culling,
                            context_.features().depth_clamp, settings_.volumes.spot_boxes);

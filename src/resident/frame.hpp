@@ -1,9 +1,12 @@
 #pragma once
+#include "device_trimming.hpp"
 #include "light_reach.hpp"
 #include "lights.hpp"
 #include "scene.hpp"
 #include "visible_draws.hpp"
+#include "visible_pixels.hpp"
 #include <gpu/frames_in_flight.hpp>
+#include <optional>
 #include <prelight/renderer.hpp>
 
 namespace prelight::resident {
@@ -55,9 +58,18 @@ public:
     const VisibleDraws& visible() const { return visible_; }
     const DrawOptions& draw_options() const { return settings_.draws; }
     /// ObjectData of the visible draws: a vertex buffer that steps once an instance.
-    VkBuffer objects() const { return slots_[slot_].objects.handle(); }
+    VkBuffer objects() const { return objects_[slot_].handle(); }
     VkBuffer commands() const { return slots_[slot_].commands.handle(); }
-    VkBuffer trimmed_indices() const { return slots_[slot_].trimmed.handle(); }
+    VkBuffer trimmed_indices() const { return trimmed_[slot_].handle(); }
+    const gpu::PerFrame<gpu::Buffer>& object_buffers() const { return objects_; }
+    const gpu::PerFrame<gpu::Buffer>& trimmed_buffers() const { return trimmed_; }
+    /// With DrawOptions::counts_pixels and trims_on_device(); else null.
+    const VisiblePixels* visible_pixels() const { return visible_pixels_ ? &*visible_pixels_ : nullptr; }
+    const DeviceTrimming* device_trimming() const { return device_trimming_ ? &*device_trimming_ : nullptr; }
+    /// What the first pass over all geometry drew in the frame of the last update(), which must be done; and what
+    /// later passes left out of it, where that is known.
+    uint64_t triangles_drawn() const;
+    std::optional<uint64_t> draws_skipped() const, triangles_skipped() const;
     /// The camera's position of the last update(), world space: the origin of what shaders call world.
     glm::dvec3 eye() const { return eye_; }
     /// World relative to eye() → clip space, of the last update().
@@ -87,9 +99,12 @@ private:
     /// What the host writes for one frame.
     struct Slot {
         gpu::Buffer constants, lights, order, bounds;
-        gpu::Buffer objects, commands, trimmed; ///< what find_visible() writes
+        gpu::Buffer commands; ///< what find_visible() writes
     };
     gpu::PerFrame<Slot> slots_;
+    gpu::PerFrame<gpu::Buffer> objects_, trimmed_; ///< what find_visible() writes too
+    std::optional<VisiblePixels> visible_pixels_;
+    std::optional<DeviceTrimming> device_trimming_;
     uint32_t slot_ = 0; ///< of the last update()
     gpu::UniqueSetLayout layout_;
     gpu::DescriptorSets sets_; ///< one a slot

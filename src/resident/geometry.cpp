@@ -27,6 +27,7 @@ void bound(Draw& draw, const Placement& place, const glm::dmat4& transform) {
         reach += glm::abs(glm::dvec3(transform[axis])) * half[axis];
     draw.low = centre - reach;
     draw.high = centre + reach;
+    draw.largest = glm::max(glm::abs(place.low), glm::abs(place.high));
 }
 
 uint16_t unorm16(float v) { return static_cast<uint16_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 65535)); }
@@ -98,7 +99,7 @@ private:
 
 } // namespace
 
-Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion) {
+Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims) {
     Vertices vertices(motion);
     std::map<const Mesh*, std::vector<Placement>> placements; // of the meshes that are shown
     Geometry geometry;
@@ -129,14 +130,15 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
                std::tie(b.features, b.material, b.mirrored, b.first_index);
     });
     constexpr VkBufferUsageFlags vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
-    geometry.positions = gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex);
+    const VkBufferUsageFlags storage = trims ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
+    geometry.positions = gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex | storage);
     geometry.attributes =
         gpu::make_device_buffer(context, "vertex attributes", bytes(vertices.attributes), vertex);
     if (!vertices.previous.empty())
         geometry.previous_positions =
             gpu::make_device_buffer(context, "previous positions", bytes(vertices.previous), vertex);
     geometry.indices = gpu::make_device_buffer(context, "indices", bytes(vertices.indices),
-                                               VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+                                               VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
     return geometry;
 }
 

@@ -20,6 +20,7 @@ struct Draw {
     bool double_sided = false;
     const Primitive* primitive = nullptr; ///< whose indices and vertices these are
     glm::dvec3 low{0}, high{0}; ///< a box around it, world space
+    glm::vec3 largest{0};       ///< |coordinate| of its vertices, object space
 };
 
 /// All vertices of a world in device buffers, and the draws that show it, sorted so that
@@ -62,8 +63,8 @@ struct Materials {
 /// FEATURE_… bits of a material.
 uint32_t features_of(const Material& material);
 
-/// `motion`: with previous positions.
-Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion);
+/// `motion`: with previous positions; `trims`: the device reads positions and indices to trim them.
+Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims);
 /// `exposure`: factor on emissive light. Throws Error naming an image that the device cannot hold.
 Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter,
                            double exposure);

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
+#include <limits>
+#include <tuple>
 
 namespace prelight::resident {
 namespace {
@@ -15,33 +17,47 @@ bool same_but_place(const Draw& a, const Draw& b) {
            a.first_index == b.first_index && a.index_count == b.index_count && a.vertex_offset == b.vertex_offset;
 }
 
-/// Front to back within each run of draws that differ in nothing else.
+/// Occluders first [G1]: draws that differ in nothing but their place stay together, front to back, and these runs
+/// follow one another by their nearest draw.
 void sort_by_distance(std::vector<VisibleDraw>& draws, const std::vector<Draw>& all, glm::dvec3 eye,
                       glm::dvec3 forward) {
-    const auto distance = [&](const VisibleDraw& one) {
-        const Draw& draw = all[one.draw];
-        return glm::dot(0.5 * (draw.low + draw.high) - eye, forward);
+    struct Key {
+        double run, own; ///< metres along the view
+        uint32_t draw;
     };
-    for (auto begin = draws.begin(); begin != draws.end();) {
-        const auto end = std::find_if(begin + 1, draws.end(), [&](const VisibleDraw& one) {
-            return !same_but_place(all[begin->draw], all[one.draw]);
-        });
-        std::stable_sort(begin, end, [&](const VisibleDraw& a, const VisibleDraw& b) {
-            return distance(a) < distance(b);
-        });
-        begin = end;
+    std::vector<Key> keys;
+    keys.reserve(draws.size());
+    for (size_t begin = 0; begin < draws.size();) {
+        double nearest = std::numeric_limits<double>::infinity();
+        size_t end = begin;
+        for (; end < draws.size() && same_but_place(all[draws[begin].draw], all[draws[end].draw]); ++end) {
+            const Draw& draw = all[draws[end].draw];
+            const double own = glm::dot(0.5 * (draw.low + draw.high) - eye, forward);
+            keys.push_back({0, own, draws[end].draw});
+            nearest = std::min(nearest, own);
+        }
+        for (; begin < end; ++begin)
+            keys[begin].run = nearest;
     }
+    std::stable_sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+        return std::tie(a.run, a.own) < std::tie(b.run, b.own);
+    });
+    for (size_t i = 0; i < keys.size(); ++i)
+        draws[i] = {keys[i].draw, 0, all[keys[i].draw].first_index, all[keys[i].draw].index_count};
 }
 
 void make_batches(VisibleDraws& out, const std::vector<Draw>& all, const DrawOptions& options) {
+    // What is known draw by draw is of one object.
+    const bool together = options.instanced && !options.counts_pixels && !options.trims_on_device();
     for (const VisibleDraw& one : out.draws) {
         const Draw& draw = all[one.draw];
         DrawBatch* last = out.batches.empty() ? nullptr : &out.batches.back();
-        if (options.instanced && last && !one.trimmed && !last->trimmed && same_but_place(all[last->draw], draw)) {
+        if (together && last && !one.trimmed && !last->trimmed && same_but_place(all[last->draw], draw)) {
             ++last->command.instanceCount;
             continue;
         }
         out.batches.push_back({one.draw, one.trimmed,
+                               one.device_trimmed,
                                {one.index_count, 1, one.first_index, draw.vertex_offset, one.instance}});
     }
 }
@@ -80,7 +96,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     sort_by_distance(out.draws, all, eye, glm::dvec3(constants.forward));
 
     IndexTrimmer trimmer({constants.clip_from_world, constants.size.x, constants.size.y, subpixel_bits});
-    size_t used = 0;
+    size_t used = 0, device_used = 0;
     uint32_t kept = 0;
     for (VisibleDraw one : out.draws) {
         const Draw& draw = all[one.draw];
@@ -94,6 +110,11 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         }
         if (one.index_count == 0)
             continue;
+        if (options.trims_on_device() && device_used + one.index_count <= buffers.device_indices &&
+            (options.trimming != IndexTrimming::host || one.trimmed)) {
+            one.device_trimmed = true;
+            device_used += one.index_count;
+        }
         one.instance = kept;
         buffers.objects[kept] = object;
         out.place[one.draw] = kept;

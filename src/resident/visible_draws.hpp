@@ -7,7 +7,7 @@
 namespace prelight::resident {
 
 /// Which triangles of a visible object are sent to the device.
-enum class IndexTrimming { off, host };
+enum class IndexTrimming { off, host, device };
 
 /// How the visible objects of a frame become draw calls [G3].
 struct DrawOptions {
@@ -15,6 +15,10 @@ struct DrawOptions {
     bool instanced = false; ///< neighbours with the same mesh and material are one draw
     bool indirect = false;  ///< draws come from a buffer, many in one call where the device can
     IndexTrimming trimming = IndexTrimming::off;
+    bool counts_pixels = false;  ///< [G1] draws of which the first pass left no pixel are not drawn again
+    bool trims_by_depth = false; ///< [G2] nor are triangles that lie behind what the first pass left
+
+    bool trims_on_device() const { return trimming == IndexTrimming::device || trims_by_depth; }
 };
 
 /// A draw that the camera may see.
@@ -22,19 +26,20 @@ struct VisibleDraw {
     uint32_t draw = 0;     ///< index into Geometry::draws
     uint32_t instance = 0; ///< its place in the buffer of objects
     uint32_t first_index = 0, index_count = 0;
-    bool trimmed = false;  ///< the indices are of the frame's buffer of trimmed ones
+    bool trimmed = false;        ///< the indices are of the host's buffer of trimmed ones
+    bool device_trimmed = false; ///< the device makes others of them
 };
 
 /// One draw call, of one object or of several that differ in nothing but their ObjectData.
 struct DrawBatch {
     uint32_t draw = 0; ///< the first of them: pipeline, material and faces are those of all
-    bool trimmed = false;
+    bool trimmed = false, device_trimmed = false; ///< as VisibleDraw's
     VkDrawIndexedIndirectCommand command{};
 };
 
-/// What a camera may see of a world, in the order in which every pass draws it: by pipeline, material and
-/// mesh, then front to back. The order is the same for all DrawOptions, and so is the picture where
-/// surfaces coincide.
+/// What a camera may see of a world, in the order in which every pass draws it: what one call
+/// may show together, and front to back: occluders come first. The order is the same for all DrawOptions, and so is the
+/// picture where surfaces coincide.
 struct VisibleDraws {
     std::vector<VisibleDraw> draws;
     std::vector<DrawBatch> batches;
@@ -51,6 +56,7 @@ struct DrawBuffers {
     shared::ObjectData* objects = nullptr;             ///< in the order of VisibleDraws::draws
     VkDrawIndexedIndirectCommand* commands = nullptr;  ///< in the order of the batches
     std::span<uint32_t> indices;                       ///< trimmed ones; what does not fit is drawn whole
+    uint64_t device_indices = 0;                       ///< room of the device for those it trims; the same
 };
 
 /// True where some of the draw's box may lie in the picture; never false where some of it does.

@@ -154,6 +154,8 @@ TEST(Render, StatsHoldWhatTheContractNames) {
     EXPECT_GT(stats.at("draws"), 0);
     EXPECT_GT(stats.at("triangles_drawn"), 0);
     EXPECT_LE(stats.at("triangles_drawn"), stats.at("triangles"));
+    for (const char* key : {"draws_skipped", "triangles_skipped"})
+        EXPECT_TRUE(stats.at(key).is_null()) << key << ": nothing looks for it by default";
     EXPECT_EQ(stats.at("frames"), 3);
     for (const char* key : {"wall_ms", "cpu_ms", "gpu_ms"})
         expect_spread(stats.at(key));
@@ -181,7 +183,7 @@ TEST(Render, StatsHoldWhatTheContractNames) {
         sum += stats.at("start_up_ms").at(key).get<double>();
     EXPECT_GT(sum, 0);
     EXPECT_NEAR(stats.at("start_up_ms").at("total").get<double>(), sum, 1e-6);
-    EXPECT_EQ(stats.size(), 26u) << "a key that the contract does not name";
+    EXPECT_EQ(stats.size(), 28u) << "a key that the contract does not name";
 }
 
 TEST(Render, PassCpuGivesEachPassAFigure) {

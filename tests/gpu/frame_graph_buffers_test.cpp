@@ -50,6 +50,17 @@ TEST_P(FrameGraphBuffers, AWriteIsSeenByTheNextPassAndByTheHost) {
     }
 }
 
+// Two names for one buffer would be two buffers to the barriers, and no pass would wait for the other.
+TEST_P(FrameGraphBuffers, TheSameBufferHasTheSameId) {
+    const gpu::PerFrame<gpu::Buffer> turns{make("a"), make("b")};
+    graph::FrameGraph graph(context());
+    const graph::BufferId both = graph.buffer("turns", turns), first = graph.buffer("first", turns[0]);
+    EXPECT_EQ(graph.buffer("again", turns).index, both.index);
+    EXPECT_EQ(graph.buffer("first again", turns[0]).index, first.index);
+    EXPECT_NE(both.index, first.index);
+    EXPECT_NE(graph.buffer("second", turns[1]).index, first.index);
+}
+
 // Neither validation nor a driver without caches of its own notices when this one is missing.
 TEST_P(FrameGraphBuffers, TheHostsReadWaitsForEveryWrite) {
     const gpu::Buffer first = make("first"), second = make("second");

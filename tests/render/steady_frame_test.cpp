@@ -6,7 +6,8 @@
 namespace prelight {
 namespace {
 
-/// Each renderer on a device once for each value of the settings that say how lights meet pixels.
+/// Each renderer on a device once for each value of the settings that say how lights meet pixels, and
+/// with what may leave out geometry.
 std::vector<Shot> every_way(const Shot& shot) {
     std::vector<Shot> shots;
     for (const RendererInfo& info : renderer_infos())
@@ -18,6 +19,11 @@ std::vector<Shot> every_way(const Shot& shot) {
                     shots.back().renderer = info.name;
                     shots.back().settings = {{setting.key, value}};
                 }
+    for (const char* renderer : {"light-prepass", "z-prepass"}) {
+        shots.push_back(shot);
+        shots.back().renderer = renderer;
+        shots.back().settings = {{"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}};
+    }
     return shots;
 }
 

@@ -26,24 +26,38 @@ Drawn draw(const World& world, const PlacedCamera& camera, const SettingMap& set
     return {made->read("final"), made->read("depth"), made->stats()};
 }
 
+/// What is left out by hidden pixels, in both passes and by both means.
+const SettingMap all_at_once{{"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}};
+
+/// Other ways to draw the same. The other architectures share the first pass's draws with the light pre-pass.
+std::vector<SettingMap> ways_of(const std::string& renderer) {
+    if (renderer == "light-prepass")
+        return {{}, // the defaults
+                {{"index-trimming", "host"}, {"draws", "direct"}},
+                {{"index-trimming", "off"}, {"draws", "instanced"}},
+                {{"index-trimming", "device"}},
+                {{"index-trimming", "off"}, {"occlusion", "queries"}, {"draws", "direct"}},
+                {{"index-trimming", "host"}, {"material-trimming", "depth"}},
+                all_at_once};
+    if (renderer == "z-prepass")
+        return {{}, all_at_once};
+    return {{{"index-trimming", "device"}}};
+}
+
 /// The same bytes however objects are drawn, for all architectures.
 void expect_same_bytes(const World& world, const PlacedCamera& camera, Device& device = test_device()) {
-    const std::vector<SettingMap> ways{{}, // the defaults
-                                       {{"index-trimming", "host"}, {"draws", "direct"}},
-                                       {{"index-trimming", "off"}, {"draws", "instanced"}},
-                                       {{"index-trimming", "off"}, {"draws", "indirect"}}};
     for (const char* renderer : {"light-prepass", "deferred", "z-prepass", "multipass"}) {
         const Drawn all = draw(world, camera, everything, renderer, device);
-        for (const SettingMap& way : ways) {
+        for (const SettingMap& way : ways_of(renderer)) {
             const Drawn ours = draw(world, camera, way, renderer, device);
-            SCOPED_TRACE(std::string(renderer) + " " + ours.stats.settings.at("draws") + " " +
-                         ours.stats.settings.at("index-trimming"));
+            std::string trace = renderer;
+            for (const auto& [key, value] : way)
+                trace += " " + key + "=" + value;
+            SCOPED_TRACE(trace);
             EXPECT_TRUE(ours.final.pixels == all.final.pixels);
             EXPECT_TRUE(ours.depth.pixels == all.depth.pixels);
             EXPECT_LE(ours.stats.triangles_drawn, all.stats.triangles_drawn);
             EXPECT_EQ(all.stats.triangles_drawn, all.stats.triangles);
-            if (std::string(renderer) != "light-prepass")
-                break; // the others share its draws: one way each
         }
     }
     expect_validation_clean(device);
@@ -126,6 +140,13 @@ TEST(VisibleDraws, G2_OnSwiftShadersCoarserGridOfPixels) {
     const Drawn ours = draw(garden.world, garden.camera, {}, "light-prepass", *device);
     EXPECT_TRUE(ours.final.pixels == all.final.pixels);
     EXPECT_LT(2 * ours.stats.triangles_drawn, all.stats.triangles_drawn);
+    const Drawn by_device = draw(garden.world, garden.camera, all_at_once, "light-prepass", *device);
+    EXPECT_TRUE(by_device.final.pixels == all.final.pixels);
+    EXPECT_LT(2 * by_device.stats.triangles_drawn, all.stats.triangles_drawn);
+    EXPECT_EQ(by_device.stats.settings.at("occlusion"), "off") << "there is no conditional rendering";
+    EXPECT_FALSE(by_device.stats.draws_skipped.has_value());
+    ASSERT_EQ(by_device.stats.notes.size(), 1u);
+    EXPECT_NE(by_device.stats.notes[0].find("VK_EXT_conditional_rendering"), std::string::npos);
     expect_validation_clean(*device);
 }
 
@@ -146,6 +167,102 @@ TEST(VisibleDraws, G3_CountsOfTheYardstickScene) {
     EXPECT_LT(trimmed.triangles_drawn, world.triangles / 4);
     EXPECT_EQ(trimmed.settings.at("index-trimming"), "host");
     EXPECT_EQ(stats({}).settings.at("index-trimming"), "host") << "auto, on a software device";
+}
+
+/// The device trims as the host does, but for what their rounding leaves open.
+TEST(VisibleDraws, G2_TheDeviceLeavesOutWhatTheHostDoes) {
+    const Scene scene = make_scene("lights", 4, 1);
+    const World world = resolve(scene);
+    const auto triangles = [&](const char* way) {
+        return static_cast<double>(draw(world, world.cameras.at(0), {{"index-trimming", way}}).stats.triangles_drawn);
+    };
+    const double host = triangles("host"), device = triangles("device");
+    EXPECT_LT(host, 0.25 * static_cast<double>(world.triangles));
+    EXPECT_NEAR(device, host, 0.002 * host);
+}
+
+/// Behind a wall, seen from in front: four spheres, and one that stands beside it.
+struct Hidden : TestWorld {
+    Hidden() {
+        add_material({.name = "clay", .base_colour = {0.8f, 0.3f, 0.2f, 1}, .metallic = 0, .roughness = 0.9f});
+        add(sphere(96)); // instance 0
+        for (const double x : {-1.0, 1.0, 2.0})
+            place(0, glm::translate(glm::dmat4(1), {x, 0, -3}));
+        place(0, glm::translate(glm::dmat4(1), {9, 0, -8}));
+        scene.meshes.push_back({"wall", {cube()}});
+        place(1, glm::scale(glm::translate(glm::dmat4(1), {0.5, 0, 2}), glm::dvec3(2.6, 2, 0.1)));
+        world.triangles = 5 * scene.meshes[0].primitives[0].indices.size() / 3 + 12;
+        add_light({.kind = LightKind::directional, .intensity = 2}, {0, 0, 0}, {-0.3, -0.5, -1});
+    }
+};
+
+TEST(VisibleDraws, G1_HiddenObjectsAreNotDrawnAgain) {
+    Hidden hidden;
+    const PlacedCamera camera = front_camera(9);
+    expect_same_bytes(hidden.world, camera);
+    for (const char* renderer : {"light-prepass", "z-prepass"}) {
+        const Stats stats = draw(hidden.world, camera, {{"occlusion", "queries"}}, renderer).stats;
+        EXPECT_EQ(stats.draws_skipped, 4u) << renderer;
+        EXPECT_FALSE(stats.triangles_skipped.has_value());
+        EXPECT_FALSE(draw(hidden.world, camera, {}, renderer).stats.draws_skipped.has_value());
+    }
+    EXPECT_EQ(draw(hidden.world, look_at(camera.camera, {0, 0, -16}, {0, 0, 0}), {{"occlusion", "queries"}}).stats.draws_skipped, 0u)
+        << "from behind all can be seen";
+}
+
+TEST(VisibleDraws, G2_HiddenTrianglesAreNotDrawnAgain) {
+    Hidden hidden;
+    const PlacedCamera camera = front_camera(9);
+    for (const char* renderer : {"light-prepass", "z-prepass"})
+        for (const char* trimming : {"off", "host", "device"}) {
+            const Stats stats = draw(hidden.world, camera, {{"index-trimming", trimming}, {"material-trimming", "depth"}}, renderer).stats;
+            ASSERT_TRUE(stats.triangles_skipped.has_value());
+            // With all triangles sent, those that face away are left as well: they have no pixels to be seen at.
+            EXPECT_GT(10 * *stats.triangles_skipped, 6 * stats.triangles_drawn) << renderer << " " << trimming;
+            EXPECT_LT(*stats.triangles_skipped, stats.triangles_drawn);
+        }
+}
+
+/// Where triangles of one object coincide, the order of its indices shows: more of them than a workgroup has.
+TEST(VisibleDraws, G2_TheDeviceKeepsTheOrder) {
+    TestWorld test;
+    test.add_material({.name = "paint", .base_colour = {1, 1, 1, 1}, .metallic = 0, .roughness = 0.9f, .unlit = true});
+    Primitive pile;
+    for (uint32_t i = 0; i < 2000; ++i) { // squares at 25 places, over and over in another colour; each third one faces away
+        const float x = static_cast<float>(i % 5) - 2.5f, y = static_cast<float>(i / 5 % 5) - 2.5f;
+        const uint32_t base = static_cast<uint32_t>(pile.positions.size());
+        for (const glm::vec2& corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1)}) {
+            pile.positions.emplace_back(x + corner.x, y + corner.y, 0);
+            pile.normals.emplace_back(0, 0, 1);
+            pile.colours.emplace_back(static_cast<float>(i * 37 % 256) / 255, static_cast<float>(i * 91 % 256) / 255, 0.5f, 1);
+        }
+        for (const uint32_t corner : {0u, i % 3 ? 1u : 2u, i % 3 ? 2u : 1u})
+            pile.indices.push_back(base + corner);
+    }
+    test.add(std::move(pile));
+    test.world.triangles = 2000;
+    expect_same_bytes(test.world, front_camera(6));
+    const Stats stats = draw(test.world, front_camera(6), {{"index-trimming", "device"}}).stats;
+    EXPECT_EQ(stats.triangles_drawn, 1333u);
+}
+
+/// Frames on their way at once, and a camera that moves: nothing of the frame before shows.
+TEST(VisibleDraws, G1_G2_MovingCamera) {
+    Hidden hidden;
+    const RenderOptions options{.width = 160, .height = 90, .settings = all_at_once, .views = {}};
+    const auto moving = create_renderer("light-prepass", &test_device(), options);
+    moving->set_world(hidden.world);
+    const Camera lens = front_camera(9).camera;
+    for (int i = 0; i < 6; ++i)
+        moving->render(look_at(lens, {2.0 * i - 5, 1, 9}, {0, 0, 0}));
+    const PlacedCamera last = look_at(lens, {5, 1, 9}, {0, 0, 0});
+    const auto once = create_renderer("light-prepass", &test_device(), options);
+    once->set_world(hidden.world);
+    once->render(last);
+    EXPECT_TRUE(moving->read("final").pixels == once->read("final").pixels);
+    EXPECT_EQ(moving->stats().draws_skipped, once->stats().draws_skipped);
+    EXPECT_EQ(moving->stats().triangles_skipped, once->stats().triangles_skipped);
+    expect_validation_clean(test_device());
 }
 
 // ---- the test of one triangle ----
