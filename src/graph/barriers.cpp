@@ -60,8 +60,9 @@ void FrameGraph::derive_image_barriers(GraphImage& image, uint32_t index) {
     // The first use waits for whatever used this memory before: an image that was here earlier in
     // the frame, or anything of the frame before.
     Access before = everything_that_shares_memory(image);
-    before.layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    for (const Group& group : group_uses(uses)) {
+    const std::vector<Group> groups = group_uses(uses);
+    before.layout = image.persistent ? groups.back().access.layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    for (const Group& group : groups) {
         VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
         barrier.srcStageMask = before.stages;
         barrier.srcAccessMask = before.access & write_bits;
@@ -76,6 +77,24 @@ void FrameGraph::derive_image_barriers(GraphImage& image, uint32_t index) {
         before = group.access;
     }
     image.final_access = before;
+}
+
+/// Into the layout that each frame finds and leaves them in.
+void FrameGraph::begin_persistent_images() const {
+    for (const GraphImage& image : images_) {
+        if (!image.persistent || !image.usage)
+            continue;
+        context_.run("begin " + image.name, [&](VkCommandBuffer commands) {
+            std::vector<VkImageMemoryBarrier2> barrier(1, {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2});
+            barrier[0].srcStageMask = barrier[0].dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+            barrier[0].dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+            barrier[0].newLayout = image.final_access.layout;
+            barrier[0].srcQueueFamilyIndex = barrier[0].dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+            barrier[0].image = image.image;
+            barrier[0].subresourceRange = {aspects(image.desc.format), 0, 1, 0, 1};
+            this->barrier(commands, barrier, {});
+        });
+    }
 }
 
 void FrameGraph::derive_buffer_barriers(uint32_t index) {

@@ -147,6 +147,8 @@ Pass& FrameGraph::pass(std::string name) {
     return *passes_.emplace_back(std::make_unique<Pass>(std::move(name)));
 }
 
+void FrameGraph::persist(ImageId image) { images_[image.index].persistent = true; }
+
 void FrameGraph::keep(ImageId image) { images_[image.index].kept = true; }
 
 Access FrameGraph::sampled_access(const Pass& pass, ImageId image) const {
@@ -169,6 +171,7 @@ void FrameGraph::compile() {
     place_images();
     create_views();
     derive_barriers();
+    begin_persistent_images();
     prepare_passes();
     if (passes_.empty())
         return;

@@ -151,6 +151,9 @@ public:
         before_frame_.push_back(std::move(callback));
     }
     Pass& pass(std::string name);
+    /// The image's content stays from frame to frame, for passes that draw some of it anew; what it holds at first
+    /// is undefined.
+    void persist(ImageId image);
     /// The image's content stays for read_back() after the frame.
     void keep(ImageId image);
     const ImageDesc& desc(ImageId image) const { return images_[image.index].desc; }
@@ -187,6 +190,7 @@ private:
         std::string name;
         ImageDesc desc;
         bool kept = false;
+        bool persistent = false;
         bool as_bits = false; ///< some pass reads it by sample_bits()
         VkImageUsageFlags usage = 0;
         uint32_t first = 0xffffffffu, last = 0; ///< living passes; last is huge when kept
@@ -211,6 +215,7 @@ private:
     void create_images();
     void place_images();
     void create_views();
+    void begin_persistent_images() const;
     gpu::UniqueImageView create_view(const GraphImage& image, VkImageAspectFlags aspects, VkFormat format) const;
     VkImageView sampled_view(const Pass& pass, uint32_t binding, const GraphImage& image) const;
     void derive_barriers();

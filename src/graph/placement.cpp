@@ -31,6 +31,11 @@ void FrameGraph::find_lifetimes() {
             images_[image.index].usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     }
     for (GraphImage& image : images_)
+        if (image.persistent && image.usage) {
+            image.first = 0;
+            image.last = 0xfffffffeu;
+        }
+    for (GraphImage& image : images_)
         if (image.kept && image.usage) {
             image.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
             image.last = 0xfffffffeu;

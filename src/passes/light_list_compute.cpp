@@ -76,7 +76,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
         pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
     if (keeps)
         pass.sample(INPUT_COLOUR_BEFORE, images[0]);
-    dispatch_lists(pass, frame, lists.constants, "light_list" + inputs.target.variant + ".comp", constants,
+    dispatch_lists(pass, frame, lists.constants, lighting_shader(inputs, "light_list", ".comp"), constants,
             [buffer](const graph::PassContext& context) {
                 if (context.one_pixel)
                     vkCmdDispatch(context.commands, 1, 1, 1);
