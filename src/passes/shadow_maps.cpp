@@ -177,8 +177,7 @@ private:
             reached_of_ = tile.light;
             reached_position_ = light.position;
         }
-        const World& world = frame_.world();
-        const glm::dvec3 centre = 0.5 * (world.bounds_min + world.bounds_max);
+        const glm::dvec3 centre = frame_.shadows()->world().centre();
         seen_.clear();
         for (const uint32_t d : reached_)
             if (resident::may_show(all[d], tile.clip_from_centre, centre))

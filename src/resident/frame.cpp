@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -90,12 +91,16 @@ void Frame::make_draw_buffers() {
 }
 
 void Frame::make_shadows() {
-    shadows_.emplace(world_, settings_.shadows, context_.limits().maxImageDimension2D);
-    const glm::dvec3 centre = 0.5 * (world_.bounds_min + world_.bounds_max);
+    WorldBox box;
+    if (!geometry_.draws.empty())
+        box = {geometry_.draws[0].low, geometry_.draws[0].high};
+    for (const Draw& draw : geometry_.draws)
+        box = {glm::min(box.low, draw.low), glm::max(box.high, draw.high)};
+    shadows_.emplace(box, settings_.shadows, context_.limits().maxImageDimension2D);
     std::vector<std::array<glm::vec4, 3>> rows;
     for (const Draw& draw : geometry_.draws) {
         glm::dmat4 m = world_.instances[draw.object].transform;
-        m[3] -= glm::dvec4(centre, 0);
+        m[3] -= glm::dvec4(box.centre(), 0);
         m = glm::transpose(m);
         rows.push_back({glm::vec4(m[0]), glm::vec4(m[1]), glm::vec4(m[2])});
     }

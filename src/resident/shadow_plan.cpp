@@ -29,7 +29,7 @@ double pixels_across(const PlacedLight& light, const PlacedCamera& camera, uint3
 
 } // namespace
 
-ShadowPlan::ShadowPlan(const World& world, const ShadowOptions& options, uint32_t longest)
+ShadowPlan::ShadowPlan(const WorldBox& world, const ShadowOptions& options, uint32_t longest)
     : world_(world), options_(options), atlas_(options.budget, longest) {}
 
 /// The disc, half a texel of filtering, and what the bias moves a point by.
@@ -84,7 +84,7 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
                                       uint32_t guard, const PlacedCamera& camera) const {
     // From the camera's place to the world's centre, then clip space → texels.
     glm::dmat4 m = view.clip_from_centre *
-                   glm::translate(glm::dmat4(1), camera.position - 0.5 * (world_.bounds_min + world_.bounds_max));
+                   glm::translate(glm::dmat4(1), camera.position - world_.centre());
     const double half = 0.5 * place.side;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 2; ++row)

@@ -33,12 +33,13 @@ struct ShadowTile {
 class ShadowPlan {
 public:
     /// `longest`: side of the largest image that the device makes.
-    ShadowPlan(const World& world, const ShadowOptions& options, uint32_t longest);
+    ShadowPlan(const WorldBox& world, const ShadowOptions& options, uint32_t longest);
 
     /// For `visible` lights (indices into `lights`).
     void update(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
                 uint32_t width, uint32_t height);
 
+    const WorldBox& world() const { return world_; }
     glm::uvec2 atlas_size() const { return atlas_.size(); }
     const ShadowOptions& options() const { return options_; }
     const std::vector<ShadowTile>& tiles() const { return tiles_; }
@@ -60,7 +61,7 @@ private:
                               const PlacedCamera& camera) const;
     uint32_t guard_of(uint32_t side) const;
 
-    const World& world_;
+    WorldBox world_;
     ShadowOptions options_;
     ShadowAtlas atlas_;
     std::vector<Wish> wishes_;

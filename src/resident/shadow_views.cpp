@@ -56,13 +56,13 @@ Sphere sphere_of(const Camera& camera, double aspect, double begin, double end) 
     return {depth, std::hypot(end - depth, across * end)};
 }
 
-ShadowView cascade(const Basis& b, glm::dvec3 middle, double radius, const World& world, uint32_t side, uint32_t guard) {
+ShadowView cascade(const Basis& b, glm::dvec3 middle, double radius, const WorldBox& world, uint32_t side, uint32_t guard) {
     const double texel = 2 * radius / std::max(side - 2 * guard, 1u), half = texel * side / 2;
-    const glm::dvec3 centre = 0.5 * (world.bounds_min + world.bounds_max), reach = 0.5 * (world.bounds_max - world.bounds_min);
+    const glm::dvec3 centre = world.centre();
     // In whole texels from the world's origin.
     const auto snapped = [&](glm::dvec3 axis) { return std::round(glm::dot(axis, middle) / texel) * texel - glm::dot(axis, centre); };
     // Along the light: all of the world, casters behind the view included.
-    const double deep = 1.001 * glm::dot(glm::abs(b.forward), reach) + 0.01;
+    const double deep = 1.001 * glm::dot(glm::abs(b.forward), world.reach()) + 0.01;
     ShadowView view;
     view.clip_from_centre = from_rows(glm::dvec4(b.right, -snapped(b.right)) / half, glm::dvec4(b.up, -snapped(b.up)) / half,
                                       glm::dvec4(-b.forward, deep) / (2 * deep), {0, 0, 0, 1});
@@ -84,9 +84,9 @@ uint32_t shadow_tiles(const Light& light) {
     return kind == SHADOW_CASCADES ? 4 : kind == SHADOW_FACES ? 6 : 1;
 }
 
-glm::dvec4 cascade_ends(const PlacedCamera& camera, const World& world) {
-    const double size = std::max(glm::distance(world.bounds_min, world.bounds_max), 1e-3);
-    const double away = glm::distance(camera.position, 0.5 * (world.bounds_min + world.bounds_max)) + size / 2;
+glm::dvec4 cascade_ends(const PlacedCamera& camera, const WorldBox& world) {
+    const double size = std::max(glm::distance(world.low, world.high), 1e-3);
+    const double away = glm::distance(camera.position, world.centre()) + size / 2;
     // Twice as far each time that a camera outside goes twice as far away.
     double far = away > size ? size * std::exp2(std::ceil(std::log2(away / size))) : size;
     far = std::min(far, camera.camera.zfar);
@@ -98,10 +98,10 @@ glm::dvec4 cascade_ends(const PlacedCamera& camera, const World& world) {
     return ends;
 }
 
-void find_shadow_views(const PlacedLight& light, const PlacedCamera& camera, double aspect, const World& world,
+void find_shadow_views(const PlacedLight& light, const PlacedCamera& camera, double aspect, const WorldBox& world,
                        uint32_t side, uint32_t guard, std::vector<ShadowView>& out) {
     out.clear();
-    const glm::dvec3 eye = light.position - 0.5 * (world.bounds_min + world.bounds_max);
+    const glm::dvec3 eye = light.position - world.centre();
     const double wider = double(side) / std::max(side - 2 * guard, 1u);
     switch (shadow_kind(light.light)) {
     case SHADOW_SPOT:

@@ -70,5 +70,18 @@ TEST(Shadows, S1_EveryArchitectureAgreesWithShadowRays) {
     expect_validation_clean(test_device());
 }
 
+TEST(Shadows, Debug) {
+    const ShadowGarden garden;
+    for (size_t i = 0; i < 4; ++i) {
+        World world = garden.world;
+        world.lights = {garden.world.lights[i]};
+        Shot shot = garden.shot();
+        shot.world = &world;
+        expect_within(against_reference(test_device(), shot), {});
+        rename("/tmp/shad_pics/Shadows.Debug.png", ("/tmp/shad_pics/d" + std::to_string(i) + ".png").c_str());
+        rename("/tmp/shad_pics/Shadows.Debug.reference.png", ("/tmp/shad_pics/r" + std::to_string(i) + ".png").c_str());
+    }
+}
+
 } // namespace
 } // namespace prelight
