@@ -2,8 +2,9 @@
 // filtering (Reeves, Salesin, Cook 1987) over a disc that turns from pixel to pixel, or a disc whose size follows
 // from the blockers found (Fernando, "Percentage-Closer Soft Shadows", 2005).
 //
-// Bias: the point moves along its normal by what a texel of the map and the disc can be off on a plane through
-// it: (radius + 1) texels · sin(N, L). More would be a gap where things touch.
+// Bias: the point moves along its normal by what the disc and a texel of the map can be off on a plane through it.
+// Texels lie across the tile's axis: that is (radius + √2) texels · sin(N, axis). More would be a gap where
+// things touch.
 #ifndef PRELIGHT_SHADOWS_GLSL
 #define PRELIGHT_SHADOWS_GLSL
 #extension GL_EXT_samplerless_texture_functions : require
@@ -19,6 +20,7 @@ layout(set = SET_INPUTS, binding = INPUT_SHADOW_ATLAS) uniform texture2D shadow_
 const int shadow_taps = shadow_filter == SHADOW_FILTER_CONTACT ? 16 : 8;
 const int search_taps = 12;
 const float golden_cos = -0.73736888, golden_sin = 0.67549029; // of the golden angle, 2.39996
+const float margin = shadow_filter == SHADOW_FILTER_HARD ? 0.70710678 : 1.41421356; // to the farthest texel, texels
 const float least_radius = shadow_filter == SHADOW_FILTER_HARD ? 0.0 : 1.5; // texels
 
 // The unit vector that turns a pixel's disc: interleaved gradient noise (Jimenez 2014).
@@ -45,7 +47,7 @@ uint tile_of(uint first, vec3 world, vec3 from_light) {
 
 // Place in the tile and depth of a point moved off its surface for a disc of this radius.
 vec3 moved_place(ShadowData tile, vec4 at, vec3 n, float sine, float radius) {
-    float offset = (tile.texel.x + tile.texel.y * max(at.w, 0.0)) * (radius + 1.0) * sine;
+    float offset = (tile.texel.x + tile.texel.y * max(at.w, 0.0)) * (radius + margin) * sine;
     at += tile.texel_from_world * vec4(n * offset, 0.0);
     vec3 place = at.xyz / max(at.w, 1e-6);
     // What rounding does to depth.
@@ -84,7 +86,10 @@ float unshadowed(uint shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec
     wanted = wanted && shadow > 0u;
     ShadowData tile = shadow_tiles[tile_of(wanted ? shadow - 1u : 0u, world, from_light)];
     vec4 at = tile.texel_from_world * vec4(world, 1.0);
-    float sine = sqrt(max(1.0 - nl * nl, 0.0));
+    // Parallel light comes along the axis; else the axis is what w grows along.
+    vec3 axis = vec3(tile.texel_from_world[0].w, tile.texel_from_world[1].w, tile.texel_from_world[2].w);
+    float cosine = tile.source.x > 0.0 ? nl : dot(n, axis);
+    float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     if (shadow_filter == SHADOW_FILTER_HARD) {
         vec3 place = moved_place(tile, at, n, sine, 0.0);
         float depth = texelFetch(shadow_atlas, ivec2(atlas_texel(tile, place.xy)), 0).r;
