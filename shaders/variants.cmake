@@ -6,6 +6,10 @@ set(PRELIGHT_SHADER_VARIANTS
     "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
     "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
     "surface+motion.vert|surface.vert|-DMOTION"
+    # Casters of shadows: push constants that say where the light is.
+    "depth_only+shadow.vert|depth_only.vert|-DSHADOW_TILE"
+    "surface+shadow.vert|surface.vert|-DSHADOW_TILE -DNO_WORLD -DNO_NORMAL"
+    "depth_mask+shadow.frag|depth_mask.frag|-DNO_WORLD -DNO_NORMAL"
     # Nor can another type of texture be a constant, or an input that is not there.
     "material_metallic_roughness+bits.frag|material_metallic_roughness.frag|-DLIGHT_BITS"
     "material_metallic_roughness+weighted.frag|material_metallic_roughness.frag|-DONLY_WEIGHTED"
@@ -40,6 +44,19 @@ set(PRELIGHT_SHADER_VARIANTS
     "plain_forward+textured.vert|plain_forward.vert|-DTEXTURED"
     "plain_forward+textured.frag|plain_forward.frag|-DTEXTURED")
 
+# The same again with shadows: what evaluates lights reads the atlas too.
+set(shadowed
+    "light.frag|light.frag|"
+    "light_list.frag|light_list.frag|"
+    "light_list.comp|light_list.comp|"
+    "light_loop.frag|light_loop.frag|"
+    "forward.frag|forward.frag|"
+    "forward_grid.frag|forward_grid.frag|"
+    ${PRELIGHT_SHADER_VARIANTS})
+list(FILTER shadowed INCLUDE REGEX "^(light|light_list|light_loop|forward|forward_grid)(\\+packed|\\+pair|\\+deferred)?\\.(frag|comp)")
+list(TRANSFORM shadowed REPLACE "^([^|.]*)(\\.[a-z]+)" "\\1+shadows\\2")
+list(TRANSFORM shadowed APPEND " -DSHADOWS")
+
 # The same again for materials without textures, whose triangles need neither texture coordinates nor
 # tangents.
 set(untextured
@@ -50,7 +67,7 @@ set(untextured
 list(FILTER untextured INCLUDE REGEX "^(depth_normal|material_)")
 list(TRANSFORM untextured REPLACE "^([^|]*)\\.frag" "\\1+untextured.frag")
 list(TRANSFORM untextured APPEND " -DNO_TEXTURES")
-list(APPEND PRELIGHT_SHADER_VARIANTS ${untextured})
+list(APPEND PRELIGHT_SHADER_VARIANTS ${untextured} ${shadowed})
 
 # The vertex shaders that go with all of these: passes::SurfaceDraws picks them.
 foreach(world "" "+noworld")

@@ -18,6 +18,19 @@ Json host_json(const HostTimes& host) {
             {"record", spread_json(host.record)}};
 }
 
+Json shadows_json(const ShadowStats& shadows) {
+    return {{"budget", shadows.budget},
+            {"texels", shadows.texels},
+            {"lights", shadows.lights},
+            {"lights_reduced", shadows.lights_reduced},
+            {"lights_without", shadows.lights_without},
+            {"smallest", shadows.smallest},
+            {"largest", shadows.largest},
+            {"tiles_drawn", shadows.tiles_drawn},
+            {"tiles_reused", shadows.tiles_reused},
+            {"casters_drawn", shadows.casters_drawn}};
+}
+
 } // namespace
 
 Json stats_entry(const std::string& scene, const std::string& renderer,
@@ -52,6 +65,7 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
         {"cpu_ms", spread_json(stats.cpu_ms)},
         {"gpu_ms", spread_json(stats.gpu_ms)},
         {"host_ms", stats.host_ms ? host_json(*stats.host_ms) : Json(nullptr)},
+        {"shadows", stats.shadows ? shadows_json(*stats.shadows) : Json(nullptr)},
         {"passes", passes},
         {"attachment_bytes", stats.attachment_bytes},
         {"attachment_bytes_unshared", stats.attachment_bytes_unshared},

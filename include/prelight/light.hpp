@@ -25,6 +25,7 @@ struct Light {
     float outer_cone = 0.785398163f; ///< radians from the axis, … π/2; spot only
     float shininess = 1; ///< [phong] light shininess n: multiplies the material's exponent (8.5.4)
     Falloff falloff = Falloff::gltf; ///< linear and quadratic need a finite range
+    bool casts_shadow = true; ///< where a renderer draws shadows at all (setting `shadows`)
 };
 
 } // namespace prelight

@@ -17,7 +17,7 @@ struct ReferenceForm {
     bool gate_by_step = false;        ///< [phong] specular-gate=step: N·L > 0 instead of factor N·L
     bool reflection_vector = false;   ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
     bool ambient_as_light = false;    ///< ambient enters the diffuse sum (full-screen light) [V1]
-    bool shadows = false;             ///< shadow rays for every light
+    bool shadows = false;             ///< shadow rays for every light that casts one
     bool bilinear_level0 = true;      ///< textures: bilinear on level 0, whatever the sampler says
     /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.
@@ -46,7 +46,7 @@ struct ReferencePicture {
 };
 
 /// The form that pictures of a renderer with these settings in force (`Stats::settings`) are judged
-/// against: `model`, `specular`, `specular-gate`, `specular-vector`, `ambient`, `g-buffer`. A key that a renderer
+/// against: `model`, `specular`, `specular-gate`, `specular-vector`, `ambient`, `g-buffer`, `shadows`. A key that a renderer
 /// lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
 ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings);

@@ -84,6 +84,20 @@ struct HostTimes {
     Spread record;  ///< recording and submitting the frame's commands
 };
 
+/// What the shadow maps of the last frame took (docs/shadows.md). A spot has one tile, or six where its
+/// cone is wide; a point light six; a directional one four.
+struct ShadowStats {
+    uint64_t budget = 0;         ///< texels that there are
+    uint64_t texels = 0;         ///< of them, in a tile
+    uint64_t lights = 0;         ///< with a shadow
+    uint64_t lights_reduced = 0; ///< of these, with smaller tiles than they asked for: the budget was short
+    uint64_t lights_without = 0; ///< that should have a shadow, and not even one texel a tile was left
+    uint32_t smallest = 0, largest = 0; ///< side of a tile, texels
+    uint64_t tiles_drawn = 0;    ///< in the last frame
+    uint64_t tiles_reused = 0;   ///< as they were: neither their light nor a caster moved
+    uint64_t casters_drawn = 0;  ///< objects in the tiles that were drawn
+};
+
 struct Stats {
     std::string device, driver;
     std::map<std::string, std::string> settings; ///< every setting with the value in force
@@ -102,6 +116,7 @@ struct Stats {
     uint64_t device_bytes_peak = 0; ///< the most device memory held at once since the device was made
     CreatedObjects created;         ///< during the last frame: nothing, once all has been drawn
     std::optional<HostTimes> host_ms = {}; ///< renderers on a device
+    std::optional<ShadowStats> shadows = {}; ///< with shadows=on
     uint64_t attachment_bytes_unshared = 0; ///< the same images, if none shared memory with another
     uint64_t pairs_evaluated = 0, pairs_contributing = 0;
     bool pairs_counted = false;

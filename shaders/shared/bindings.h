@@ -7,6 +7,9 @@
 #define FRAME_LIGHTS 1
 #define FRAME_LIGHT_ORDER 3
 #define FRAME_LIGHT_BOUNDS 4
+// only of frames with shadows
+#define FRAME_SHADOWS 5
+#define FRAME_SHADOW_SAMPLER 6
 
 #define SET_INPUTS 1
 // light pass
@@ -46,6 +49,8 @@
 #define INPUT_TRIM_INDICES 27
 #define INPUT_TRIM_COMMANDS 28
 #define INPUT_TRIM_COUNTS 29
+// shadows, of the shaders that are compiled with SHADOWS
+#define INPUT_SHADOW_ATLAS 24
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -113,6 +118,7 @@
 #define CONSTANT_TRIM_SUBPIXEL_BITS 60
 #define CONSTANT_TRIM_BY_DEPTH 61
 #define CONSTANT_TRIM_AGAIN 62
+#define CONSTANT_SHADOW_FILTER 51
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -178,6 +184,10 @@
 #define VOLUME_SPHERE 0
 #define VOLUME_CONE 1
 #define VOLUME_BOX 2
+
+#define SHADOW_FILTER_HARD 0
+#define SHADOW_FILTER_PCF 1
+#define SHADOW_FILTER_CONTACT 2
 
 #define TONEMAP_PBR_NEUTRAL 0
 #define TONEMAP_ACES 1

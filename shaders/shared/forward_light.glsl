@@ -24,7 +24,7 @@ ForwardSurface forward_surface() {
     s.base = base_colour().rgb;
     vec2 factors = metallic_roughness();
     s.reflectance = reflectance(s.base, factors.x);
-    s.point = lit_point(true, in_world, shading_normal(), to_viewer(in_world), max(factors.y, 0.089));
+    s.point = lit_point(true, in_world, shading_normal(), to_viewer(in_world), max(factors.y, 0.089), gl_FragCoord.xy);
     s.schlick_nv = schlick_weight(s.point.nv);
     return s;
 }

@@ -28,7 +28,8 @@ struct LightData {
     vec4 position;  // xyz: world position, or the unit vector to a directional light; w: 1 or 0
     vec4 colour;    // rgb: colour · intensity · exposure; w: 1 / range, 0 when infinite
     vec4 axis;      // xyz: unit vector the light shines along (spot); w: shininess
-    vec4 cone;      // x, y: scale and offset of the cone's falloff; z: falloff kind; w: outer angle
+    vec4 cone;      // x, y: scale and offset of the cone's falloff; z: falloff kind, and 4 ×
+                    // (number of its first shadow tile + 1) where it has one; w: outer angle
 };
 
 // What a light covers of the screen, in the order of the lights: light-culling=rectangles.

@@ -6,6 +6,9 @@
 #include "shared/light_kinds.glsl"
 #include "shared/shininess.glsl"
 #include "shared/reflectance.glsl"
+#ifdef SHADOWS
+#include "shared/shadows.glsl"
+#endif
 
 layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
 layout(constant_id = CONSTANT_SPECULAR_STEP_GATE) const bool specular_step_gate = false;
@@ -20,11 +23,24 @@ struct LitPoint {
     float alpha2;     // [ggx] roughness⁴
     float lobe;       // [ggx] what of D V no light changes: α² / (π (N·V + √(α² + (1 − α²) N·V²)))
     float shininess;  // [phong] the material's exponent
+#ifdef SHADOWS
+    vec2 turn;        // of the disc that shadows are filtered with
+#endif
 };
 
-// `roughness` is at least 0.089.
-LitPoint lit_point(bool surface, vec3 world, vec3 n, vec3 v, float roughness) {
-    LitPoint p = LitPoint(surface, world, surface ? n : vec3(0.0), v, dot(n, v), 0.0, 0.0, 1.0);
+// `roughness` is at least 0.089; `pixel`: gl_FragCoord.xy.
+LitPoint lit_point(bool surface, vec3 world, vec3 n, vec3 v, float roughness, vec2 pixel) {
+    LitPoint p;
+    p.surface = surface;
+    p.world = world;
+    p.n = surface ? n : vec3(0.0);
+    p.v = v;
+    p.nv = dot(n, v);
+    p.alpha2 = p.lobe = 0.0;
+    p.shininess = 1.0;
+#ifdef SHADOWS
+    p.turn = disc_turn(pixel);
+#endif
     if (shading == SHADING_GGX) {
         p.alpha2 = roughness * roughness * roughness * roughness;
         float nv = max(p.nv, 1e-4);
@@ -44,11 +60,20 @@ struct Lamp {
     vec3 axis;             // of a spot
     vec2 cone;
     float shininess, falloff;
+#ifdef SHADOWS
+    uint shadow;           // number of its first tile plus 1, 0 without a shadow
+#endif
 };
 
 Lamp lamp_of(LightData light) {
+#ifdef SHADOWS
+    uint code = uint(light.cone.z);
+    return Lamp(light.position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
+                light.axis.xyz, light.cone.xy, light.axis.w, float(code & 3u), code >> 2);
+#else
     return Lamp(light.position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
                 light.axis.xyz, light.cone.xy, light.axis.w, light.cone.z);
+#endif
 }
 
 // KHR_lights_punctual: clamp(1 − (d/range)⁴, 0, 1) / max(d, 0.01 m)², times the cone. `d2` is the squared
@@ -80,7 +105,7 @@ struct LightTerms {
     float diffuse;      // N·L att
     float specular;     // [ggx] N·L att D V; [phong] gate att (N·H)^n
     float vh;           // V·H
-    bool contributes;   // attenuation and N·L are above zero
+    bool contributes;   // attenuation and N·L are above zero, in shadow or not
 };
 
 // The half vector H is never made: with |L + V|² = 2 + 2 L·V, N·H = (N·L + N·V) / |L + V| and
@@ -92,6 +117,10 @@ LightTerms light_terms(Lamp lamp, LitPoint p) {
     vec3 l = to_light * inverse;
     float att = attenuation(lamp, d2, inverse, l);
     float nl = clamp(dot(p.n, l), 0.0, 1.0);
+    bool contributes = att > 0.0 && nl > 0.0;
+#ifdef SHADOWS
+    att *= unshadowed(lamp.shadow, p.world, p.n, -to_light, nl, p.turn, contributes);
+#endif
     float lv = dot(l, p.v);
     float half2 = max(2.0 + 2.0 * lv, 1e-12);  // |L + V|²
     float nh = max(nl + p.nv, 0.0);            // times |L + V|
@@ -109,7 +138,7 @@ LightTerms light_terms(Lamp lamp, LitPoint p) {
         float gate = specular_step_gate ? (nl > 0.0 ? att : 0.0) : diffuse;
         specular = gate * pow(clamp(base, 1e-6, 1.0), lamp.shininess * p.shininess);
     }
-    return LightTerms(diffuse, specular, 0.5 * sqrt(half2), att > 0.0 && nl > 0.0);
+    return LightTerms(diffuse, specular, 0.5 * sqrt(half2), contributes);
 }
 
 // What a surface sends on to the viewer; `schlick` weighs 1 − F0 ([ggx] only).

@@ -27,7 +27,8 @@ LitPixel read_pixel(ivec2 pixel) {
     LitPixel p;
     vec3 world;
     bool surface = read_position(pixel, world);
-    p.point = lit_point(surface, world, read_normal(pixel), to_viewer(world), max(read_roughness(pixel), 0.089));
+    p.point = lit_point(surface, world, read_normal(pixel), to_viewer(world), max(read_roughness(pixel), 0.089),
+                        vec2(pixel) + 0.5);
 #ifdef DEFERRED_TARGET
     p.takes_light = stored_reflectance(texelFetch(material_buffer, pixel, 0), texelFetch(albedo_buffer, pixel, 0),
                                        p.reflects);

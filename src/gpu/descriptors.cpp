@@ -15,7 +15,7 @@ void write(const Context& context, VkDescriptorSet set, std::span<const Binding>
         info.descriptorCount = 1;
         info.descriptorType = b.type;
         info.pBufferInfo = b.buffer ? &buffer : nullptr;
-        info.pImageInfo = b.view ? &image : nullptr;
+        info.pImageInfo = b.view || b.sampler ? &image : nullptr;
         vkUpdateDescriptorSets(context.device(), 1, &info, 0, nullptr);
     }
 }
@@ -47,6 +47,12 @@ Binding Binding::storage_image(uint32_t index, VkImageView view) {
     Binding b{index, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
     b.view = view;
     b.layout = VK_IMAGE_LAYOUT_GENERAL;
+    return b;
+}
+
+Binding Binding::sampler_only(uint32_t index, VkSampler sampler) {
+    Binding b{index, VK_DESCRIPTOR_TYPE_SAMPLER};
+    b.sampler = sampler;
     return b;
 }
 

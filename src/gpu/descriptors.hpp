@@ -22,6 +22,7 @@ struct Binding {
     static Binding storage(uint32_t index, VkBuffer buffer);
     static Binding sampled(uint32_t index, VkImageView view, VkImageLayout layout);
     static Binding storage_image(uint32_t index, VkImageView view);
+    static Binding sampler_only(uint32_t index, VkSampler sampler);
     static Binding texture(uint32_t index, VkImageView view, VkSampler sampler);
 };
 

@@ -60,7 +60,8 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
 } // namespace
 
 GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelineDesc& desc)
-    : layout_(make_pipeline_layout(context, desc.name, desc.sets, VK_SHADER_STAGE_FRAGMENT_BIT, desc.push_bytes)) {
+    : layout_(make_pipeline_layout(context, desc.name, desc.sets, desc.push_stage, desc.push_bytes)),
+      push_stage_(desc.push_stage) {
     const ShaderStage vertex(context, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex, desc.constants);
     std::vector<VkPipelineShaderStageCreateInfo> stages{vertex.info()};
     std::optional<ShaderStage> fragment;
@@ -91,6 +92,8 @@ GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelin
     VkPipelineRasterizationStateCreateInfo raster{
         VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.lineWidth = 1;
+    raster.depthBiasEnable = desc.slope_bias > 0;
+    raster.depthBiasSlopeFactor = -desc.slope_bias; // reversed depth
     raster.depthClampEnable = desc.depth_clamp && context.features().depth_clamp;
     VkPipelineMultisampleStateCreateInfo samples{
         VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
@@ -147,7 +150,7 @@ void GraphicsPipeline::bind_set(VkCommandBuffer commands, uint32_t index, VkDesc
 }
 
 void GraphicsPipeline::push(VkCommandBuffer commands, std::span<const std::byte> bytes) const {
-    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+    vkCmdPushConstants(commands, layout_, push_stage_, 0,
                        static_cast<uint32_t>(bytes.size()), bytes.data());
 }
 

@@ -45,7 +45,10 @@ struct GraphicsPipelineDesc {
     Stencil stencil = Stencil::none;
     bool depth_clamp = false;               ///< where the device has it
     std::vector<VkDescriptorSetLayout> sets;
-    uint32_t push_bytes = 0;                ///< push constants, read by the fragment shader; at most 128
+    uint32_t push_bytes = 0;                ///< push constants; at most 128
+    VkShaderStageFlags push_stage = VK_SHADER_STAGE_FRAGMENT_BIT; ///< the one that reads them
+    /// Depth moves away from the viewer by this many times what it changes within a pixel.
+    float slope_bias = 0;
 };
 
 class GraphicsPipeline {
@@ -61,6 +64,7 @@ public:
 
 private:
     UniquePipelineLayout layout_;
+    VkShaderStageFlags push_stage_ = 0;
     UniquePipeline pipeline_;
 };
 

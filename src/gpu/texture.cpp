@@ -131,6 +131,20 @@ void Texture::fill(Uploader& uploader, const TextureImage& image, TextureEncodin
     submit(commands, done);
 }
 
+UniqueSampler make_compare_sampler(const Context& context, VkFormat format) {
+    VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    info.magFilter = info.minFilter = context.supports(format, VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT)
+                                          ? VK_FILTER_LINEAR
+                                          : VK_FILTER_NEAREST;
+    info.compareEnable = VK_TRUE;
+    info.compareOp = VK_COMPARE_OP_GREATER_OR_EQUAL;
+    VkSampler handle = VK_NULL_HANDLE;
+    check(vkCreateSampler(context.device(), &info, nullptr, &handle), "shadow sampler");
+    context.set_name(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<uint64_t>(handle), "shadow sampler");
+    return {context.device(), handle};
+}
+
 UniqueSampler make_sampler(const Context& context, const Sampler& sampler, TextureFilter filter) {
     const auto address = [](Wrap wrap) {
         return wrap == Wrap::repeat            ? VK_SAMPLER_ADDRESS_MODE_REPEAT

@@ -32,6 +32,9 @@ enum class TextureFilter {
     anisotropic, ///< as the scene's sampler says, with anisotropy where the device has it
     bilinear,    ///< bilinear on level 0, whatever the sampler says: for comparing with the reference
 };
+/// For shadow maps: 1 where the value compared is at least what is stored, bilinear between texels where the device
+/// filters the format so.
+UniqueSampler make_compare_sampler(const Context& context, VkFormat format);
 UniqueSampler make_sampler(const Context& context, const Sampler& sampler, TextureFilter filter);
 
 } // namespace prelight::gpu

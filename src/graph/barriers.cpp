@@ -61,7 +61,7 @@ void FrameGraph::derive_image_barriers(GraphImage& image, uint32_t index) {
     // the frame, or anything of the frame before.
     const std::vector<Group> groups = group_uses(uses);
     Access before = everything_that_shares_memory(image);
-    before.layout = image.persists ? groups.back().access.layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    before.layout = image.persistent ? groups.back().access.layout : VK_IMAGE_LAYOUT_UNDEFINED;
     for (const Group& group : groups) {
         VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
         barrier.srcStageMask = before.stages;
@@ -79,6 +79,7 @@ void FrameGraph::derive_image_barriers(GraphImage& image, uint32_t index) {
     image.final_access = before;
 }
 
+/// Into the layout that each frame finds and leaves them in.
 void FrameGraph::derive_buffer_barriers(uint32_t index) {
     std::vector<Group> uses;
     for (uint32_t p = 0; p < passes_.size(); ++p)

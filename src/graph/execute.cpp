@@ -153,21 +153,23 @@ std::vector<std::pair<std::string, double>> FrameGraph::pass_times(uint32_t slot
     return times;
 }
 
-void FrameGraph::clear_persistent() const {
+void FrameGraph::begin_persistent_images() const {
     for (const GraphImage& image : images_) {
-        if (!image.persists || !image.usage)
+        if (!image.persistent || !image.usage)
             continue;
-        context_.run("clear " + image.name, [&](VkCommandBuffer commands) {
+        context_.run("begin " + image.name, [&](VkCommandBuffer commands) {
             VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-            barrier.dstStageMask = VK_PIPELINE_STAGE_2_CLEAR_BIT;
-            barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-            barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
             barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
             barrier.image = image.image;
-            barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-            pipeline_barrier(commands, {barrier}, {});
-            const VkClearColorValue zero{};
-            vkCmdClearColorImage(commands, image.image, barrier.newLayout, &zero, 1, &barrier.subresourceRange);
+            barrier.subresourceRange = {aspects(image.desc.format), 0, 1, 0, 1};
+            if (!is_depth(image.desc.format)) {
+                barrier.dstStageMask = VK_PIPELINE_STAGE_2_CLEAR_BIT;
+                barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+                barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+                pipeline_barrier(commands, {barrier}, {});
+                const VkClearColorValue zero{};
+                vkCmdClearColorImage(commands, image.image, barrier.newLayout, &zero, 1, &barrier.subresourceRange);
+            }
             barrier.srcStageMask = std::exchange(barrier.dstStageMask, image.final_access.stages);
             barrier.srcAccessMask = std::exchange(barrier.dstAccessMask, image.final_access.access);
             barrier.oldLayout = std::exchange(barrier.newLayout, image.final_access.layout);

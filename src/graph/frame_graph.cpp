@@ -175,9 +175,9 @@ Pass& FrameGraph::pass(std::string name) {
     return *passes_.emplace_back(std::make_unique<Pass>(std::move(name)));
 }
 
-void FrameGraph::keep(ImageId image) { images_[image.index].kept = true; }
+void FrameGraph::persist(ImageId image) { images_[image.index].persistent = true; }
 
-void FrameGraph::persist(ImageId image) { images_[image.index].persists = true; }
+void FrameGraph::keep(ImageId image) { images_[image.index].kept = true; }
 
 Access FrameGraph::sampled_access(const Pass& pass, ImageId image) const {
     Access access = Access::sampled(is_depth(images_[image.index].desc.format));
@@ -199,7 +199,7 @@ void FrameGraph::compile() {
     place_images();
     create_views();
     derive_barriers();
-    clear_persistent();
+    begin_persistent_images();
     prepare_passes();
     if (passes_.empty())
         return;

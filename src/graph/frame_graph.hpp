@@ -162,7 +162,8 @@ public:
     Pass& pass(std::string name);
     /// The image's content stays for read_back() after the frame.
     void keep(ImageId image);
-    /// The colour image's content stays for the next frame, and is 0 before the first. It shares memory with none.
+    /// The image's content stays for the next frame, for passes that draw some of it anew. Before the first a colour
+    /// image is 0, a depth image undefined. It shares memory with none.
     void persist(ImageId image);
     const ImageDesc& desc(ImageId image) const { return images_[image.index].desc; }
     const std::string& name(ImageId image) const { return images_[image.index].name; }
@@ -198,7 +199,7 @@ private:
         std::string name;
         ImageDesc desc;
         bool kept = false;
-        bool persists = false;
+        bool persistent = false;
         bool as_bits = false; ///< some pass reads it by sample_bits()
         VkImageUsageFlags usage = 0;
         uint32_t first = 0xffffffffu, last = 0; ///< living passes; last is huge when kept, and so are both ends when it persists
@@ -224,7 +225,7 @@ private:
     void create_images();
     void place_images();
     void create_views();
-    void clear_persistent() const;
+    void begin_persistent_images() const;
     gpu::UniqueImageView create_view(const GraphImage& image, VkImageAspectFlags aspects, VkFormat format) const;
     VkImageView sampled_view(const Pass& pass, uint32_t binding, const GraphImage& image) const;
     void derive_barriers();

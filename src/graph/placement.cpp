@@ -33,13 +33,13 @@ void FrameGraph::find_lifetimes() {
     for (GraphImage& image : images_) {
         if (!image.usage)
             continue;
-        if (image.kept || image.persists)
+        if (image.kept || image.persistent)
             image.last = 0xfffffffeu;
         if (image.kept)
             image.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-        if (image.persists) {
+        if (image.persistent) {
             image.first = 0;
-            image.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+            image.usage |= is_depth(image.desc.format) ? 0 : VK_IMAGE_USAGE_TRANSFER_DST_BIT;
         }
     }
 }

@@ -17,7 +17,7 @@ SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth) {
 
 SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs& inputs, StepKind kind) {
     SurfaceDraws::Desc desc{.name = "forward " + inputs.name,
-                            .fragment = "forward.frag",
+                            .fragment = "forward" + shadow_variant(inputs.shadows) + ".frag",
                             .constants = inputs.model.constants(),
                             .depth = gpu::DepthTest::equal, // exact: vertex_position() is invariant
                             .keeps_alpha_mask = false};
@@ -26,6 +26,7 @@ SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
                            {CONSTANT_LIGHT_KINDS, frame.light_kinds()},
                            {CONSTANT_FORWARD_BASE, kind == StepKind::base_and_lights}});
+    add_shadow_constants(desc.constants, frame);
     desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;
     desc.push_bytes = sizeof(shared::ForwardBatch);
     return desc;
@@ -80,6 +81,7 @@ void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const 
     if (!base || inputs.kinds.size() > 1)
         pass.storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
     declare_surfaces(graph, pass, frame, base ? gpu::DepthTest::write_nearer : gpu::DepthTest::equal);
+    declare_shadows(pass, inputs.shadows);
     auto draws = std::make_shared<std::optional<ForwardDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });

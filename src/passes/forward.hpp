@@ -1,6 +1,7 @@
 #pragma once
 #include "forward_plan.hpp"
 #include "light_model.hpp"
+#include "shadow_maps.hpp"
 #include "tonemap.hpp"
 #include <graph/frame_graph.hpp>
 #include <functional>
@@ -19,6 +20,7 @@ struct ForwardInputs {
     /// The draws of a frame, made anew for each from the lights of its objects.
     std::function<ForwardPlan(const resident::LightReach&)> plan;
     LightModel model;
+    Shadows shadows;                    ///< not of passes that count lights
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; bound with lights
     bool count_pairs = false;
     bool counts_lights = false; ///< instead of light: 1 for each in R, and in G where it contributes

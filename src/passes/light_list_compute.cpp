@@ -110,7 +110,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
     store(pass);
     if (keeps)
         pass.sample(INPUT_COLOUR_BEFORE, images[0]);
-    dispatch_lists(pass, frame, lists.constants, "light_list" + inputs.target.variant + ".comp", constants,
+    dispatch_lists(pass, frame, lists.constants, lighting_shader(inputs, "light_list", ".comp"), constants,
                    [lit](const graph::PassContext& context) {
                        if (context.one_pixel)
                            vkCmdDispatch(context.commands, 1, 1, 1);

@@ -80,6 +80,12 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
         .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
     if (inputs.target.variant == "+deferred")
         pass.sample(INPUT_MATERIAL, inputs.material).sample(INPUT_ALBEDO, inputs.albedo);
+    declare_shadows(pass, inputs.shadows);
+}
+
+std::string lighting_shader(const LightingInputs& inputs, const std::string& shader, const char* ending) {
+    const bool counts = inputs.target.variant == "+count", lit = shader != "light_ambient";
+    return shader + inputs.target.variant + (counts || !lit ? "" : shadow_variant(inputs.shadows)) + ending;
 }
 
 gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs) {
@@ -88,13 +94,14 @@ gpu::Constants lighting_constants(const resident::Frame& frame, const LightingIn
         constants.insert(constants.end(), more.begin(), more.end());
     constants.insert(constants.end(), {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                                        {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
+    add_shadow_constants(constants, frame);
     return constants;
 }
 
 gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const graph::PassInterface& interface,
                                             const LightingInputs& inputs, const std::string& shader) {
     gpu::GraphicsPipelineDesc desc;
-    desc.fragment = shader + inputs.target.variant + ".frag";
+    desc.fragment = lighting_shader(inputs, shader, ".frag");
     desc.constants = lighting_constants(frame, inputs);
     desc.colour_formats = interface.colour_formats;
     desc.depth_format = interface.depth_format;

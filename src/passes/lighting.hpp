@@ -1,6 +1,7 @@
 #pragma once
 #include "depth_normal.hpp"
 #include "light_model.hpp"
+#include "shadow_maps.hpp"
 
 namespace prelight::passes {
 
@@ -27,6 +28,7 @@ struct LightingInputs {
     graph::ImageId material{}, albedo{}; ///< "+deferred": RT2 and RT3 of the G-buffer
     LightModel model;
     LightTarget target;
+    Shadows shadows;
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound
     bool count_pairs = false;
     uint32_t tile_size = 8;     ///< light lists: pixels of a tile's side, 8, 16 or 32
@@ -56,6 +58,8 @@ LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& f
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
 /// The same without the target's images.
 void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
+/// The shader's name with its variant for the target, and for shadows where there are any: counts know none.
+std::string lighting_shader(const LightingInputs& inputs, const std::string& shader, const char* ending);
 /// Specialisation constants of every shader that evaluates lights.
 gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs);
 /// A pipeline with `shader`'s variant for the target, drawn over the pass's attachments; the caller

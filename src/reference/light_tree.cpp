@@ -38,7 +38,8 @@ LightTree::LightTree(const World& world, glm::dvec3 origin) {
                            .range = light.range,
                            .cos_outer = cos_outer,
                            .cone_scale = 1 / std::max(1e-3, cos_inner - cos_outer),
-                           .shininess = light.shininess});
+                           .shininess = light.shininess,
+                           .casts_shadow = light.casts_shadow});
         const auto index = static_cast<uint32_t>(lights_.size() - 1);
         if (light.kind == LightKind::directional || std::isinf(light.range))
             unbounded_.push_back(index);
@@ -113,7 +114,7 @@ Incident LightTree::incident(uint32_t index, glm::dvec3 point) const {
     const Prepared& light = lights_[index];
     if (light.kind == LightKind::directional)
         return {-light.direction, light.radiance, std::numeric_limits<double>::infinity(),
-                light.shininess};
+                light.shininess, light.casts_shadow};
     const glm::dvec3 offset = light.position - point;
     const double distance = glm::length(offset);
     if (distance == 0) // no direction: a point in the light itself is not lit by it
@@ -125,7 +126,7 @@ Incident LightTree::incident(uint32_t index, glm::dvec3 point) const {
             (glm::dot(-to_light, light.direction) - light.cos_outer) * light.cone_scale, 0.0, 1.0);
         factor *= cone * cone;
     }
-    return {to_light, light.radiance * factor, distance, light.shininess};
+    return {to_light, light.radiance * factor, distance, light.shininess, light.casts_shadow};
 }
 
 } // namespace prelight::reference

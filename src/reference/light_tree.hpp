@@ -11,6 +11,7 @@ struct Incident {
     glm::dvec3 radiance{0}; ///< attenuation × colour × intensity, > 0 in some channel
     double distance = 0;    ///< metres; infinity for a directional light
     double shininess = 1;
+    bool casts_shadow = true;
 };
 
 /// All lights of a world, those of finite range in a bounding-volume hierarchy of their spheres, so
@@ -46,6 +47,7 @@ private:
         Falloff falloff;
         glm::dvec3 position, direction, radiance; ///< radiance: colour × intensity
         double range, cos_outer, cone_scale, shininess;
+        bool casts_shadow;
     };
     std::vector<Prepared> lights_;
     std::vector<uint32_t> unbounded_;

@@ -19,6 +19,7 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
     form.gate_by_step = is("specular-gate", "step");
     form.reflection_vector = is("specular-vector", "reflection");
     form.ambient_as_light = is("ambient", "light");
+    form.shadows = is("shadows", "on");
     using Specular = ReferenceForm::Specular;
     if (shading == Shading::phong)
         form.specular = is("specular", "luv")             ? Specular::luv

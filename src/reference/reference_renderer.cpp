@@ -181,7 +181,7 @@ RendererInfo reference_info() {
                  {"material", "light"},
                  "material",
                  "ambient as a term of the material, or as a light in the diffuse sum"},
-                {"shadows", {"off", "on"}, "off", "a shadow ray for every light"},
+                {"shadows", {"off", "on"}, "off", "a shadow ray for every light that casts a shadow"},
                 {"texture-filter",
                  {"bilinear", "sampler"},
                  "bilinear",

@@ -112,7 +112,7 @@ private:
                 const Incident light = lights_.incident(index, surface.position);
                 if (lighting.cosine(light) <= 0 || light.radiance == glm::dvec3(0))
                     continue;
-                if (form_.shadows && shadowed(hit, light))
+                if (form_.shadows && light.casts_shadow && shadowed(hit, light))
                     picture.shadow_mask[pixel] += (index + uint64_t(1)) * 0x9e3779b97f4a7c15u;
                 else
                     lighting.add(light);

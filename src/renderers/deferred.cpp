@@ -3,6 +3,7 @@
 #include "deferred.hpp"
 #include "draw_settings.hpp"
 #include "light_culling_choice.hpp"
+#include "shadow_settings.hpp"
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/view.hpp>
@@ -48,6 +49,7 @@ private:
                                         .albedo = gbuffer.albedo,
                                         .model = model_,
                                         .target = gbuffer.light_target(),
+                                        .shadows = shadows(graph, frame),
                                         .pair_counters = &pair_counters(),
                                         .count_pairs = options().count_pairs,
                                         .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
@@ -100,6 +102,8 @@ RendererInfo deferred_info() {
         .presets = {"killzone2"},
         .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}}}};
     for (SettingInfo& setting : draw_settings(false))
+        info.settings.push_back(std::move(setting));
+    for (SettingInfo& setting : shadow_settings())
         info.settings.push_back(std::move(setting));
     const std::vector<SettingInfo> volumes = passes::volume_settings();
     info.settings.insert(info.settings.end(), volumes.begin(), volumes.end());

@@ -1,5 +1,6 @@
 #include "device_renderer.hpp"
 #include "draw_settings.hpp"
+#include "shadow_settings.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -72,7 +73,8 @@ resident::FrameSettings DeviceRenderer::frame_settings() const {
     return {.width = options_.width,
             .height = options_.height,
             .exposure = std::exp2(options_.exposure),
-            .draws = draw_options(settings_)};
+            .draws = draw_options(settings_),
+            .shadows = shadow_options(settings_)};
 }
 
 DeviceRenderer::Views DeviceRenderer::linear_views(graph::FrameGraph& graph, const resident::Frame& frame,
@@ -258,7 +260,24 @@ Stats DeviceRenderer::stats() const {
     stats.created = created_;
     stats.host_ms = HostTimes{spread(host_.lights), spread(host_.culling), spread(host_.objects), spread(host_.record)};
     count_pairs(stats);
+    tell_shadows(stats);
     return stats;
+}
+
+void DeviceRenderer::tell_shadows(Stats& stats) const {
+    if (!frame_->shadows())
+        return;
+    ShadowStats shadows = frame_->shadows()->stats();
+    shadows.tiles_drawn = shadow_counts_.tiles_drawn;
+    shadows.tiles_reused = shadow_counts_.tiles_reused;
+    shadows.casters_drawn = shadow_counts_.casters_drawn;
+    stats.shadows = shadows;
+    if (shadows.lights_reduced > 0)
+        stats.notes.push_back(fmt::format("shadow-budget: {} of {} lights have smaller shadow maps than they asked for",
+                                          shadows.lights_reduced, shadows.lights));
+    if (shadows.lights_without > 0)
+        stats.notes.push_back(fmt::format("shadow-budget: {} lights have no shadow, not a texel was left for them",
+                                          shadows.lights_without));
 }
 
 void DeviceRenderer::count_pairs(Stats& stats) const {

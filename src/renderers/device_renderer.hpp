@@ -5,6 +5,7 @@
 #include <graph/frame_graph.hpp>
 #include <memory>
 #include <optional>
+#include <passes/shadow_maps.hpp>
 #include <passes/tonemap.hpp>
 #include <resident/frame.hpp>
 
@@ -47,6 +48,10 @@ protected:
     const RenderOptions& options() const { return options_; }
     const Settings& settings() const { return settings_; }
     bool wants(std::string_view view) const;
+    /// The pass of shadow maps, counted for stats(); call it before the passes that evaluate lights.
+    passes::Shadows shadows(graph::FrameGraph& graph, const resident::Frame& frame) {
+        return passes::shadow_pass(graph, frame, shadow_counts_);
+    }
     const gpu::Buffer& pair_counters() const { return pair_counters_; }
 
 private:
@@ -59,6 +64,7 @@ private:
     void time_passes(const PlacedCamera& camera);
     void clear_pairs(VkCommandBuffer commands) const;
     void count_pairs(Stats& stats) const;
+    void tell_shadows(Stats& stats) const;
 
     const gpu::Context& context_;
     RenderOptions options_;
@@ -69,6 +75,7 @@ private:
     std::unique_ptr<graph::FrameGraph> graph_;
     Views views_;
     uint64_t triangles_ = 0; ///< of the world
+    passes::ShadowCounts shadow_counts_; ///< of the last recording
     bool drawn_ = false; ///< the graph's images hold a frame
     PlacedCamera camera_; ///< of that frame
     bool warm_ = false;  ///< every pipeline of the graph has drawn once

@@ -1,5 +1,6 @@
 #include "forward_renderer.hpp"
 #include "draw_settings.hpp"
+#include "shadow_settings.hpp"
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -64,6 +65,8 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twi
          "bilinear: level 0 only, for comparing with the reference"}};
     own.insert(own.end(), common.begin(), common.end());
     for (SettingInfo& setting : draw_settings(twice))
+        own.push_back(std::move(setting));
+    for (SettingInfo& setting : shadow_settings())
         own.push_back(std::move(setting));
     return own;
 }

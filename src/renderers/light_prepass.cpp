@@ -6,6 +6,7 @@
 #include "light_model_settings.hpp"
 #include "light_prepass_presets.hpp"
 #include <passes/light_list_compute.hpp>
+#include "shadow_settings.hpp"
 #include <passes/light_pass.hpp>
 #include <passes/materials.hpp>
 #include <passes/view.hpp>
@@ -48,6 +49,7 @@ private:
         const passes::LightingInputs lighting{.surface = surface,
                                         .model = model_,
                                         .target = light.target,
+                                        .shadows = shadows(graph, frame),
                                         .pair_counters = &pair_counters(),
                                         .count_pairs = options().count_pairs,
                                         .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
@@ -115,6 +117,8 @@ RendererInfo light_prepass_info() {
             .presets = {"engel", "round2", "prelighting"},
             .preset_settings = light_prepass_presets()};
     for (SettingInfo& setting : draw_settings(true))
+        info.settings.push_back(std::move(setting));
+    for (SettingInfo& setting : shadow_settings())
         info.settings.push_back(std::move(setting));
     for (const SettingInfo& setting : passes::volume_settings())
         info.settings.push_back(setting);

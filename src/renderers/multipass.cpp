@@ -25,6 +25,7 @@ private:
 
         ambient_draws_ = 0;
         passes::ForwardInputs lights = shading("lights", depth, linear);
+        lights.shadows = shadows(graph, frame);
         lights.kinds = {passes::StepKind::lights};
         if (per_object) {
             lights.kinds.push_back(passes::StepKind::base);

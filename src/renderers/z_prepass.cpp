@@ -52,12 +52,14 @@ private:
                                 passes::Display display) {
         passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, display));
         opaque.display = display;
+        opaque.shadows = shadows(graph, frame);
         passes::forward_grid_pass(graph, frame, opaque);
         return opaque.colour;
     }
 
     graph::ImageId draw_by_plan(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
         passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, {}));
+        opaque.shadows = shadows(graph, frame);
         opaque.kinds = {passes::StepKind::base_and_lights, passes::StepKind::lights};
         opaque.plan = [](const resident::LightReach& reach) {
             return passes::plan_shaded_once(reach, FORWARD_MOST_LIGHTS);

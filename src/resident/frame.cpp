@@ -1,8 +1,11 @@
 #include "frame.hpp"
 #include "projection.hpp"
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
 #include <timing/clocks.hpp>
@@ -48,6 +51,7 @@ void place(PlacedLight& target, const PlacedLight& light) {
     target.light.outer_cone = light.light.outer_cone;
     target.light.shininess = light.light.shininess;
     target.light.falloff = light.light.falloff;
+    target.light.casts_shadow = light.light.casts_shadow;
     target.position = light.position;
     target.direction = light.direction;
 }
@@ -63,6 +67,8 @@ Frame::Frame(const gpu::Context& context, const World& world, const FrameSetting
                                      VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);
     }
     make_draw_buffers();
+    if (settings_.shadows.on)
+        make_shadows();
     make_light_buffers(placed_.size());
 }
 
@@ -115,6 +121,25 @@ std::optional<uint64_t> Frame::triangles_skipped() const {
     return triangles_drawn() - later;
 }
 
+void Frame::make_shadows() {
+    WorldBox box;
+    if (!geometry_.draws.empty())
+        box = {geometry_.draws[0].low, geometry_.draws[0].high};
+    for (const Draw& draw : geometry_.draws)
+        box = {glm::min(box.low, draw.low), glm::max(box.high, draw.high)};
+    shadows_.emplace(box, settings_.shadows, context_.limits().maxImageDimension2D);
+    std::vector<std::array<glm::vec4, 3>> rows;
+    for (const Draw& draw : geometry_.draws) {
+        glm::dmat4 m = world_.instances[draw.object].transform;
+        m[3] -= glm::dvec4(box.centre(), 0);
+        m = glm::transpose(m);
+        rows.push_back({glm::vec4(m[0]), glm::vec4(m[1]), glm::vec4(m[2])});
+    }
+    caster_rows_ = gpu::make_device_buffer(context_, "shadow casters", std::as_bytes(std::span(rows)),
+                                           VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    shadow_sampler_ = gpu::make_compare_sampler(context_, VK_FORMAT_D32_SFLOAT);
+}
+
 void Frame::make_light_buffers(size_t lights) {
     constexpr auto storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     const size_t bounded = culling() == LightCulling::rectangles ? lights : 1;
@@ -123,6 +148,8 @@ void Frame::make_light_buffers(size_t lights) {
         slot.lights = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
         slot.order = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
         slot.bounds = make_upload(context_, "light bounds", bounded, sizeof(shared::LightScreenBounds), storage);
+        if (shadows_) // as if all were point lights, for each may become one
+            slot.shadows = make_upload(context_, "shadow tiles", 6 * lights, sizeof(shared::ShadowData), storage);
     }
     std::vector<std::vector<gpu::Binding>> sets;
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
@@ -130,6 +157,10 @@ void Frame::make_light_buffers(size_t lights) {
                         gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle())});
+    for (uint32_t s = 0; shadows_ && s < gpu::frames_in_flight; ++s) {
+        sets[s].push_back(gpu::Binding::storage(FRAME_SHADOWS, made[s].shadows.handle()));
+        sets[s].push_back(gpu::Binding::sampler_only(FRAME_SHADOW_SAMPLER, shadow_sampler_));
+    }
     if (!layout_)
         layout_ = gpu::make_set_layout(context_, "frame", sets[0]);
     sets_ = gpu::DescriptorSets(context_, "frame", layout_, sets);
@@ -137,6 +168,7 @@ void Frame::make_light_buffers(size_t lights) {
         slots_[s].lights = std::move(made[s].lights);
         slots_[s].order = std::move(made[s].order);
         slots_[s].bounds = std::move(made[s].bounds);
+        slots_[s].shadows = std::move(made[s].shadows);
     }
     capacity_ = lights;
 }
@@ -187,10 +219,23 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
                            context_.features().depth_clamp, settings_.volumes.spot_boxes);
     std::copy(groups_.order.begin(), groups_.order.end(), target.order.mapped<uint32_t>());
     std::copy(groups_.bounds.begin(), groups_.bounds.end(), target.bounds.mapped<shared::LightScreenBounds>());
+    if (shadows_)
+        update_shadows(camera);
     reach_ = find_reach(geometry_.draws, placed_, groups_.order, settings_.object_lights);
     times_ = {.lights = std::exchange(set_lights_ms_, 0.0) + lights_end - start,
               .culling = thread_ms() - objects_end,
               .objects = objects_end - lights_end};
+}
+
+void Frame::update_shadows(const PlacedCamera& camera) {
+    const Slot& target = slots_[slot_];
+    shadows_->update(placed_, groups_.order, camera, settings_.width, settings_.height);
+    const std::vector<shared::ShadowData>& records = shadows_->records();
+    std::copy(records.begin(), records.end(), target.shadows.mapped<shared::ShadowData>());
+    for (const auto& [light, first] : shadows_->lights()) {
+        const shared::LightData data = light_data(placed_[light], camera.position, settings_.exposure);
+        target.lights.mapped<shared::LightData>()[light].cone.z = data.cone.z + 4 * static_cast<float>(first + 1);
+    }
 }
 
 } // namespace prelight::resident

@@ -3,6 +3,7 @@
 #include "light_reach.hpp"
 #include "lights.hpp"
 #include "scene.hpp"
+#include "shadow_plan.hpp"
 #include "visible_draws.hpp"
 #include "visible_pixels.hpp"
 #include <gpu/frames_in_flight.hpp>
@@ -21,6 +22,7 @@ struct FrameSettings {
     gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
     bool motion = false;             ///< fill Geometry::previous_positions
     DrawOptions draws = {};
+    ShadowOptions shadows = {};
 };
 
 /// CPU time of the calling thread for one frame, milliseconds; as prelight::HostTimes names it.
@@ -56,6 +58,11 @@ public:
     const LightReach& reach() const { return reach_; }
     /// What the camera of the last update() may see.
     const VisibleDraws& visible() const { return visible_; }
+    /// Shadow maps of the last update(); null without shadows.
+    const ShadowPlan* shadows() const { return shadows_ ? &*shadows_ : nullptr; }
+    /// Of every draw of the geometry: the rows of its matrix object → world relative to the world's centre. A vertex
+    /// buffer that steps once an instance, as casters of shadows are drawn: they do not move with the camera.
+    VkBuffer caster_rows() const { return caster_rows_.handle(); }
     const DrawOptions& draw_options() const { return settings_.draws; }
     /// ObjectData of the visible draws: a vertex buffer that steps once an instance.
     VkBuffer objects() const { return objects_[slot_].handle(); }
@@ -86,6 +93,8 @@ public:
 
 private:
     void make_draw_buffers();
+    void make_shadows();
+    void update_shadows(const PlacedCamera& camera);
     /// Buffers for `lights` lights, and set 0 over all buffers.
     void make_light_buffers(size_t lights);
     const gpu::Context& context_;
@@ -98,7 +107,7 @@ private:
     Materials materials_;
     /// What the host writes for one frame.
     struct Slot {
-        gpu::Buffer constants, lights, order, bounds;
+        gpu::Buffer constants, lights, order, bounds, shadows;
         gpu::Buffer commands; ///< what find_visible() writes
     };
     gpu::PerFrame<Slot> slots_;
@@ -111,6 +120,9 @@ private:
     VisibleDraws visible_;
     LightGroups groups_;
     LightReach reach_;
+    std::optional<ShadowPlan> shadows_;
+    gpu::Buffer caster_rows_;
+    gpu::UniqueSampler shadow_sampler_; ///< compares
     glm::dvec3 eye_{0};
     glm::mat4 clip_from_world_{1};
     UpdateTimes times_;

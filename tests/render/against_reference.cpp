@@ -66,6 +66,7 @@ ReferenceForm form_of(const Shot& shot) {
     form.gate_by_step = is(shot, "specular-gate", "step");
     form.reflection_vector = is(shot, "specular-vector", "reflection");
     form.ambient_as_light = is(shot, "ambient", "light");
+    form.shadows = is(shot, "shadows", "on");
     return form;
 }
 

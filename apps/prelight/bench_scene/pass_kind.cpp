@@ -21,6 +21,7 @@ constexpr std::array beginnings{
     Beginning{"light-", PassKind::light},        Beginning{"light ", PassKind::light},
     Beginning{"depth", PassKind::geometry},      Beginning{"normal", PassKind::geometry},
     Beginning{"geometry", PassKind::geometry},   Beginning{"material", PassKind::material},
+    Beginning{"shadow", PassKind::light},        // as much as the light needs it
     Beginning{"resolve", PassKind::display},     Beginning{"tonemap", PassKind::display},
 };
 

@@ -35,6 +35,7 @@ void read_light(const Item& own, Light& light) {
     light.shininess = own.real("shininess", 1);
     if (!(light.shininess > 0))
         own.fail("shininess is not above 0");
+    light.casts_shadow = own.flag("castsShadow", true);
 }
 
 } // namespace

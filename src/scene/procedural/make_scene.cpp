@@ -6,6 +6,7 @@
 #include <scene/procedural/city.hpp>
 #include <scene/procedural/lights.hpp>
 #include <scene/procedural/motion.hpp>
+#include <scene/procedural/shadows.hpp>
 #include <scene/procedural/spheres.hpp>
 
 namespace prelight {
@@ -26,6 +27,8 @@ constexpr auto entries = std::to_array<Entry>({
      make_lights_scene},
     {{"motion", "all that moves: turning boxes, a bent column, a morphing sphere, camera, lights", 24},
      make_motion_scene},
+    {{"shadows", "thin walls, poles, a fence, columns far away: sun, point light, narrow and wide spot", 4},
+     make_shadows_scene},
 });
 
 } // namespace

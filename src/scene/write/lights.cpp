@@ -34,6 +34,8 @@ void set_extras(Json& entry, const Light& light) {
             light.falloff == Falloff::linear ? "linear" : "quadratic";
     if (light.shininess != 1)
         entry["extras"]["prelight"]["shininess"] = number(light.shininess);
+    if (!light.casts_shadow)
+        entry["extras"]["prelight"]["castsShadow"] = false;
 }
 
 void check(const Light& light, size_t index, const Document& document) {

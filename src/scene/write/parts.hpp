@@ -10,6 +10,7 @@
 //   root.extras.prelight.ambient      [r, g, b]  uniform environment radiance, linear; absent: 0 0
 //   0 light.extras.prelight.falloff     "linear" | "quadratic"; absent: KHR_lights_punctual's own
 //   light.extras.prelight.shininess   number > 0, [phong] light shininess; absent: 1
+//   light.extras.prelight.castsShadow bool; absent: true
 //
 // (`light` is an element of root.extensions.KHR_lights_punctual.lights.)
 namespace prelight::write {

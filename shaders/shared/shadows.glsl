@@ -1,0 +1,112 @@
+// How much of a light comes to a point past its shadow casters: shadow maps in an atlas, percentage-closer
+// filtering (Reeves, Salesin, Cook 1987) over a disc that turns from pixel to pixel, or a disc whose size follows
+// from the blockers found (Fernando, "Percentage-Closer Soft Shadows", 2005).
+//
+// Bias: the point moves along its normal by what the disc and a texel of the map can be off on a plane through it.
+// Texels lie across the tile's axis: that is (radius + √2) texels · sin(N, axis). More would be a gap where
+// things touch.
+#ifndef PRELIGHT_SHADOWS_GLSL
+#define PRELIGHT_SHADOWS_GLSL
+#extension GL_EXT_samplerless_texture_functions : require
+#include "shared/frame.glsl"
+#include "shared/light_kinds.glsl"
+#include "shared/shadow.h"
+
+layout(constant_id = CONSTANT_SHADOW_FILTER) const int shadow_filter = SHADOW_FILTER_PCF;
+layout(set = SET_FRAME, binding = FRAME_SHADOWS, std430) readonly buffer ShadowBlock { ShadowData shadow_tiles[]; };
+layout(set = SET_FRAME, binding = FRAME_SHADOW_SAMPLER) uniform samplerShadow shadow_sampler;
+layout(set = SET_INPUTS, binding = INPUT_SHADOW_ATLAS) uniform texture2D shadow_atlas;
+
+const int shadow_taps = shadow_filter == SHADOW_FILTER_CONTACT ? 16 : 8;
+const int search_taps = 12;
+const float golden_cos = -0.73736888, golden_sin = 0.67549029; // of the golden angle, 2.39996
+const float margin = shadow_filter == SHADOW_FILTER_HARD ? 0.70710678 : 1.41421356; // to the farthest texel, texels
+const float least_radius = shadow_filter == SHADOW_FILTER_HARD ? 0.0 : 1.5; // texels
+
+// The unit vector that turns a pixel's disc: interleaved gradient noise (Jimenez 2014).
+vec2 disc_turn(vec2 pixel) {
+    float angle = 6.2831853 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+    return vec2(cos(angle), sin(angle));
+}
+
+vec2 next_turn(vec2 t) { return vec2(t.x * golden_cos - t.y * golden_sin, t.x * golden_sin + t.y * golden_cos); }
+
+// Which of a light's tiles the point lies in; `from_light`: from the light to the point.
+uint tile_of(uint first, vec3 world, vec3 from_light) {
+    float kind = shadow_tiles[first].source.w;
+    uint tile = first;
+    if (may_be(LIGHT_KIND_DIRECTIONAL)) {
+        vec4 beyond = vec4(greaterThan(vec4(dot(world, frame.forward.xyz)), shadow_tiles[first].ends));
+        tile += kind == float(SHADOW_CASCADES) ? uint(beyond.x + beyond.y + beyond.z) : 0u;
+    }
+    vec3 size = abs(from_light);
+    bool x = size.x >= size.y && size.x >= size.z, y = size.y >= size.z;
+    uint face = x ? (from_light.x < 0.0 ? 1u : 0u) : y ? (from_light.y < 0.0 ? 3u : 2u) : (from_light.z < 0.0 ? 5u : 4u);
+    return tile + (kind == float(SHADOW_FACES) ? face : 0u);
+}
+
+// Place in the tile and depth of a point moved off its surface for a disc of this radius.
+vec3 moved_place(ShadowData tile, vec4 at, vec3 n, float sine, float radius) {
+    float offset = (tile.texel.x + tile.texel.y * max(at.w, 0.0)) * (radius + margin) * sine;
+    at += tile.texel_from_world * vec4(n * offset, 0.0);
+    vec3 place = at.xyz / max(at.w, 1e-6);
+    // What rounding does to depth.
+    place.z = place.z * (1.0 + 2e-5) + (tile.source.x > 0.0 ? 2e-6 : 0.0);
+    return place;
+}
+
+vec2 atlas_texel(ShadowData tile, vec2 place) { return tile.place.xy + clamp(place, vec2(0.5), vec2(tile.place.z - 0.5)); }
+
+// Radius of the penumbra, texels, from the mean depth of what lies nearer to the light around the point.
+float penumbra(ShadowData tile, vec4 at, vec3 n, float sine, vec2 turn, bool wanted) {
+    float radius = tile.place.w;
+    vec3 place = moved_place(tile, at, n, sine, radius);
+    float sum = 0.0, found = 0.0;
+    int taps = wanted ? search_taps : 0;
+    for (int i = 0; i < taps; ++i) {
+        vec2 spot = place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(search_taps)));
+        float depth = texelFetch(shadow_atlas, ivec2(atlas_texel(tile, spot)), 0).r;
+        float nearer = depth > place.z ? 1.0 : 0.0;
+        sum += depth * nearer;
+        found += nearer;
+        turn = next_turn(turn);
+    }
+    if (found < 0.5)
+        return least_radius;
+    float blocker = sum / found;
+    float metres = tile.source.x > 0.0
+                       ? (blocker - place.z) * tile.source.x * tile.source.z
+                       : (at.w - tile.source.y / blocker) * tile.source.z / max(tile.source.y / blocker, 1e-4);
+    return clamp(metres / (tile.texel.x + tile.texel.y * at.w), least_radius, max(radius, least_radius));
+}
+
+// 1: nothing between the light and the point. `shadow`: number of the light's first tile plus 1, 0 without a
+// shadow; `nl`: N·L; where not `wanted` nothing is looked up.
+float unshadowed(uint shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec2 turn, bool wanted) {
+    wanted = wanted && shadow > 0u;
+    ShadowData tile = shadow_tiles[tile_of(wanted ? shadow - 1u : 0u, world, from_light)];
+    vec4 at = tile.texel_from_world * vec4(world, 1.0);
+    // Parallel light comes along the axis; else the axis is what w grows along.
+    vec3 axis = vec3(tile.texel_from_world[0].w, tile.texel_from_world[1].w, tile.texel_from_world[2].w);
+    float cosine = tile.source.x > 0.0 ? nl : dot(n, axis);
+    float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+    if (shadow_filter == SHADOW_FILTER_HARD) {
+        vec3 place = moved_place(tile, at, n, sine, 0.0);
+        float depth = texelFetch(shadow_atlas, ivec2(atlas_texel(tile, place.xy)), 0).r;
+        return wanted && depth > place.z ? 0.0 : 1.0;
+    }
+    float radius = least_radius;
+    if (shadow_filter == SHADOW_FILTER_CONTACT)
+        radius = penumbra(tile, at, n, sine, turn, wanted);
+    radius = min(radius, tile.place.w);
+    vec3 place = moved_place(tile, at, n, sine, radius);
+    float sum = 0.0;
+    int taps = wanted ? shadow_taps : 0;
+    for (int i = 0; i < taps; ++i) {
+        vec2 spot = atlas_texel(tile, place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(shadow_taps))));
+        sum += textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * tile.texel.zw, place.z), 0.0);
+        turn = next_turn(turn);
+    }
+    return wanted ? sum / float(shadow_taps) : 1.0;
+}
+#endif

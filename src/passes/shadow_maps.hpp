@@ -1,0 +1,31 @@
+#pragma once
+#include <gpu/shader_stage.hpp>
+#include <graph/frame_graph.hpp>
+#include <resident/frame.hpp>
+
+namespace prelight::passes {
+
+/// What a pass that evaluates lights needs to know of shadows; default: there are none.
+struct Shadows {
+    graph::ImageId atlas{}; ///< depth of all tiles: resident::ShadowPlan says which lies where
+    explicit operator bool() const { return bool(atlas); }
+};
+
+/// What the last frame drew, written when it is recorded.
+struct ShadowCounts {
+    uint64_t tiles_drawn = 0, tiles_reused = 0, casters_drawn = 0;
+};
+
+/// Shadow maps [S1]: a pass "shadows" that draws the tiles of Frame::shadows() into one depth image, each with the
+/// casters that its light may see. Both faces of every triangle cast, masked ones where they are not masked out.
+/// A tile that the image holds already is left as it is. Nothing without shadows. `counts` lives as long as the graph.
+Shadows shadow_pass(graph::FrameGraph& graph, const resident::Frame& frame, ShadowCounts& counts);
+
+/// Makes `pass` read the atlas; nothing without shadows.
+void declare_shadows(graph::Pass& pass, const Shadows& shadows);
+/// Adds the constants of shaders that are compiled with SHADOWS.
+void add_shadow_constants(gpu::Constants& constants, const resident::Frame& frame);
+/// "" or "+shadows": what such a shader's name has before its ending.
+std::string shadow_variant(const Shadows& shadows);
+
+} // namespace prelight::passes

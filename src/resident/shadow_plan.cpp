@@ -1,0 +1,137 @@
+#include "shadow_plan.hpp"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+
+namespace prelight::resident {
+namespace {
+
+constexpr uint32_t longest_side = 4096;
+/// What contact hardening takes lights to be: spheres of 4 cm; directional ones are the sun, 0.53° wide.
+constexpr double light_radius = 0.02, sun_radius = 0.00463;
+
+uint32_t power_of_two(double texels, uint32_t most) {
+    return std::min(std::bit_ceil(static_cast<uint32_t>(std::clamp(texels, 1.0, double(longest_side)))), most);
+}
+
+/// Pixels that a light's sphere measures across, at most those of the picture's longer side twice.
+double pixels_across(const PlacedLight& light, const PlacedCamera& camera, uint32_t width, uint32_t height) {
+    const double most = 2.0 * std::max(width, height);
+    if (light.light.kind == LightKind::directional)
+        return most;
+    const double range = light.light.range, away = glm::distance(light.position, camera.position);
+    if (camera.camera.kind == ProjectionKind::orthographic)
+        return std::min(range / camera.camera.ymag * height, most);
+    return away <= range ? most : std::min(range / away / std::tan(camera.camera.yfov / 2) * height, most);
+}
+
+} // namespace
+
+ShadowPlan::ShadowPlan(const WorldBox& world, const ShadowOptions& options, uint32_t longest)
+    : world_(world), options_(options), atlas_(options.budget, longest) {}
+
+/// The disc, half a texel of filtering, and what the bias moves a point by.
+uint32_t ShadowPlan::guard_of(uint32_t side) const {
+    const uint32_t guard = options_.filter == ShadowFilter::hard ? 3 : options_.filter == ShadowFilter::pcf ? 6 : 14;
+    return std::min(guard, side / 4);
+}
+
+void ShadowPlan::wish(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
+                      uint32_t width, uint32_t height) {
+    wishes_.clear();
+    for (const uint32_t index : visible) {
+        const Light& light = lights[index].light;
+        if (!light.casts_shadow)
+            continue;
+        Wish wish{.light = index, .tiles = shadow_tiles(light)};
+        wish.pixels = pixels_across(lights[index], camera, width, height);
+        double texels = options_.detail * wish.pixels;
+        if (wish.tiles == 1) // its cone is narrower than its sphere
+            texels *= std::min(std::tan(double(light.outer_cone)), 1.0);
+        wish.side = wish.asked = power_of_two(texels, atlas_.largest());
+        wishes_.push_back(wish);
+    }
+}
+
+void ShadowPlan::fit_budget() {
+    std::stable_sort(wishes_.begin(), wishes_.end(), [](const Wish& a, const Wish& b) { return a.pixels < b.pixels; });
+    uint64_t texels = 0;
+    for (const Wish& wish : wishes_)
+        texels += uint64_t(wish.tiles) * wish.side * wish.side;
+    // Each halves once before one halves twice; the least important first.
+    for (bool halved = true; halved && texels > atlas_.texels();) {
+        halved = false;
+        for (Wish& wish : wishes_) {
+            if (texels <= atlas_.texels() || wish.side == 1)
+                continue;
+            texels -= uint64_t(wish.tiles) * wish.side * wish.side * 3 / 4;
+            wish.side /= 2;
+            halved = true;
+        }
+    }
+    auto kept = wishes_.begin();
+    for (; kept != wishes_.end() && texels > atlas_.texels(); ++kept)
+        texels -= uint64_t(kept->tiles) * kept->side * kept->side;
+    stats_.lights_without = static_cast<uint64_t>(kept - wishes_.begin());
+    wishes_.erase(wishes_.begin(), kept);
+    stats_.texels = texels;
+    std::sort(wishes_.begin(), wishes_.end(), [](const Wish& a, const Wish& b) { return a.light < b.light; });
+}
+
+shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view, const ShadowTilePlace& place,
+                                      uint32_t guard, const PlacedCamera& camera) const {
+    // From the camera's place to the world's centre, then clip space → texels.
+    glm::dmat4 m = view.clip_from_centre *
+                   glm::translate(glm::dmat4(1), camera.position - world_.centre());
+    const double half = 0.5 * place.side;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 2; ++row)
+            m[column][row] = half * (m[column][row] + m[column][3]);
+    shared::ShadowData out{};
+    out.texel_from_world = glm::mat4(m);
+    const double radius = options_.filter == ShadowFilter::contact ? 6 : 1.5;
+    out.place = glm::vec4(place.corner, place.side, std::min(radius, guard / 2.0));
+    out.texel = glm::vec4(view.texel, view.texel_per_w, 1.0 / atlas_.size().x, 1.0 / atlas_.size().y);
+    const bool directional = light.kind == LightKind::directional;
+    out.ends = directional ? glm::vec4(cascade_ends(camera, world_)) : glm::vec4(0);
+    out.source = glm::vec4(view.depth_range, view.near, directional ? sun_radius : light_radius, shadow_kind(light));
+    return out;
+}
+
+void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uint32_t> visible,
+                        const PlacedCamera& camera, uint32_t width, uint32_t height) {
+    stats_ = {.budget = atlas_.texels()};
+    wish(lights, visible, camera, width, height);
+    fit_budget();
+    std::vector<ShadowAtlas::Wish> wanted;
+    for (const Wish& wish : wishes_)
+        for (uint32_t tile = 0; tile < wish.tiles; ++tile)
+            wanted.push_back({{wish.light, tile}, wish.side});
+    std::vector<ShadowTilePlace> places;
+    atlas_.place(wanted, places);
+
+    tiles_.clear();
+    records_.clear();
+    lights_.clear();
+    std::vector<ShadowView> views;
+    stats_.lights = wishes_.size();
+    stats_.smallest = wishes_.empty() ? 0 : ~0u;
+    for (const Wish& wish : wishes_) {
+        const PlacedLight& light = lights[wish.light];
+        const uint32_t guard = guard_of(wish.side);
+        find_shadow_views(light, camera, double(width) / height, world_, wish.side, guard, views);
+        lights_.emplace_back(wish.light, static_cast<uint32_t>(tiles_.size()));
+        for (const ShadowView& view : views) {
+            const ShadowTilePlace& place = places[tiles_.size()];
+            tiles_.push_back({wish.light, place, glm::mat4(view.clip_from_centre)});
+            records_.push_back(record(light.light, view, place, guard, camera));
+        }
+        stats_.lights_reduced += wish.side < wish.asked;
+        stats_.smallest = std::min(stats_.smallest, wish.side);
+        stats_.largest = std::max(stats_.largest, wish.side);
+    }
+}
+
+} // namespace prelight::resident

@@ -1,0 +1,74 @@
+#pragma once
+#include "shadow_atlas.hpp"
+#include "shadow_views.hpp"
+#include <prelight/renderer.hpp>
+#include <shared/frame.h>
+#include <span>
+
+namespace prelight::resident {
+
+/// The setting `shadow-filter`, in the order of SHADOW_FILTER_….
+enum class ShadowFilter { hard, pcf, contact };
+
+struct ShadowOptions {
+    bool on = false;
+    ShadowFilter filter = ShadowFilter::pcf;
+    uint64_t budget = 1u << 24; ///< texels of the atlas
+    double detail = 2;          ///< texels of a map that a pixel asks for
+    bool cached = true;         ///< tiles whose light and casters did not move are not drawn again
+};
+
+/// One tile to be drawn, unless the atlas holds it already.
+struct ShadowTile {
+    uint32_t light = 0;
+    ShadowTilePlace place;
+    glm::mat4 clip_from_centre{1}; ///< world relative to its centre
+};
+
+/// Which lights of a frame have shadows, in tiles of which size, and what shaders know of them.
+///
+/// A light asks for as many texels as the picture has pixels where its light reaches, times
+/// ShadowOptions::detail. Where all that is more than the budget, tiles become smaller by halves, those first
+/// whose lights cover least of the screen; lights go without only when one texel a tile is too much.
+class ShadowPlan {
+public:
+    /// `longest`: side of the largest image that the device makes.
+    ShadowPlan(const WorldBox& world, const ShadowOptions& options, uint32_t longest);
+
+    /// For `visible` lights (indices into `lights`).
+    void update(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
+                uint32_t width, uint32_t height);
+
+    const WorldBox& world() const { return world_; }
+    glm::uvec2 atlas_size() const { return atlas_.size(); }
+    const ShadowOptions& options() const { return options_; }
+    const std::vector<ShadowTile>& tiles() const { return tiles_; }
+    const std::vector<shared::ShadowData>& records() const { return records_; } ///< beside tiles()
+    /// {light, number of its first tile}, for each light with a shadow.
+    const std::vector<std::pair<uint32_t, uint32_t>>& lights() const { return lights_; }
+    /// Without what the pass knows: tiles drawn and reused, casters.
+    const ShadowStats& stats() const { return stats_; }
+
+private:
+    struct Wish {
+        uint32_t light = 0, tiles = 0, side = 0, asked = 0;
+        double pixels = 0; ///< of the screen, across
+    };
+    void wish(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
+              uint32_t width, uint32_t height);
+    void fit_budget();
+    shared::ShadowData record(const Light& light, const ShadowView& view, const ShadowTilePlace& place, uint32_t guard,
+                              const PlacedCamera& camera) const;
+    uint32_t guard_of(uint32_t side) const;
+
+    WorldBox world_;
+    ShadowOptions options_;
+    ShadowAtlas atlas_;
+    std::vector<Wish> wishes_;
+    std::vector<ShadowTile> tiles_;
+    std::vector<shared::ShadowData> records_;
+    std::vector<std::pair<uint32_t, uint32_t>> lights_;
+    ShadowStats stats_;
+};
+
+} // namespace prelight::resident

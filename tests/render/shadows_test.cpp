@@ -1,0 +1,244 @@
+// Shadow maps against the reference's shadow rays [S1] [S2], in every architecture.
+#include "garden.hpp"
+#include "shadow_measure.hpp"
+#include <filesystem>
+#include <prelight/scene_io.hpp>
+
+namespace prelight {
+namespace {
+
+using Settings = std::map<std::string, std::string>;
+
+/// Each renderer on a device once for each way in which it finds lights.
+std::vector<Shot> every_way(const Shot& shot) {
+    std::vector<Shot> shots;
+    for (const RendererInfo& info : renderer_infos())
+        for (const SettingInfo& setting : info.settings)
+            if (info.needs_device && (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order"))
+                for (const std::string& value : setting.values) {
+                    if (value == "auto")
+                        continue; // one of the others
+                    Shot& one = shots.emplace_back(shot);
+                    one.renderer = info.name;
+                    one.settings["model"] = "nv";
+                    one.settings[setting.key] = value;
+                    if (value != "tiles")
+                        continue;
+                    one.settings["list-shading"] = "compute";
+                    Shot other = one;
+                    other.settings["list-shading"] = "fragment";
+                    shots.push_back(other);
+                }
+    return shots;
+}
+
+std::string name_of(const Shot& shot) {
+    std::string name = shot.renderer;
+    for (const auto& [key, value] : shot.settings)
+        name += " " + key + "=" + value;
+    return name;
+}
+
+/// A garden with one light of each kind, all of which cast shadows.
+struct ShadowGarden : Garden {
+    ShadowGarden() {
+        add_light({.kind = LightKind::directional, .colour = {1, 0.9f, 0.8f}, .intensity = 0.8f}, at(0, 5, 0),
+                  glm::normalize(glm::dvec3(-0.5, -1, -0.3)));
+        add_light(point(9, 7), at(-1, 2.6, 2.2));
+        add_light(spot(0.6f, 12, 40), at(4, 5, 3), glm::normalize(glm::dvec3(-0.7, -1, -0.6)));
+        add_light(spot(1.3f, 9, 9), at(-4, 3.2, 1), glm::normalize(glm::dvec3(0.3, -1, -0.3)));
+    }
+    Shot shot() const {
+        Shot shot = Garden::shot();
+        shot.settings = {{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-budget", "67108864"}};
+        shot.width = 400, shot.height = 225;
+        return shot;
+    }
+};
+
+TEST(Shadows, S1_EveryArchitectureAgreesWithShadowRays) {
+    const ShadowGarden garden;
+    Shot form = garden.shot();
+    const ReferencePicture reference = render_reference(garden.world, garden.camera, form.width, form.height, 0,
+                                                        {.fresnel = ReferenceForm::Fresnel::nv, .shadows = true});
+    size_t shadowed = 0;
+    for (const uint64_t mask : reference.shadow_mask)
+        shadowed += mask != 0;
+    EXPECT_GT(shadowed, reference.shadow_mask.size() / 10) << "the scene has shadows to compare";
+    for (const Shot& shot : every_way(form)) {
+        SCOPED_TRACE(name_of(shot));
+        const Image image = render_linear(test_device(), shot);
+        expect_within(compare(image, reference.linear, reference.left_out()), half_float_bound);
+    }
+    expect_validation_clean(test_device());
+}
+
+TEST(Shadows, S1_EachKindOfLightAgreesWithShadowRays) {
+    const ShadowGarden garden;
+    for (const PlacedLight& light : garden.world.lights) {
+        World world = garden.world;
+        world.lights = {light};
+        Shot shot = garden.shot();
+        shot.world = &world;
+        expect_agrees(shot);
+    }
+}
+
+// A light that casts none is as it was without shadows.
+TEST(Shadows, S1_ALightMayCastNone) {
+    const ShadowGarden garden;
+    World world = garden.world;
+    for (PlacedLight& light : world.lights)
+        light.light.casts_shadow = &light == &world.lights[0];
+    Shot shot = garden.shot();
+    shot.world = &world;
+    expect_agrees(shot);
+}
+
+World with_sun(const Scene& scene, glm::dvec3 direction) {
+    World world = resolve(scene);
+    world.lights = {{{.kind = LightKind::directional, .intensity = 3}, glm::dvec3(0), glm::normalize(direction)}};
+    return world;
+}
+
+class ShadowFilters : public testing::TestWithParam<const char*> {};
+
+TEST_P(ShadowFilters, S2_NoAcneAndNoGapInTheSceneOfShadows) {
+    const Scene scene = make_scene("shadows", 4, 1);
+    const World all = resolve(scene);
+    const auto check = [&](const World& world, const PlacedCamera& camera) {
+        SCOPED_TRACE(std::to_string(world.lights.size()) + " lights, " + world.lights[0].light.name + ", camera " + camera.camera.name);
+        expect_shadows_right({.world = &world, .camera = camera, .width = 256, .height = 144,
+                              .settings = {{"shadows", "on"}, {"shadow-filter", GetParam()}}}, 5);
+    };
+    for (const PlacedLight& light : all.lights) {
+        World world = all;
+        world.lights = {light};
+        check(world, all.cameras.at(2));
+    }
+    check(all, all.cameras.at(0)); // near and far
+    check(all, all.cameras.at(1));
+}
+
+TEST_P(ShadowFilters, S2_NoAcneAndNoGapInSponza) {
+    const std::filesystem::path file = std::filesystem::path(PRELIGHT_SHARED_SCENES) / "sponza-512.glb";
+    if (!std::filesystem::exists(file))
+        GTEST_SKIP() << "no shared scenes beside the repository";
+    const Scene scene = load_gltf(file);
+    const World world = with_sun(scene, {0.2, -1, 0.15});
+    Camera lens;
+    lens.yfov = 0.9;
+    expect_shadows_right({.world = &world, .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}),
+                          .settings = {{"shadows", "on"}, {"shadow-filter", GetParam()}}}, 6);
+}
+INSTANTIATE_TEST_SUITE_P(All, ShadowFilters, testing::Values("pcf", "contact"));
+
+TEST(Shadows, S2_NoAcneAndNoGapInTheCity) {
+    const Scene scene = make_scene("city", 1, 1);
+    const World world = with_sun(scene, {-0.5, -1, 0.3});
+    expect_shadows_right({.world = &world, .camera = world.cameras.at(0), .settings = {{"shadows", "on"}}}, 6);
+}
+
+
+ShadowStats shadows_of(Renderer& renderer, const PlacedCamera& camera) {
+    renderer.render(camera);
+    return renderer.stats().shadows.value();
+}
+
+// [S1] What did not change is not drawn again, and the picture is the same.
+TEST(Shadows, S1_TilesOfUnmovedLightsAreReused) {
+    const ShadowGarden garden;
+    Shot shot = garden.shot();
+    shot.settings["shadow-budget"] = "4194304";
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+    renderer->set_world(garden.world);
+    const ShadowStats first = shadows_of(*renderer, garden.camera);
+    EXPECT_EQ(first.tiles_drawn, 17u); // 4 cascades, 6 and 6 faces, 1 spot
+    EXPECT_EQ(first.tiles_reused, 0u);
+    EXPECT_GT(first.casters_drawn, 17u);
+    const Image before = renderer->read("linear");
+    const ShadowStats second = shadows_of(*renderer, garden.camera);
+    EXPECT_EQ(second.tiles_drawn, 0u);
+    EXPECT_EQ(second.tiles_reused, 17u);
+    EXPECT_TRUE(renderer->read("linear").pixels == before.pixels);
+
+    std::vector<PlacedLight> lights = garden.world.lights;
+    lights[2].position.x += 0.1;
+    renderer->set_lights(lights);
+    EXPECT_EQ(shadows_of(*renderer, garden.camera).tiles_drawn, 1u);
+    World moved = garden.world;
+    moved.lights = lights;
+    Shot fresh = shot;
+    fresh.world = &moved;
+    EXPECT_TRUE(renderer->read("linear").pixels == render_linear(test_device(), fresh).pixels);
+    PlacedCamera camera = garden.camera; // lights stay, cascades follow
+    camera.position.x += 0.4;
+    EXPECT_LE(shadows_of(*renderer, camera).tiles_drawn, 4u);
+    expect_validation_clean(test_device());
+}
+
+// [S1] When the budget is short, resolution drops before shadows do, and the figures say so.
+TEST(Shadows, S1_AShortBudgetLowersResolution) {
+    const ShadowGarden garden;
+    uint32_t largest = ~0u;
+    for (const char* budget : {"67108864", "4194304", "262144", "4096", "64"}) {
+        Shot shot = garden.shot();
+        shot.settings["shadow-budget"] = budget;
+        const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+        renderer->set_world(garden.world);
+        const ShadowStats stats = shadows_of(*renderer, garden.camera);
+        EXPECT_EQ(stats.lights, 4u);
+        EXPECT_EQ(stats.lights_without, 0u);
+        EXPECT_LE(stats.texels, stats.budget);
+        EXPECT_LE(stats.budget, std::stoull(budget));
+        EXPECT_LT(stats.largest, largest);
+        largest = stats.largest;
+        const std::vector<std::string> notes = renderer->stats().notes;
+        EXPECT_EQ(stats.lights_reduced > 0, std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+                      return note.find("smaller shadow maps") != std::string::npos;
+                  }));
+    }
+    expect_validation_clean(test_device());
+}
+
+// One texel: one light with one tile may have it, all others go without and keep their light.
+TEST(Shadows, S1_ABudgetOfOneTexel) {
+    const ShadowGarden garden;
+    Shot shot = garden.shot();
+    shot.settings["shadow-budget"] = "1";
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+    renderer->set_world(garden.world);
+    const ShadowStats stats = shadows_of(*renderer, garden.camera);
+    EXPECT_EQ(stats.budget, 1u);
+    EXPECT_LE(stats.lights, 1u);
+    EXPECT_EQ(stats.lights + stats.lights_without, 4u);
+    EXPECT_THAT(renderer->stats().notes, testing::Contains(testing::HasSubstr("have no shadow")));
+    World without = garden.world;
+    without.lights.resize(2); // sun and point light, neither of which fits
+    shot.world = &without;
+    Shot off = shot;
+    off.settings = {};
+    EXPECT_TRUE(render_linear(test_device(), shot).pixels == render_linear(test_device(), off).pixels);
+    expect_validation_clean(test_device());
+}
+
+TEST(Shadows, S1_AThousandShadowedLights) {
+    Garden garden;
+    garden.add_lights(1000, 1.5f, 0.3f);
+    Shot shot = garden.shot();
+    shot.settings = {{"shadows", "on"}};
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+    renderer->set_world(garden.world);
+    const ShadowStats stats = shadows_of(*renderer, garden.camera);
+    EXPECT_GE(stats.lights, 900u); // but those off screen
+    EXPECT_EQ(stats.lights_without, 0u);
+    EXPECT_GE(stats.smallest, 16u);
+    expect_within(compare(renderer->read("linear"),
+                          render_reference(garden.world, garden.camera, shot.width, shot.height, 0, form_of(shot)).linear,
+                          std::vector<uint8_t>(size_t(shot.width) * shot.height, 0)),
+                  {.psnr = 45, .off_share = 0.05, .block = 10}); // tiles of few texels: soft edges everywhere
+    expect_validation_clean(test_device());
+}
+
+} // namespace
+} // namespace prelight
