@@ -36,7 +36,6 @@ std::vector<Claim> unbuilt_claims() {
         return Claim{.id = id, .claim = claim, .source = source, .how = what, .unit = unit, .built = false};
     };
     const char* lee = "Lee, Prelighting";
-    const char* engel = "Engel, ShaderX7 8.5";
     return {
         row("conditional-rendering", "conditional rendering: ~20% speed increase", lee, "ms",
             "needs occlusion queries and conditional rendering"),
@@ -44,11 +43,6 @@ std::vector<Claim> unbuilt_claims() {
             lee, "ms", "needs trimmed index buffers"),
         row("vertices-culled", ">50% of vertices get culled after they already been transformed", lee,
             "vertices", "needs trimmed index buffers"),
-        row("shadowed-directional", "a directional light with shadows, reflections: 0.7 ms, deferred 3.3 ms",
-            engel, "ms", "needs shadows"),
-        row("more-directionals",
-            "by increasing the number of directional lights, the cost per light will go down",
-            engel, "ms", "needs shadows"),
     };
 }
 

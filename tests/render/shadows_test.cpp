@@ -2,6 +2,7 @@
 #include "garden.hpp"
 #include "shadow_measure.hpp"
 #include <filesystem>
+#include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 
 namespace prelight {
@@ -93,6 +94,33 @@ TEST(Shadows, S1_ALightMayCastNone) {
     Shot shot = garden.shot();
     shot.world = &world;
     expect_agrees(shot);
+}
+
+// [S1] Lee's way: each light's maps in the memory that the light before had.
+TEST(Shadows, S1_OneLightAfterTheOtherInTheSameMemory) {
+    const ShadowGarden garden;
+    Shot shot = garden.shot();
+    shot.settings["shadow-budget"] = "8388608"; // an eighth: for one light it is enough
+    shot.settings["shadow-memory"] = "reuse";
+    for (const char* renderer : {"light-prepass", "deferred"})
+        for (const char* culling : {"auto", "volumes", "rectangles", "stencil", "fullscreen"}) {
+            SCOPED_TRACE(std::string(renderer) + " " + culling);
+            shot.renderer = renderer;
+            shot.settings["light-culling"] = culling;
+            expect_agrees(shot);
+        }
+    const auto one = create_renderer("light-prepass", &test_device(), options_of(shot));
+    one->set_world(garden.world);
+    one->render(garden.camera, 2);
+    const ShadowStats stats = one->stats().shadows.value();
+    EXPECT_EQ(stats.lights, 4u);
+    EXPECT_EQ(stats.tiles_drawn, 17u) << "the next light drew over them";
+    EXPECT_LE(stats.texels, stats.budget);
+    for (const char* culling : {"tiles", "clusters"}) {
+        shot.settings["light-culling"] = culling;
+        EXPECT_THROW(create_renderer("light-prepass", &test_device(), options_of(shot)), UsageError);
+        EXPECT_THROW(create_renderer("deferred", &test_device(), options_of(shot)), UsageError);
+    }
 }
 
 World with_sun(const Scene& scene, glm::dvec3 direction) {
