@@ -118,8 +118,13 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     const size_t multipass_half_few = t.add("multipass", half, few);
     const World suns = under_suns(scene.world);
     const Settings shadows{{"shadows", "on"}};
-    const size_t sun = t.add("light-prepass", suns, 1, shadows), deferred_sun = t.add("deferred", suns, 1, shadows);
-    const size_t eight_suns = t.add("light-prepass", suns, 8, shadows);
+    struct Suns {
+        int count;
+        size_t prepass, deferred;
+    };
+    std::vector<Suns> sunlit;
+    for (const int count : {1, 2, 4, 8})
+        sunlit.push_back({count, t.add("light-prepass", suns, size_t(count), shadows), t.add("deferred", suns, size_t(count), shadows)});
     t.run();
 
     const char* engel = "Engel, ShaderX7 8.5";
@@ -133,7 +138,7 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     const auto light = t.light_ms(multipass, multipass_few);
     // One object cannot be halved.
     const bool halves = half.instances.size() < scene.world.instances.size();
-    return {
+    std::vector<Claim> claims{
         with({.id = "depth-against-ambient", .claim = depth_only, .source = engel,
               .how = "multipass, pass ambient : z-prepass, pass depth; " + pass_time, .from = 2, .to = 8},
              t.pass_ms(multipass, "ambient"), t.pass_ms(depth, "depth")),
@@ -166,17 +171,22 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
          .unit = "ms a light", .a = light,
          .b = halves ? t.light_ms(multipass_half, multipass_half_few) : std::nullopt,
          .from = clearly, .to = {}},
-        with({.id = "shadowed-directional",
-              .claim = "a directional light with shadows, reflections: 0.7 ms, deferred 3.3 ms", .source = engel,
-              .how = "one directional light with shadows: deferred, pass light : light-prepass, pass light; " + pass_time,
-              .from = clearly, .to = {}},
-             t.pass_ms(deferred_sun, "light"), t.pass_ms(sun, "light")),
-        with({.id = "more-directionals",
-              .claim = "by increasing the number of directional lights, the cost per light will go down", .source = engel,
-              .how = "light-prepass, pass light a light, with shadows: one light : eight; " + pass_time,
-              .unit = "ms a light", .from = clearly, .to = {}},
-             t.pass_ms(sun, "light"), each_of(t.pass_ms(eight_suns, "light"), 8)),
     };
+    for (const Suns& some : sunlit) {
+        const double count = some.count;
+        claims.push_back(with({.id = fmt::format("shadowed-directional-{}", some.count),
+                               .claim = "a directional light with shadows, reflections: 0.7 ms, deferred 3.3 ms", .source = engel,
+                               .how = fmt::format("{} directional lights with shadows, a light: deferred, pass light : light-prepass, "
+                                                  "pass light; {}", some.count, pass_time),
+                               .unit = "ms a light", .from = clearly, .to = {}},
+                              each_of(t.pass_ms(some.deferred, "light"), count), each_of(t.pass_ms(some.prepass, "light"), count)));
+    }
+    claims.push_back(with({.id = "more-directionals",
+                           .claim = "by increasing the number of directional lights, the cost per light will go down", .source = engel,
+                           .how = "light-prepass, pass light, with shadows, a light: one light : eight; " + pass_time,
+                           .unit = "ms a light", .from = clearly, .to = {}},
+                          t.pass_ms(sunlit.front().prepass, "light"), each_of(t.pass_ms(sunlit.back().prepass, "light"), 8)));
+    return claims;
 }
 
 } // namespace prelight::app

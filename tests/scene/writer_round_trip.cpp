@@ -319,6 +319,7 @@ TEST_F(RoundTrip, WrongExtrasOfOurOwnAreErrors) {
               std::string::npos);
     EXPECT_NE(patched("\"shininess\":2.5", "\"shininess\":0.0").find("shininess is not"),
               std::string::npos);
+    EXPECT_NE(patched("\"castsShadow\":false", "\"castsShadow\":12345").find("castsShadow"), std::string::npos);
     EXPECT_EQ(patched("\"prelight\":{\"ambient\"", "\"prelude!\":{\"ambient\""), "no error");
 }
 
