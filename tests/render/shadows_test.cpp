@@ -1,6 +1,7 @@
 // Shadow maps against the reference's shadow rays [S1] [S2], in every architecture.
 #include "garden.hpp"
 #include "shadow_measure.hpp"
+#include <cmath>
 #include <filesystem>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
@@ -129,6 +130,11 @@ World with_sun(const Scene& scene, glm::dvec3 direction) {
     return world;
 }
 
+ShadowStats shadows_of(Renderer& renderer, const PlacedCamera& camera) {
+    renderer.render(camera);
+    return renderer.stats().shadows.value();
+}
+
 class ShadowFilters : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShadowFilters, S2_NoAcneAndNoGapInTheSceneOfShadows) {
@@ -159,19 +165,49 @@ TEST_P(ShadowFilters, S2_NoAcneAndNoGapInSponza) {
     expect_shadows_right({.world = &world, .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}),
                           .settings = {{"shadows", "on"}, {"shadow-filter", GetParam()}}}, 6);
 }
+
+TEST(Shadows, S2_SponzaUnderASunAndSixtyFourSpots) {
+    const std::filesystem::path file = std::filesystem::path(PRELIGHT_SHARED_SCENES) / "sponza-512.glb";
+    if (!std::filesystem::exists(file))
+        GTEST_SKIP() << "no shared scenes beside the repository";
+    const Scene scene = load_gltf(file);
+    World world = with_sun(scene, {0.2, -1, 0.15});
+    for (int i = 0; i < 64; ++i) {
+        const float hue = 0.7f * static_cast<float>(i);
+        const Light spot{.kind = LightKind::spot, .colour = {0.6f + 0.4f * std::cos(hue), 0.7f, 0.6f - 0.4f * std::cos(hue)},
+                         .intensity = 12, .range = 8, .inner_cone = 0.3f, .outer_cone = 0.55f};
+        world.lights.push_back({spot, glm::dvec3(-10.5 + 1.4 * (i % 16), 4 + 0.3 * (i % 3), -4.5 + 3.0 * (i / 16)),
+                                glm::normalize(glm::dvec3(0.3 * std::cos(2.4 * i), -1, 0.3 * std::sin(2.4 * i)))});
+    }
+    Camera lens;
+    lens.yfov = 0.9;
+    const Shot shot{.world = &world, .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}), .exposure = -1, .settings = {{"shadows", "on"}}};
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+    renderer->set_world(world);
+    const ShadowStats stats = shadows_of(*renderer, shot.camera);
+    EXPECT_GE(stats.lights, 30u);
+    EXPECT_EQ(stats.lights_without, 0u);
+    expect_shadows_right(shot, 8);
+}
 INSTANTIATE_TEST_SUITE_P(All, ShadowFilters, testing::Values("pcf", "contact"));
 
 TEST(Shadows, S2_NoAcneAndNoGapInTheCity) {
-    const Scene scene = make_scene("city", 1, 1);
-    const World world = with_sun(scene, {-0.5, -1, 0.3});
-    expect_shadows_right({.world = &world, .camera = world.cameras.at(0), .settings = {{"shadows", "on"}}}, 6);
+    const Scene scene = make_scene("city", 64, 1);
+    const World lamps = resolve(scene);
+    World world = lamps; // a sun would not come through the sky, which is an object
+    const glm::dvec3 from(-4.2, 4.5, 4.6), bin(-5.75, 0.14, 3);
+    world.lights = {{{.kind = LightKind::spot, .intensity = 90, .range = 14, .inner_cone = 0.5f, .outer_cone = 0.8f}, from,
+                     glm::normalize(bin - from)}};
+    Camera lens;
+    lens.yfov = 0.8;
+    expect_shadows_right({.world = &world, .camera = look_at(lens, {-3.9, 1.3, 4.9}, bin), .settings = {{"shadows", "on"}}}, 6);
+    // Under its own lamps edges of shadows are almost everywhere.
+    const ShadowErrors errors = shadow_errors(test_device(), {.world = &lamps, .camera = lamps.cameras.at(0),
+                                                              .settings = {{"shadows", "on"}, {"shadow-budget", "67108864"}}}, 6);
+    EXPECT_GE(errors.judged, 0.05);
+    EXPECT_LE(errors.darkened, 0.0005);
 }
 
-
-ShadowStats shadows_of(Renderer& renderer, const PlacedCamera& camera) {
-    renderer.render(camera);
-    return renderer.stats().shadows.value();
-}
 
 // [S1] What did not change is not drawn again, and the picture is the same.
 TEST(Shadows, S1_TilesOfUnmovedLightsAreReused) {
