@@ -75,6 +75,16 @@ keep spheres-specular-light
 "$prelight" render spheres --size 640x360 --shading phong --exposure -1 -o "$work/spheres-phong.png"
 keep spheres-phong
 
+# Shadows of every kind of light, beside shadow rays; the filters at a place where things touch.
+"$prelight" render shadows --size 640x360 --set shadows=on -o "$work/shadows.png"
+"$prelight" render shadows --size 640x360 --set shadows=on --renderer reference -o "$work/shadows-reference.png"
+for filter in pcf contact; do
+    "$prelight" render shadows --camera pole --size 640x360 --set shadows=on --set shadow-filter=$filter -o "$work/shadows-$filter.png"
+    keep shadows-$filter
+done
+keep shadows
+keep shadows-reference
+
 too_large=$(find "$out" -name '*.png' -size +400k)
 if [ -n "$too_large" ]; then
     printf 'pictures: larger than 400 KiB:\n%s\n' "$too_large" >&2

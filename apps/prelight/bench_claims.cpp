@@ -35,7 +35,7 @@ Json row_json(const Claim& c) {
             {"a", number(c.a)},
             {"b", number(c.b)},
             {"ratio", number(c.ratio())},
-            {"agrees_from", c.built ? Json(c.from) : Json(nullptr)},
+            {"agrees_from", c.from},
             {"agrees_to", number(c.to)},
             {"verdict", verdict_name(c.verdict())}};
 }
@@ -57,7 +57,7 @@ Json bench_claims_table(const BenchCommand& command, Device& device) {
     fmt::print("{}, {} lights, {} objects, {}x{}, on {}\n", command.scene, world.lights.size(),
                world.instances.size(), scene.width, scene.height, device.name());
     Json rows = Json::array(), presets = rows;
-    for (const auto& claims : {size_claims(scene), time_claims(scene), unbuilt_claims()})
+    for (const auto& claims : {size_claims(scene), time_claims(scene)})
         for (const Claim& claim : claims) {
             print_row(claim);
             rows.push_back(row_json(claim));

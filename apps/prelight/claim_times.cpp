@@ -2,7 +2,9 @@
 #include "interleave.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <prelight/error.hpp>
 #include <span>
 
@@ -76,12 +78,27 @@ Claim with(Claim claim, const Spread& a, const Spread& b) {
     return claim;
 }
 
+/// A share of each figure.
+Spread each_of(const Spread& all, double count) { return {all.min / count, all.median / count, all.max / count}; }
+
 /// Every second object of the world; its bounds and lights stay.
 World half_of(const World& world) {
     World half = world;
     size_t index = 0;
     std::erase_if(half.instances, [&](const Instance&) { return index++ % 2 == 1; });
     return half;
+}
+
+/// The world under eight directional lights that cast shadows, from all around.
+World under_suns(const World& world) {
+    World suns = world;
+    suns.lights.clear();
+    for (int i = 0; i < 8; ++i) {
+        const double turn = 2.4 * i; // about the golden angle
+        suns.lights.push_back({{.kind = LightKind::directional, .intensity = 0.4f}, glm::dvec3(0),
+                               glm::normalize(glm::dvec3(std::cos(turn), -1.2, std::sin(turn)))});
+    }
+    return suns;
 }
 
 } // namespace
@@ -104,6 +121,15 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     const size_t untrimmed = t.add("light-prepass", scene.world, all, {{"index-trimming", "off"}});
     const size_t trimmed = t.add("light-prepass", scene.world, all, {{"index-trimming", scene.software ? "host" : "device"}});
     const size_t conditional = t.add("light-prepass", scene.world, all, {{"occlusion", "queries"}});
+    const World suns = under_suns(scene.world);
+    const Settings shadows{{"shadows", "on"}};
+    struct Suns {
+        int count;
+        size_t prepass, deferred;
+    };
+    std::vector<Suns> sunlit;
+    for (const int count : {1, 2, 4, 8})
+        sunlit.push_back({count, t.add("light-prepass", suns, size_t(count), shadows), t.add("deferred", suns, size_t(count), shadows)});
     t.run();
 
     const char* engel = "Engel, ShaderX7 8.5";
@@ -117,7 +143,7 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     const auto light = t.light_ms(multipass, multipass_few);
     // One object cannot be halved.
     const bool halves = half.instances.size() < scene.world.instances.size();
-    return {
+    std::vector<Claim> claims{
         with({.id = "depth-against-ambient", .claim = depth_only, .source = engel,
               .how = "multipass, pass ambient : z-prepass, pass depth; " + pass_time, .from = 2, .to = 8},
              t.pass_ms(multipass, "ambient"), t.pass_ms(depth, "depth")),
@@ -165,6 +191,21 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
          .b = halves ? t.light_ms(multipass_half, multipass_half_few) : std::nullopt,
          .from = clearly, .to = {}},
     };
+    for (const Suns& some : sunlit) {
+        const double count = some.count;
+        claims.push_back(with({.id = fmt::format("shadowed-directional-{}", some.count),
+                               .claim = "a directional light with shadows, reflections: 0.7 ms, deferred 3.3 ms", .source = engel,
+                               .how = fmt::format("{} directional lights with shadows, a light: deferred, pass light : light-prepass, "
+                                                  "pass light; {}", some.count, pass_time),
+                               .unit = "ms a light", .from = clearly, .to = {}},
+                              each_of(t.pass_ms(some.deferred, "light"), count), each_of(t.pass_ms(some.prepass, "light"), count)));
+    }
+    claims.push_back(with({.id = "more-directionals",
+                           .claim = "by increasing the number of directional lights, the cost per light will go down", .source = engel,
+                           .how = "light-prepass, pass light, with shadows, a light: one light : eight; " + pass_time,
+                           .unit = "ms a light", .from = clearly, .to = {}},
+                          t.pass_ms(sunlit.front().prepass, "light"), each_of(t.pass_ms(sunlit.back().prepass, "light"), 8)));
+    return claims;
 }
 
 } // namespace prelight::app

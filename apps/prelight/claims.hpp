@@ -8,20 +8,19 @@
 
 namespace prelight::app {
 
-enum class Verdict { agrees, does_not, too_close, not_measured, not_built };
+enum class Verdict { agrees, does_not, too_close, not_measured };
 
 /// A sentence of a source text beside figures of ours: [C1].
 struct Claim {
     std::string id;     ///< one word, for programs
     std::string claim;  ///< what the text says
     std::string source; ///< which text
-    std::string how;    ///< what `a` and `b` are, and how they came about; or why there are none
+    std::string how;    ///< what `a` and `b` are, and how they came about
     std::string unit = "ms";
     std::optional<double> a, b; ///< the text's larger side first; sizes: ours, then the text's
     double from = 0;            ///< the ratio a / b agrees from here …
     std::optional<double> to;   ///< … to here; absent: or any larger
     bool apart = true;          ///< no sample of `a` is among those of `b`, nor the other way round
-    bool built = true;          ///< what it takes to measure it is there
 
     /// Absent when a figure is absent, or `b` or `a` is not above 0: too small to measure.
     std::optional<double> ratio() const;
@@ -51,7 +50,5 @@ std::vector<Claim> time_claims(const ClaimScene& scene);
 /// Claims about memory: computed from formats, but for the last, which is what our buffers take.
 std::vector<Claim> size_claims(const ClaimScene& scene);
 std::vector<PresetSize> preset_sizes(const ClaimScene& scene);
-/// Claims whose technique is not built.
-std::vector<Claim> unbuilt_claims();
 
 } // namespace prelight::app

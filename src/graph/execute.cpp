@@ -38,7 +38,7 @@ bool FrameGraph::needed_after(ImageId image, uint32_t pass_index) const {
     return images_[image.index].last > pass_index;
 }
 
-void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExtent2D extent) const {
+void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExtent2D extent, bool again) const {
     const Pass& pass = *passes_[index];
     std::vector<VkRenderingAttachmentInfo> colours;
     for (const Pass::Attachment& attachment : pass.colours_) {
@@ -46,8 +46,8 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
             colours.emplace_back(VkRenderingAttachmentInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
         info.imageView = images_[attachment.image.index].view;
         info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-        info.loadOp = load_op(attachment.load);
-        info.storeOp = needed_after(attachment.image, index) ? VK_ATTACHMENT_STORE_OP_STORE
+        info.loadOp = load_op(again ? Load::keep : attachment.load);
+        info.storeOp = pass.between_ || needed_after(attachment.image, index) ? VK_ATTACHMENT_STORE_OP_STORE
                                                              : VK_ATTACHMENT_STORE_OP_DONT_CARE;
         std::memcpy(info.clearValue.color.float32, attachment.clear.data(), sizeof attachment.clear);
     }
@@ -73,6 +73,54 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
     info.pDepthAttachment = pass.depth_ ? &depth : nullptr;
     info.pStencilAttachment = pass.stencil_ ? &stencil : nullptr;
     vkCmdBeginRendering(commands, &info);
+}
+
+void FrameGraph::draw_between(VkCommandBuffer commands, uint32_t index, VkExtent2D drawn,
+                              const std::function<void()>& draw) const {
+    const Pass& pass = *passes_[index];
+    const GraphImage& image = images_[pass.between_->index];
+    VkImageMemoryBarrier2 turn{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    turn.srcQueueFamilyIndex = turn.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    turn.image = image.image;
+    turn.subresourceRange = {aspects(image.desc.format), 0, 1, 0, 1};
+    const auto between = [&](const Access& before, const Access& after) {
+        turn.srcStageMask = before.stages;
+        turn.srcAccessMask = before.writes ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT : VK_ACCESS_2_NONE;
+        turn.dstStageMask = after.stages;
+        turn.dstAccessMask = after.access;
+        turn.oldLayout = before.layout;
+        turn.newLayout = after.layout;
+        // The pass's own attachments come back as they were.
+        VkMemoryBarrier2 own{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+        own.srcStageMask = own.dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | Access::depth_write().stages;
+        own.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
+        own.dstAccessMask = own.srcAccessMask | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
+        VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+        info.memoryBarrierCount = info.imageMemoryBarrierCount = 1;
+        info.pMemoryBarriers = &own;
+        info.pImageMemoryBarriers = &turn;
+        vkCmdPipelineBarrier2(commands, &info);
+    };
+    vkCmdEndRendering(commands);
+    between(Access::sampled(true), Access::depth_write());
+    VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    depth.imageView = image.view;
+    depth.imageLayout = Access::depth_write().layout;
+    depth.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+    depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea = {{0, 0}, image.desc.extent};
+    info.layerCount = 1;
+    info.pDepthAttachment = &depth;
+    vkCmdBeginRendering(commands, &info);
+    cover(commands, image.desc.extent, image.desc.extent);
+    draw();
+    vkCmdEndRendering(commands);
+    between(Access::depth_write(), Access::sampled(true));
+    const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
+    const VkExtent2D extent = images_[target.index].desc.extent;
+    begin_rendering(commands, index, extent, true);
+    cover(commands, extent, drawn);
 }
 
 void FrameGraph::record_begin(const gpu::FrameTurn& turn) {
@@ -111,7 +159,12 @@ void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_
         if (pass.before_rendering_)
             pass.before_rendering_(pass_context);
         begin_rendering(commands, index, pass_context.extent);
-        cover(commands, pass_context.extent, one_pixel ? VkExtent2D{1, 1} : pass_context.extent);
+        const VkExtent2D drawn = one_pixel ? VkExtent2D{1, 1} : pass_context.extent;
+        cover(commands, pass_context.extent, drawn);
+        if (pass.between_)
+            pass_context.between = [this, commands, index, drawn](const std::function<void()>& draw) {
+                draw_between(commands, index, drawn, draw);
+            };
     }
     pass.record_(pass_context);
     if (renders)

@@ -52,6 +52,15 @@ Pass& Pass::sample(uint32_t binding, ImageId image) {
     return *this; // the access depends on the format: added by FrameGraph::compile
 }
 
+Pass& Pass::draws_between(uint32_t binding, ImageId image) {
+    between_ = image;
+    sample(binding, image);
+    Access access = Access::depth_write();
+    access.layout = Access::sampled(true).layout; // so the pass finds and leaves it
+    use(image, access);
+    return *this;
+}
+
 Pass& Pass::store(uint32_t binding, ImageId image) {
     stored_.emplace_back(binding, image);
     use(image, Access::storage_image());

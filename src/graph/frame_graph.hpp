@@ -30,6 +30,9 @@ struct PassContext {
     VkExtent2D extent{};
     uint32_t slot = 0; ///< gpu::FrameTurn::slot
     bool one_pixel = false; ///< a warm-up: a dispatch whose result only the picture needs may be one group
+    /// Draws into the image of Pass::draws_between(): the pass's own attachments are left and come back after it, and
+    /// what is drawn is seen by all later draws. State that is bound is lost.
+    std::function<void(const std::function<void()>&)> between{};
 };
 
 /// One pass: what it reads, what it writes, how it records. Barriers, layouts, load and store
@@ -65,6 +68,8 @@ public:
     Pass& condition(BufferId buffer);
     /// The pass copies into the buffer.
     Pass& copy_to(BufferId buffer);
+    /// A depth image that the pass draws into between its own draws (PassContext::between), and samples at `binding`.
+    Pass& draws_between(uint32_t binding, ImageId image);
     Pass& prepare(std::function<void(const PassInterface&)> callback);
     /// Commands that may not stand inside of rendering, recorded before it begins.
     Pass& before_rendering(std::function<void(const PassContext&)> callback);
@@ -95,6 +100,7 @@ private:
     std::string name_;
     std::vector<Attachment> colours_;
     std::optional<Attachment> depth_;
+    std::optional<ImageId> between_;
     bool depth_writes_ = false;
     bool stencil_ = false;
     bool blends_ = false;
@@ -241,7 +247,8 @@ private:
     void record_end(VkCommandBuffer commands) const;
     void barrier(VkCommandBuffer commands, const std::vector<VkImageMemoryBarrier2>& images,
                  const std::vector<Pass::BufferBarrier>& buffers) const;
-    void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent) const;
+    void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent, bool again = false) const;
+    void draw_between(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D drawn, const std::function<void()>& draw) const;
     Access sampled_access(const Pass& pass, ImageId image) const;
     uint64_t texels_bytes(ImageId image) const;
     bool needed_after(ImageId image, uint32_t pass_index) const;

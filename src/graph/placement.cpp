@@ -21,6 +21,8 @@ void FrameGraph::find_lifetimes() {
         }
         for (const Pass::Attachment& colour : pass.colours_)
             images_[colour.image.index].usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+        if (pass.between_)
+            images_[pass.between_->index].usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         if (pass.depth_)
             images_[pass.depth_->image.index].usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         for (const auto& [binding, image] : pass.sampled_) {

@@ -41,6 +41,8 @@ LightDraws::LightDraws(const resident::Frame& frame, const graph::PassInterface&
     desc.depth = gpu::DepthTest::surface_only;
     desc.depth_clamp = true;
     fullscreen_ = gpu::GraphicsPipeline(frame.context(), desc);
+    if (inputs.shadows.reused && inputs.target.variant != "+count")
+        maps_ = std::make_unique<ShadowDraws>(frame, interface.inputs, *inputs.shadows.reused);
 }
 
 gpu::GraphicsPipelineDesc LightDraws::pipeline(const char* name, const char* vertex) const {
@@ -51,12 +53,14 @@ gpu::GraphicsPipelineDesc LightDraws::pipeline(const char* name, const char* ver
 }
 
 void LightDraws::record_fullscreen(const graph::PassContext& pass) const {
+    if (maps_)
+        maps_->begin(pass);
     ambient_.record(pass);
     const size_t g = static_cast<size_t>(resident::LightGroup::fullscreen);
-    if (lights().count[g] == 0)
-        return;
-    bind(pass, fullscreen_);
-    vkCmdDraw(pass.commands, 3, lights().count[g], 0, lights().first[g]);
+    each(pass, lights().first[g], lights().count[g], [&](uint32_t first, uint32_t count) {
+        bind(pass, fullscreen_);
+        vkCmdDraw(pass.commands, 3, count, 0, first);
+    });
 }
 
 } // namespace prelight::passes

@@ -1,5 +1,6 @@
 #pragma once
 #include "lighting.hpp"
+#include "shadow_draws.hpp"
 #include <array>
 #include <gpu/pipeline.hpp>
 #include <optional>
@@ -48,6 +49,19 @@ public:
     void bind(const graph::PassContext& pass, const gpu::GraphicsPipeline& pipeline) const {
         bind_lighting(pass, frame_, pipeline);
     }
+    /// Calls draw(first, count) for lights of the frame's order: all at once, or one by one, each after its shadow maps.
+    /// `draw` binds all that it needs.
+    template <class Draw>
+    void each(const graph::PassContext& pass, uint32_t first, uint32_t count, Draw&& draw) const {
+        if (count == 0)
+            return;
+        if (!maps_ || pass.one_pixel)
+            return draw(first, count);
+        for (uint32_t i = first; i < first + count; ++i) {
+            maps_->record_light(pass, lights().order[i]);
+            draw(i, 1u);
+        }
+    }
     const resident::Frame& frame() const { return frame_; }
     const resident::LightGroups& lights() const { return frame_.lights(); }
 
@@ -56,6 +70,7 @@ private:
     gpu::GraphicsPipelineDesc light_;
     AmbientDraw ambient_;
     gpu::GraphicsPipeline fullscreen_;
+    std::unique_ptr<ShadowDraws> maps_; ///< Shadows::reused
 };
 
 /// Makes `pass` draw with a Draws(frame, interface, inputs) that has a record().

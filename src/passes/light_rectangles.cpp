@@ -40,25 +40,28 @@ public:
         draws_.record_fullscreen(pass);
         const resident::LightGroups& lights = draws_.lights();
         for (const VolumeGroup& group : volume_groups) {
-            const uint32_t first = lights.first[group.index()], count = lights.count[group.index()];
-            if (count == 0)
-                continue;
-            draws_.bind(pass, pipelines_[group.inside && !bounds_]);
-            if (!bounds_) {
-                vkCmdDraw(pass.commands, 6, count, 0, first);
-                continue;
-            }
-            for (uint32_t i = first; i < first + count; ++i) {
-                // Reversed depth: the far side is the smaller one. 0 is where no surface is.
-                const float nearest = lights.bounds[i].depth.x, farthest = lights.bounds[i].depth.y;
-                const float least = std::max(farthest, std::numeric_limits<float>::min());
-                vkCmdSetDepthBounds(pass.commands, std::min(nearest, least), nearest);
-                vkCmdDraw(pass.commands, 6, 1, 0, i);
-            }
+            draws_.each(pass, lights.first[group.index()], lights.count[group.index()], [&](uint32_t first, uint32_t count) {
+                draws_.bind(pass, pipelines_[group.inside && !bounds_]);
+                if (bounds_)
+                    draw_bounded(pass, first, count);
+                else
+                    vkCmdDraw(pass.commands, 6, count, 0, first);
+            });
         }
     }
 
 private:
+    void draw_bounded(const graph::PassContext& pass, uint32_t first, uint32_t count) const {
+        for (uint32_t i = first; i < first + count; ++i) {
+            // Reversed depth: the far side is the smaller one. 0 is where no surface is.
+            const shared::LightScreenBounds& bounds = draws_.lights().bounds[i];
+            const float nearest = bounds.depth.x, farthest = bounds.depth.y;
+            const float least = std::max(farthest, std::numeric_limits<float>::min());
+            vkCmdSetDepthBounds(pass.commands, std::min(nearest, least), nearest);
+            vkCmdDraw(pass.commands, 6, 1, 0, i);
+        }
+    }
+
     LightDraws draws_;
     bool bounds_;
     std::array<gpu::GraphicsPipeline, 2> pipelines_; ///< from outside, from inside

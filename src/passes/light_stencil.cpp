@@ -29,20 +29,24 @@ public:
         draws_.record_fullscreen(pass);
         const resident::LightGroups& lights = draws_.lights();
         for (const VolumeGroup& group : volume_groups) {
-            const auto& [mark, light] = pipelines_[group.index()];
-            const uint32_t first = lights.first[group.index()];
-            for (uint32_t i = first; i < first + lights.count[group.index()]; ++i) {
-                draws_.bind(pass, mark); // culls nothing
-                volumes_.draw(pass.commands, group.spot, 1, i);
-                // Back faces cover all that may be marked, wherever the camera is.
-                draws_.bind(pass, light);
-                vkCmdSetCullMode(pass.commands, VK_CULL_MODE_FRONT_BIT);
-                volumes_.draw(pass.commands, group.spot, 1, i);
-            }
+            draws_.each(pass, lights.first[group.index()], lights.count[group.index()], [&](uint32_t first, uint32_t count) {
+                for (uint32_t i = first; i < first + count; ++i)
+                    draw_one(pass, group, i);
+            });
         }
     }
 
 private:
+    void draw_one(const graph::PassContext& pass, const VolumeGroup& group, uint32_t i) const {
+        const auto& [mark, light] = pipelines_[group.index()];
+        draws_.bind(pass, mark); // culls nothing
+        volumes_.draw(pass.commands, group.spot, 1, i);
+        // Back faces cover all that may be marked, wherever the camera is.
+        draws_.bind(pass, light);
+        vkCmdSetCullMode(pass.commands, VK_CULL_MODE_FRONT_BIT);
+        volumes_.draw(pass.commands, group.spot, 1, i);
+    }
+
     struct Pair {
         gpu::GraphicsPipeline mark, light;
     };

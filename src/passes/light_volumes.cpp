@@ -26,11 +26,11 @@ public:
         const resident::LightGroups& lights = draws_.lights();
         for (const VolumeGroup& group : volume_groups) {
             const size_t g = group.index();
-            if (lights.count[g] == 0)
-                continue;
-            draws_.bind(pass, pipelines_[g]);
-            vkCmdSetCullMode(pass.commands, group.inside ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT);
-            volumes_.draw(pass.commands, group.spot, lights.count[g], lights.first[g]);
+            draws_.each(pass, lights.first[g], lights.count[g], [&](uint32_t first, uint32_t count) {
+                draws_.bind(pass, pipelines_[g]);
+                vkCmdSetCullMode(pass.commands, group.inside ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT);
+                volumes_.draw(pass.commands, group.spot, count, first);
+            });
         }
     }
 

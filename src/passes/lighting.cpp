@@ -80,7 +80,8 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
         .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
     if (inputs.target.variant == "+deferred")
         pass.sample(INPUT_MATERIAL, inputs.material).sample(INPUT_ALBEDO, inputs.albedo);
-    declare_shadows(pass, inputs.shadows);
+    if (inputs.target.variant != "+count")
+        declare_shadows(pass, inputs.shadows);
 }
 
 std::string lighting_shader(const LightingInputs& inputs, const std::string& shader, const char* ending) {

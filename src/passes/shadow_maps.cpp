@@ -1,216 +1,29 @@
-#include "shadow_maps.hpp"
-#include <algorithm>
-#include <cstddef>
-#include <gpu/pipeline.hpp>
+#include "shadow_draws.hpp"
 #include <optional>
-#include <resident/light_reach.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
-namespace {
-
-using resident::Draw;
-using resident::ShadowTile;
-using resident::VertexAttributes;
-
-// Vertex buffer bindings.
-constexpr uint32_t positions = 0, attributes = 1, rows = 2;
-/// Beside the offset along the normal that lighting adds: for normals that are not the triangle's.
-constexpr float slope_bias = 1;
-
-/// The pipelines of casters: of those without mask, and of each set of features that masks have.
-class Casters {
-public:
-    Casters(const resident::Frame& frame, const graph::PassInterface& interface) : frame_(frame) {
-        gpu::GraphicsPipelineDesc desc;
-        desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), 3 * sizeof(glm::vec4)};
-        desc.instance_binding = rows;
-        desc.depth_format = interface.depth_format;
-        desc.depth = gpu::DepthTest::write_nearer;
-        desc.push_bytes = sizeof(shared::ShadowTileConstants);
-        desc.push_stage = VK_SHADER_STAGE_VERTEX_BIT;
-        desc.slope_bias = slope_bias;
-        desc.sets = {frame.layout(), interface.inputs, frame.materials().layout};
-        for (const Draw& draw : frame.geometry().draws) {
-            const uint32_t features = key(draw);
-            if (pipelines_.contains(features))
-                continue;
-            desc.name = "shadow casters, features " + std::to_string(features);
-            desc.vertex = features ? "surface+shadow.vert" : "depth_only+shadow.vert";
-            desc.fragment = features ? "depth_mask+shadow.frag" : "";
-            desc.constants = {{CONSTANT_MATERIAL_FEATURES, features}};
-            desc.attributes = attributes_of(features != 0);
-            pipelines_.emplace(features, gpu::GraphicsPipeline(frame.context(), desc));
-        }
-    }
-
-    void bind_geometry(const graph::PassContext& pass) const {
-        const resident::Geometry& geometry = frame_.geometry();
-        const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), frame_.caster_rows()};
-        const VkDeviceSize offsets[] = {0, 0, 0};
-        vkCmdBindVertexBuffers(pass.commands, 0, 3, buffers, offsets);
-        vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
-    }
-
-    /// `draws`: indices into Geometry::draws, rising. Neighbours of the same mesh are one call.
-    void draw(const graph::PassContext& pass, const ShadowTile& tile, std::span<const uint32_t> draws) const {
-        const std::vector<Draw>& all = frame_.geometry().draws;
-        const gpu::GraphicsPipeline* bound = nullptr;
-        uint32_t material = no_image;
-        for (size_t i = 0; i < draws.size();) {
-            const Draw& first = all[draws[i]];
-            const gpu::GraphicsPipeline& pipeline = pipelines_.at(key(first));
-            if (&pipeline != bound) {
-                pipeline.bind(pass.commands);
-                pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
-                pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-                pipeline.push(pass.commands, std::as_bytes(std::span(&tile.clip_from_centre, 1)));
-                bound = &pipeline;
-                material = no_image;
-            }
-            if (first.material != material && (key(first) || material == no_image)) {
-                pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets[first.material]);
-                material = first.material;
-            }
-            uint32_t count = 1;
-            while (i + count < draws.size() && draws[i + count] == draws[i] + count && same_triangles(all[draws[i + count]], first))
-                ++count;
-            vkCmdDrawIndexed(pass.commands, first.index_count, count, first.first_index, first.vertex_offset, draws[i]);
-            i += count;
-        }
-    }
-
-    /// Each pipeline once.
-    void warm_up(const graph::PassContext& pass) const {
-        const std::vector<Draw>& all = frame_.geometry().draws;
-        for (const auto& [features, pipeline] : pipelines_)
-            for (uint32_t d = 0; d < all.size(); ++d)
-                if (key(all[d]) == features) {
-                    draw(pass, {}, std::span(&d, 1));
-                    break;
-                }
-    }
-
-private:
-    static uint32_t key(const Draw& draw) {
-        return draw.features & FEATURE_ALPHA_MASK ? draw.features & (FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE) : 0;
-    }
-    static bool same_triangles(const Draw& a, const Draw& b) {
-        return key(a) == key(b) && a.material == b.material && a.first_index == b.first_index &&
-               a.index_count == b.index_count && a.vertex_offset == b.vertex_offset;
-    }
-    static std::vector<gpu::VertexAttribute> attributes_of(bool masked) {
-        std::vector<gpu::VertexAttribute> out{{VERTEX_POSITION, positions, VK_FORMAT_R32G32B32_SFLOAT, 0}};
-        for (uint32_t row = 0; row < 3; ++row)
-            out.push_back({VERTEX_WORLD_ROW + row, rows, VK_FORMAT_R32G32B32A32_SFLOAT,
-                           static_cast<uint32_t>(row * sizeof(glm::vec4))});
-        if (masked) {
-            out.push_back({VERTEX_COLOUR, attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
-            out.push_back({VERTEX_TEXCOORD_0, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
-            out.push_back({VERTEX_TEXCOORD_1, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)});
-        }
-        return out;
-    }
-
-    const resident::Frame& frame_;
-    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: without mask
-};
-
-/// What the atlas holds, and drawing what it lacks.
-class AtlasDraws {
-public:
-    AtlasDraws(const resident::Frame& frame, const graph::PassInterface& interface, ShadowCounts& counts)
-        : frame_(frame), counts_(counts), casters_(frame, interface) {}
-
-    void record(const graph::PassContext& pass) {
-        casters_.bind_geometry(pass);
-        if (pass.one_pixel)
-            return casters_.warm_up(pass);
-        counts_ = {};
-        for (const ShadowTile& tile : frame_.shadows()->tiles())
-            if (frame_.shadows()->options().cached && held(tile))
-                ++counts_.tiles_reused;
-            else
-                draw(pass, tile);
-    }
-
-private:
-    static bool overlap(const resident::ShadowTilePlace& a, const resident::ShadowTilePlace& b) {
-        return a.corner.x < b.corner.x + b.side && b.corner.x < a.corner.x + a.side && a.corner.y < b.corner.y + b.side &&
-               b.corner.y < a.corner.y + a.side;
-    }
-
-    bool held(const ShadowTile& tile) const {
-        const auto found = held_.find({tile.place.corner.x, tile.place.corner.y});
-        return found != held_.end() && found->second.place == tile.place &&
-               found->second.clip_from_centre == tile.clip_from_centre;
-    }
-
-    void draw(const graph::PassContext& pass, const ShadowTile& tile) {
-        std::erase_if(held_, [&](const auto& entry) { return overlap(entry.second.place, tile.place); });
-        held_[{tile.place.corner.x, tile.place.corner.y}] = tile;
-        const auto x = static_cast<int32_t>(tile.place.corner.x), y = static_cast<int32_t>(tile.place.corner.y);
-        const auto side = static_cast<float>(tile.place.side);
-        const VkViewport viewport{static_cast<float>(x), static_cast<float>(y), side, side, 0, 1};
-        const VkRect2D area{{x, y}, {tile.place.side, tile.place.side}};
-        vkCmdSetViewport(pass.commands, 0, 1, &viewport);
-        vkCmdSetScissor(pass.commands, 0, 1, &area);
-        VkClearAttachment clear{};
-        clear.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT; // to 0, the far end
-        const VkClearRect cleared{area, 0, 1};
-        vkCmdClearAttachments(pass.commands, 1, &clear, 1, &cleared);
-        find_casters(tile);
-        casters_.draw(pass, tile, seen_);
-        ++counts_.tiles_drawn;
-        counts_.casters_drawn += seen_.size();
-    }
-
-    /// Those that the light reaches, once for all of its tiles; of them those that the tile may show.
-    void find_casters(const ShadowTile& tile) {
-        const std::vector<Draw>& all = frame_.geometry().draws;
-        const PlacedLight& light = frame_.placed_lights()[tile.light];
-        if (reached_of_ != tile.light || reached_position_ != light.position) {
-            reached_.clear();
-            for (uint32_t d = 0; d < all.size(); ++d)
-                if (resident::reaches(light, all[d]))
-                    reached_.push_back(d);
-            reached_of_ = tile.light;
-            reached_position_ = light.position;
-        }
-        const glm::dvec3 centre = frame_.shadows()->world().centre();
-        seen_.clear();
-        for (const uint32_t d : reached_)
-            if (resident::may_show(all[d], tile.clip_from_centre, centre))
-                seen_.push_back(d);
-    }
-
-    const resident::Frame& frame_;
-    ShadowCounts& counts_;
-    Casters casters_;
-    std::map<std::pair<uint32_t, uint32_t>, ShadowTile> held_; ///< by corner
-    std::vector<uint32_t> reached_, seen_;
-    uint32_t reached_of_ = no_image;
-    glm::dvec3 reached_position_{0};
-};
-
-} // namespace
 
 Shadows shadow_pass(graph::FrameGraph& graph, const resident::Frame& frame, ShadowCounts& counts) {
     if (!frame.shadows())
         return {};
     const glm::uvec2 size = frame.shadows()->atlas_size();
-    const graph::ImageId atlas = graph.image("shadow atlas", {VK_FORMAT_D32_SFLOAT, {size.x, size.y}});
+    const graph::ImageId atlas = graph.image("shadow atlas", {shadow_format, {size.x, size.y}});
     graph.persist(atlas);
+    if (frame.shadows()->options().reuse)
+        return {atlas, &counts};
     graph::Pass& pass = graph.pass("shadows");
     pass.depth_write(atlas, graph::Load::keep);
-    auto draws = std::make_shared<std::optional<AtlasDraws>>();
-    pass.prepare([=, &frame, &counts](const graph::PassInterface& interface) { draws->emplace(frame, interface, counts); });
+    auto draws = std::make_shared<std::optional<ShadowDraws>>();
+    pass.prepare([=, &frame, &counts](const graph::PassInterface& interface) { draws->emplace(frame, interface.inputs, counts); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
-    return {atlas};
+    return {atlas, nullptr};
 }
 
 void declare_shadows(graph::Pass& pass, const Shadows& shadows) {
-    if (shadows)
+    if (shadows.reused)
+        pass.draws_between(INPUT_SHADOW_ATLAS, shadows.atlas);
+    else if (shadows)
         pass.sample(INPUT_SHADOW_ATLAS, shadows.atlas);
 }
 

@@ -5,9 +5,15 @@
 
 namespace prelight::passes {
 
+inline constexpr VkFormat shadow_format = VK_FORMAT_D32_SFLOAT;
+
+struct ShadowCounts;
 /// What a pass that evaluates lights needs to know of shadows; default: there are none.
 struct Shadows {
     graph::ImageId atlas{}; ///< depth of all tiles: resident::ShadowPlan says which lies where
+    /// Set where the pass itself draws each light's maps before the light, into the same memory for all of them
+    /// (shadow-memory=reuse, Lee's way).
+    ShadowCounts* reused = nullptr;
     explicit operator bool() const { return bool(atlas); }
 };
 
@@ -18,7 +24,8 @@ struct ShadowCounts {
 
 /// Shadow maps [S1]: a pass "shadows" that draws the tiles of Frame::shadows() into one depth image, each with the
 /// casters that its light may see. Both faces of every triangle cast, masked ones where they are not masked out.
-/// A tile that the image holds already is left as it is. Nothing without shadows. `counts` lives as long as the graph.
+/// A tile that the image holds already is left as it is. With ShadowOptions::reuse there is no such pass: see
+/// Shadows::reused. Nothing without shadows. `counts` lives as long as the graph.
 Shadows shadow_pass(graph::FrameGraph& graph, const resident::Frame& frame, ShadowCounts& counts);
 
 /// Makes `pass` read the atlas; nothing without shadows.

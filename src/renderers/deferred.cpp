@@ -103,7 +103,7 @@ RendererInfo deferred_info() {
         .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}}}};
     for (SettingInfo& setting : draw_settings(false))
         info.settings.push_back(std::move(setting));
-    for (SettingInfo& setting : shadow_settings())
+    for (SettingInfo& setting : shadow_settings(true))
         info.settings.push_back(std::move(setting));
     const std::vector<SettingInfo> volumes = passes::volume_settings();
     info.settings.insert(info.settings.end(), volumes.begin(), volumes.end());
@@ -112,6 +112,7 @@ RendererInfo deferred_info() {
 
 std::unique_ptr<Renderer> make_deferred(Device& device, const RenderOptions& options) {
     Settings settings(deferred_info(), options);
+    choose_shadow_memory(settings);
     choose_light_culling(settings, device);
     return std::make_unique<Deferred>(device, options, std::move(settings));
 }

@@ -118,7 +118,7 @@ RendererInfo light_prepass_info() {
             .preset_settings = light_prepass_presets()};
     for (SettingInfo& setting : draw_settings(true))
         info.settings.push_back(std::move(setting));
-    for (SettingInfo& setting : shadow_settings())
+    for (SettingInfo& setting : shadow_settings(true))
         info.settings.push_back(std::move(setting));
     for (const SettingInfo& setting : passes::volume_settings())
         info.settings.push_back(setting);
@@ -129,8 +129,10 @@ RendererInfo light_prepass_info() {
 
 std::unique_ptr<Renderer> make_light_prepass(Device& device, const RenderOptions& options) {
     Settings settings(light_prepass_info(), options);
+    choose_shadow_memory(settings);
     choose_light_culling(settings, device);
     const passes::LightModel model = light_model(settings, options.shading);
+    choose_shadow_memory(settings); // what the model is written by may have changed the way
     return std::make_unique<LightPrepass>(device, options, std::move(settings), model);
 }
 

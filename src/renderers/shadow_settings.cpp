@@ -1,15 +1,32 @@
 #include "shadow_settings.hpp"
+#include <fmt/format.h>
+#include <prelight/error.hpp>
 
 namespace prelight {
 
-std::vector<SettingInfo> shadow_settings() {
-    return {{"shadows", {"off", "on"}, "off", "shadow maps of every light that casts a shadow"},
+std::vector<SettingInfo> shadow_settings(bool light_by_light) {
+    std::vector<SettingInfo> settings{{"shadows", {"off", "on"}, "off", "shadow maps of every light that casts a shadow"},
             {"shadow-filter", {"hard", "pcf", "contact"}, "pcf",
              "one texel; a disc of 1.5 texels; a disc as wide as the light and its distance make the penumbra"},
             {"shadow-budget", {"1 … 268435456"}, "16777216",
              "texels of all shadow maps (4 bytes each), rounded down to a power of two; shared by size on the screen"},
             {"shadow-detail", {"0.01 … 16"}, "2", "texels that a light asks for a pixel; the budget goes before"},
             {"shadow-cache", {"on", "off"}, "on", "off: maps are drawn every frame, for measuring"}};
+    if (light_by_light)
+        settings.push_back({"shadow-memory", {"atlas", "reuse"}, "atlas",
+                            "maps of all lights at once, or of one light after the other in the same memory"});
+    return settings;
+}
+
+void choose_shadow_memory(Settings& settings) {
+    if (!settings.is("shadows", "on") || !settings.is("shadow-memory", "reuse"))
+        return;
+    if (settings.is("light-culling", "auto"))
+        settings.resolve("light-culling", "volumes");
+    const bool once = settings.all().contains("light-writes") && settings.is("light-writes", "once");
+    if (once || settings.is("light-culling", "tiles") || settings.is("light-culling", "clusters"))
+        throw UsageError(fmt::format("--set shadow-memory=reuse: is for lights that are drawn one by one, not {}",
+                                     once ? "light-writes=once" : "light-culling=" + settings.get("light-culling")));
 }
 
 resident::ShadowOptions shadow_options(const Settings& settings) {
@@ -22,6 +39,7 @@ resident::ShadowOptions shadow_options(const Settings& settings) {
                                                             : ShadowFilter::contact,
             .budget = static_cast<uint64_t>(settings.number("shadow-budget")),
             .detail = settings.number("shadow-detail"),
+            .reuse = settings.all().contains("shadow-memory") && settings.is("shadow-memory", "reuse"),
             .cached = settings.is("shadow-cache", "on")};
 }
 

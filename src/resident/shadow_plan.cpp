@@ -9,8 +9,8 @@ namespace prelight::resident {
 namespace {
 
 constexpr uint32_t longest_side = 4096;
-/// What contact hardening takes lights to be: spheres of 4 cm; directional ones are the sun, 0.53° wide.
-constexpr double light_radius = 0.02, sun_radius = 0.00463;
+/// What contact hardening takes lights to be: spheres of 6 cm; directional ones are the sun, 0.53° wide.
+constexpr double light_radius = 0.03, sun_radius = 0.00463;
 
 uint32_t power_of_two(double texels, uint32_t most) {
     return std::min(std::bit_ceil(static_cast<uint32_t>(std::clamp(texels, 1.0, double(longest_side)))), most);
@@ -34,7 +34,7 @@ ShadowPlan::ShadowPlan(const WorldBox& world, const ShadowOptions& options, uint
 
 /// The disc, half a texel of filtering, and what the bias moves a point by.
 uint32_t ShadowPlan::guard_of(uint32_t side) const {
-    const uint32_t guard = options_.filter == ShadowFilter::hard ? 3 : options_.filter == ShadowFilter::pcf ? 6 : 14;
+    const uint32_t guard = options_.filter == ShadowFilter::hard ? 3 : options_.filter == ShadowFilter::pcf ? 6 : 24;
     return std::min(guard, side / 4);
 }
 
@@ -77,7 +77,36 @@ void ShadowPlan::fit_budget() {
     stats_.lights_without = static_cast<uint64_t>(kept - wishes_.begin());
     wishes_.erase(wishes_.begin(), kept);
     stats_.texels = texels;
-    std::sort(wishes_.begin(), wishes_.end(), [](const Wish& a, const Wish& b) { return a.light < b.light; });
+}
+
+void ShadowPlan::fit_each() {
+    std::erase_if(wishes_, [&](Wish& wish) {
+        const auto texels = [&] { return uint64_t(wish.tiles) * wish.side * wish.side; };
+        while (texels() > atlas_.texels() && wish.side > 1)
+            wish.side /= 2;
+        if (texels() > atlas_.texels()) {
+            ++stats_.lights_without;
+            return true;
+        }
+        stats_.texels = std::max(stats_.texels, texels());
+        return false;
+    });
+}
+
+void ShadowPlan::place(std::vector<ShadowTilePlace>& places) {
+    std::vector<ShadowAtlas::Wish> wanted;
+    std::vector<ShadowTilePlace> own;
+    for (const Wish& wish : wishes_) {
+        for (uint32_t tile = 0; tile < wish.tiles; ++tile)
+            wanted.push_back({{wish.light, tile}, wish.side});
+        if (!options_.reuse)
+            continue;
+        atlas_.place(wanted, own);
+        places.insert(places.end(), own.begin(), own.end());
+        wanted.clear();
+    }
+    if (!options_.reuse)
+        atlas_.place(wanted, places);
 }
 
 shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view, const ShadowTilePlace& place,
@@ -91,7 +120,7 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
             m[column][row] = half * (m[column][row] + m[column][3]);
     shared::ShadowData out{};
     out.texel_from_world = glm::mat4(m);
-    const double radius = options_.filter == ShadowFilter::contact ? 6 : 1.5;
+    const double radius = options_.filter == ShadowFilter::contact ? 10 : 1.5;
     out.place = glm::vec4(place.corner, place.side, std::min(radius, guard / 2.0));
     out.texel = glm::vec4(view.texel, view.texel_per_w, 1.0 / atlas_.size().x, 1.0 / atlas_.size().y);
     const bool directional = light.kind == LightKind::directional;
@@ -104,13 +133,13 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
                         const PlacedCamera& camera, uint32_t width, uint32_t height) {
     stats_ = {.budget = atlas_.texels()};
     wish(lights, visible, camera, width, height);
-    fit_budget();
-    std::vector<ShadowAtlas::Wish> wanted;
-    for (const Wish& wish : wishes_)
-        for (uint32_t tile = 0; tile < wish.tiles; ++tile)
-            wanted.push_back({{wish.light, tile}, wish.side});
+    if (options_.reuse)
+        fit_each();
+    else
+        fit_budget();
+    std::sort(wishes_.begin(), wishes_.end(), [](const Wish& a, const Wish& b) { return a.light < b.light; });
     std::vector<ShadowTilePlace> places;
-    atlas_.place(wanted, places);
+    place(places);
 
     tiles_.clear();
     records_.clear();

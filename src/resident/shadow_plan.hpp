@@ -15,6 +15,7 @@ struct ShadowOptions {
     ShadowFilter filter = ShadowFilter::pcf;
     uint64_t budget = 1u << 24; ///< texels of the atlas
     double detail = 2;          ///< texels of a map that a pixel asks for
+    bool reuse = false;         ///< each light has the whole atlas, one after the other
     bool cached = true;         ///< tiles whose light and casters did not move are not drawn again
 };
 
@@ -57,6 +58,9 @@ private:
     void wish(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
               uint32_t width, uint32_t height);
     void fit_budget();
+    /// Each light by itself; those that do not fit even so are left out.
+    void fit_each();
+    void place(std::vector<ShadowTilePlace>& places);
     shared::ShadowData record(const Light& light, const ShadowView& view, const ShadowTilePlace& place, uint32_t guard,
                               const PlacedCamera& camera) const;
     uint32_t guard_of(uint32_t side) const;

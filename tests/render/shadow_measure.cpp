@@ -69,19 +69,27 @@ ShadowErrors shadow_errors(Device& device, const Shot& shot, int reach) {
     });
     for (size_t i = 0; i < picture.pixels.size(); ++i) {
         const float dark = brightness(reference.linear, i), full = brightness(lit.linear, i);
-        if (on_object[i] || reference.shadow_mask[i] == 0 || full - dark < 0.02f || brightness(linear, i) - dark < 0.5f * (full - dark))
+        errors.lit += full > 0.02f && full == dark;
+        errors.shadowed += full - dark >= 0.02f;
+        if (on_object[i] || full - dark < 0.02f || brightness(linear, i) - dark < 0.5f * (full - dark))
             continue;
         const glm::dvec3 place = reference.position[i] - shot.camera.position;
         const reference::Incident light = tree.incident(0, place);
         errors.leaking += rays.blocked({place, light.to_light, gap, light.distance - 1e-4});
     }
     errors.leaking /= pixels;
+    errors.lit /= pixels;
+    errors.shadowed /= pixels;
     return errors;
 }
 
 void expect_shadows_right(const Shot& shot, int reach) {
     const ShadowErrors errors = shadow_errors(test_device(), shot, reach);
     EXPECT_GE(errors.judged, 0.15) << "enough of the picture is beyond the filter's reach";
+    if (shot.world->lights.size() == 1) {
+        EXPECT_GE(errors.lit, 0.02);
+        EXPECT_GE(errors.shadowed, 0.02);
+    }
     EXPECT_LE(errors.darkened, 0.0005);
     EXPECT_LE(errors.leaking, 0.0005);
     std::printf("    %.1f %% judged, %.4f %% of them darkened, %.4f %% leaking\n", errors.judged * 100, errors.darkened * 100,

@@ -10,6 +10,7 @@ struct ShadowErrors {
     double darkened = 0;  ///< share of them that are darker than the reference by more than 2/255
     double leaking = 0;   ///< share of the picture's pixels that are lit by more than half, although something that is more
                           ///< than 2 cm away shadows them. Worlds with one light only
+    double lit = 0, shadowed = 0; ///< share of the picture that the light reaches, and would; worlds with one light only
 };
 
 /// `reach`: pixels. Display-encoded values are compared.

@@ -1,7 +1,9 @@
 // Shadow maps against the reference's shadow rays [S1] [S2], in every architecture.
 #include "garden.hpp"
 #include "shadow_measure.hpp"
+#include <cmath>
 #include <filesystem>
+#include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 
 namespace prelight {
@@ -95,10 +97,42 @@ TEST(Shadows, S1_ALightMayCastNone) {
     expect_agrees(shot);
 }
 
+// [S1] Lee's way: each light's maps in the memory that the light before had.
+TEST(Shadows, S1_OneLightAfterTheOtherInTheSameMemory) {
+    const ShadowGarden garden;
+    Shot shot = garden.shot();
+    shot.settings["shadow-budget"] = "8388608"; // an eighth: for one light it is enough
+    shot.settings["shadow-memory"] = "reuse";
+    for (const char* renderer : {"light-prepass", "deferred"})
+        for (const char* culling : {"auto", "volumes", "rectangles", "stencil", "fullscreen"}) {
+            SCOPED_TRACE(std::string(renderer) + " " + culling);
+            shot.renderer = renderer;
+            shot.settings["light-culling"] = culling;
+            expect_agrees(shot);
+        }
+    const auto one = create_renderer("light-prepass", &test_device(), options_of(shot));
+    one->set_world(garden.world);
+    one->render(garden.camera, 2);
+    const ShadowStats stats = one->stats().shadows.value();
+    EXPECT_EQ(stats.lights, 4u);
+    EXPECT_EQ(stats.tiles_drawn, 17u) << "the next light drew over them";
+    EXPECT_LE(stats.texels, stats.budget);
+    for (const char* culling : {"tiles", "clusters"}) {
+        shot.settings["light-culling"] = culling;
+        EXPECT_THROW(create_renderer("light-prepass", &test_device(), options_of(shot)), UsageError);
+        EXPECT_THROW(create_renderer("deferred", &test_device(), options_of(shot)), UsageError);
+    }
+}
+
 World with_sun(const Scene& scene, glm::dvec3 direction) {
     World world = resolve(scene);
     world.lights = {{{.kind = LightKind::directional, .intensity = 3}, glm::dvec3(0), glm::normalize(direction)}};
     return world;
+}
+
+ShadowStats shadows_of(Renderer& renderer, const PlacedCamera& camera) {
+    renderer.render(camera);
+    return renderer.stats().shadows.value();
 }
 
 class ShadowFilters : public testing::TestWithParam<const char*> {};
@@ -131,19 +165,49 @@ TEST_P(ShadowFilters, S2_NoAcneAndNoGapInSponza) {
     expect_shadows_right({.world = &world, .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}),
                           .settings = {{"shadows", "on"}, {"shadow-filter", GetParam()}}}, 6);
 }
+
+TEST(Shadows, S2_SponzaUnderASunAndSixtyFourSpots) {
+    const std::filesystem::path file = std::filesystem::path(PRELIGHT_SHARED_SCENES) / "sponza-512.glb";
+    if (!std::filesystem::exists(file))
+        GTEST_SKIP() << "no shared scenes beside the repository";
+    const Scene scene = load_gltf(file);
+    World world = with_sun(scene, {0.2, -1, 0.15});
+    for (int i = 0; i < 64; ++i) {
+        const float hue = 0.7f * static_cast<float>(i);
+        const Light spot{.kind = LightKind::spot, .colour = {0.6f + 0.4f * std::cos(hue), 0.7f, 0.6f - 0.4f * std::cos(hue)},
+                         .intensity = 12, .range = 8, .inner_cone = 0.3f, .outer_cone = 0.55f};
+        world.lights.push_back({spot, glm::dvec3(-10.5 + 1.4 * (i % 16), 4 + 0.3 * (i % 3), -4.5 + 3.0 * (i / 16)),
+                                glm::normalize(glm::dvec3(0.3 * std::cos(2.4 * i), -1, 0.3 * std::sin(2.4 * i)))});
+    }
+    Camera lens;
+    lens.yfov = 0.9;
+    const Shot shot{.world = &world, .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}), .exposure = -1, .settings = {{"shadows", "on"}}};
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+    renderer->set_world(world);
+    const ShadowStats stats = shadows_of(*renderer, shot.camera);
+    EXPECT_GE(stats.lights, 30u);
+    EXPECT_EQ(stats.lights_without, 0u);
+    expect_shadows_right(shot, 8);
+}
 INSTANTIATE_TEST_SUITE_P(All, ShadowFilters, testing::Values("pcf", "contact"));
 
 TEST(Shadows, S2_NoAcneAndNoGapInTheCity) {
-    const Scene scene = make_scene("city", 1, 1);
-    const World world = with_sun(scene, {-0.5, -1, 0.3});
-    expect_shadows_right({.world = &world, .camera = world.cameras.at(0), .settings = {{"shadows", "on"}}}, 6);
+    const Scene scene = make_scene("city", 64, 1);
+    const World lamps = resolve(scene);
+    World world = lamps; // a sun would not come through the sky, which is an object
+    const glm::dvec3 from(-4.2, 4.5, 4.6), bin(-5.75, 0.14, 3);
+    world.lights = {{{.kind = LightKind::spot, .intensity = 90, .range = 14, .inner_cone = 0.5f, .outer_cone = 0.8f}, from,
+                     glm::normalize(bin - from)}};
+    Camera lens;
+    lens.yfov = 0.8;
+    expect_shadows_right({.world = &world, .camera = look_at(lens, {-3.9, 1.3, 4.9}, bin), .settings = {{"shadows", "on"}}}, 6);
+    // Under its own lamps edges of shadows are almost everywhere.
+    const ShadowErrors errors = shadow_errors(test_device(), {.world = &lamps, .camera = lamps.cameras.at(0),
+                                                              .settings = {{"shadows", "on"}, {"shadow-budget", "67108864"}}}, 6);
+    EXPECT_GE(errors.judged, 0.05);
+    EXPECT_LE(errors.darkened, 0.0005);
 }
 
-
-ShadowStats shadows_of(Renderer& renderer, const PlacedCamera& camera) {
-    renderer.render(camera);
-    return renderer.stats().shadows.value();
-}
 
 // [S1] What did not change is not drawn again, and the picture is the same.
 TEST(Shadows, S1_TilesOfUnmovedLightsAreReused) {

@@ -32,7 +32,12 @@ TEST(SteadyFrame, MakesNothingWhileLightsAndCameraMove) {
     garden.add_lights(40, 3, 4);
     for (int i = 0; i < 5; ++i)
         garden.add_light(garden.spot(0.6f, 5, 6), garden.at(i - 2, 3, 0), {0, -1, 0.1});
-    for (Shot shot : every_way(garden.shot())) {
+    std::vector<Shot> shots = every_way(garden.shot());
+    for (const char* memory : {"atlas", "reuse"}) {
+        Shot& shadowed = shots.emplace_back(garden.shot());
+        shadowed.settings = {{"shadows", "on"}, {"shadow-memory", memory}, {"shadow-budget", "1048576"}};
+    }
+    for (Shot shot : shots) {
         SCOPED_TRACE(shot.renderer + " " + shot.settings.begin()->second);
         shot.width = 160, shot.height = 90;
         const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));

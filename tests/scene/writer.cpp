@@ -148,7 +148,7 @@ TEST_F(Writer, WhatGltfCannotSayIsInExtras) {
     EXPECT_EQ(tree["extras"]["prelight"]["ambient"], (json{0.1, 0.2, 0.3}));
     const json& lights = tree["extensions"]["KHR_lights_punctual"]["lights"];
     EXPECT_FALSE(lights[0].contains("extras"));
-    EXPECT_EQ(lights[2]["extras"]["prelight"], (json{{"falloff", "linear"}, {"shininess", 2.5}}));
+    EXPECT_EQ(lights[2]["extras"]["prelight"], (json{{"falloff", "linear"}, {"shininess", 2.5}, {"castsShadow", false}}));
     EXPECT_EQ(lights[3]["extras"]["prelight"]["falloff"], "quadratic");
 }
 

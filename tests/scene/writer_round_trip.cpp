@@ -101,6 +101,7 @@ void expect_same(const Light& a, const Light& b) {
     EXPECT_EQ(a.range, b.range);
     EXPECT_EQ(a.falloff, b.falloff);
     EXPECT_EQ(a.shininess, b.shininess);
+    EXPECT_EQ(a.casts_shadow, b.casts_shadow);
     if (a.kind == LightKind::spot) { // equal angles come back as neighbours
         EXPECT_NEAR(a.inner_cone, b.inner_cone, 2e-7);
         EXPECT_NEAR(a.outer_cone, b.outer_cone, 2e-7);
@@ -318,6 +319,7 @@ TEST_F(RoundTrip, WrongExtrasOfOurOwnAreErrors) {
               std::string::npos);
     EXPECT_NE(patched("\"shininess\":2.5", "\"shininess\":0.0").find("shininess is not"),
               std::string::npos);
+    EXPECT_NE(patched("\"castsShadow\":false", "\"castsShadow\":12345").find("castsShadow"), std::string::npos);
     EXPECT_EQ(patched("\"prelight\":{\"ambient\"", "\"prelude!\":{\"ambient\""), "no error");
 }
 

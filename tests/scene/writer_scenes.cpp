@@ -56,7 +56,8 @@ void add_lights(Scene& scene) {
                .intensity = 3.3f,
                .range = 8.1f,
                .shininess = 2.5f,
-               .falloff = Falloff::linear},
+               .falloff = Falloff::linear,
+               .casts_shadow = false},
               {-1, 2, 3});
     add_light(scene,
               {.name = "spot",

@@ -109,6 +109,7 @@ Scene make_shadows_scene(uint32_t lights, uint64_t seed) {
     add_camera(scene, {.name = "front", .yfov = 0.75}, {0.4, 2.6, 6.4}, {-0.2, 0.5, -1});
     add_camera(scene, {.name = "along", .yfov = 0.9}, {-1, 1.7, 4}, {-1, 1.2, -10});
     add_camera(scene, {.name = "close", .yfov = 0.6}, {-1.2, 0.7, 2.6}, {-2.2, 0.15, 0.2});
+    add_camera(scene, {.name = "pole", .yfov = 0.5}, {1.9, 0.9, 2.3}, {0.75, 0.1, 0.75});
     const uint32_t ground = append(scene.materials, Material{.name = "ground", .base_colour = {0.62f, 0.6f, 0.56f, 1}, .metallic = 0, .roughness = 0.8f});
     add_root(scene, "ground", translation({0, 0, -26})).mesh = add_mesh(scene, "ground", make_ground({40, 80}, 20), ground);
     add_things(scene);
