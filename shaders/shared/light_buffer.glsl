@@ -24,13 +24,14 @@ vec4 fetch_light(LIGHT_TEXTURE light, ivec2 pixel) {
 #endif
 }
 
-struct Light {
+// What the light buffer holds for a pixel.
+struct LightTexels {
     vec4 diffuse;   // rgb: Σ diffuse light; a: its weighted grazing term
     vec4 specular;  // rgb: Σ specular light; a: its weighted grazing term
     float weight;   // Σ N·L att, what channel 4 is divided by (equation 8.5.6)
 };
 
-Light read_light() {
+LightTexels read_light() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     // Blending may have gone past the largest half float.
     vec4 first = fetch_light(diffuse_light, pixel);
@@ -40,21 +41,21 @@ Light read_light() {
     first = min(first * frame.light_buffer.x, vec4(65504.0));
     if (!packed_light) {
         vec4 second = min(fetch_light(specular_light, pixel) * frame.light_buffer.x, vec4(65504.0));
-        return Light(first, second, 0.0);
+        return LightTexels(first, second, 0.0);
     }
     float weight = luminance(first.rgb);
     if (specular_way == SPECULAR_FIFTH_CHANNEL)
         weight = fetch_light(specular_light, pixel).r * frame.light_buffer.x;
     if (specular_way == SPECULAR_LUV)
         weight = luv_luminance * frame.light_buffer.x;
-    return Light(vec4(first.rgb, 0.0), vec4(first.aaa, 0.0), min(weight, 65504.0));
+    return LightTexels(vec4(first.rgb, 0.0), vec4(first.aaa, 0.0), min(weight, 65504.0));
 }
 
 // 0 stays 0, whatever the exponent.
 float raised(float base, float exponent) { return base > 0.0 ? pow(min(base, 1.0), exponent) : 0.0; }
 
 // [phong] The specular sum for a material of its own shininess mn (equation 8.5.4).
-vec3 specular_light_of(Light light, float mn) {
+vec3 specular_light_of(LightTexels light, float mn) {
     if (specular_way == SPECULAR_STORED)
         return light.specular.rgb; // the exponent was known when the lights were summed
     float channel4 = light.specular.r;

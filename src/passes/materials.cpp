@@ -31,6 +31,7 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     draw_surfaces(pass, frame,
                   {.name = "material",
                    .fragment = shader + (bits ? "+bits.frag" : ".frag"),
+                   .own_fragment = bits ? "material+bits.frag" : "material.frag",
                    .constants = constants,
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,

@@ -14,6 +14,7 @@ public:
     struct Desc {
         std::string name;
         std::string fragment;            ///< with `depth_only`: the shader of masked materials
+        std::string own_fragment = {};   ///< the stage for materials with a shader of their own; empty: `fragment`
         gpu::Constants constants;
         gpu::DepthTest depth = gpu::DepthTest::write_nearer;
         bool keeps_alpha_mask = true;    ///< false: the mask is not asked again, the depth test decides
@@ -44,14 +45,18 @@ public:
               std::span<const std::byte> push = {}) const;
 
 private:
-    uint32_t key(const resident::Draw& draw) const;
+    /// What chooses a pipeline: the material's shader, and its FEATURE_… bits.
+    using Key = std::pair<uint32_t, uint32_t>;
+    Key key(const resident::Draw& draw) const;
+    void set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& desc, Key key) const;
     bool same_state(const resident::Draw& a, const resident::Draw& b) const;
     void bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw, bool trimmed) const;
     void draw_indirect(const graph::PassContext& pass, size_t first, size_t end) const;
     const resident::Frame& frame_;
     uint32_t features_kept_;
+    bool depth_only_;
     bool motion_;
-    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by FEATURE_… bits
+    std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };
 
 /// Makes `pass` draw every object of the frame once.

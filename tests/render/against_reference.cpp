@@ -66,6 +66,9 @@ ReferenceForm form_of(const Shot& shot) {
     form.gate_by_step = is(shot, "specular-gate", "step");
     form.reflection_vector = is(shot, "specular-vector", "reflection");
     form.ambient_as_light = is(shot, "ambient", "light");
+    form.own_shaders = shot.renderer == "deferred"    ? ReferenceForm::OwnShaders::no_lamps
+                       : shot.renderer == "multipass" ? ReferenceForm::OwnShaders::each_light
+                                                      : ReferenceForm::OwnShaders::sums;
     return form;
 }
 
