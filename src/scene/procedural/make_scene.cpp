@@ -5,6 +5,7 @@
 #include <prelight/scene_io.hpp>
 #include <scene/procedural/city.hpp>
 #include <scene/procedural/lights.hpp>
+#include <scene/procedural/materials.hpp>
 #include <scene/procedural/motion.hpp>
 #include <scene/procedural/spheres.hpp>
 
@@ -26,6 +27,7 @@ constexpr auto entries = std::to_array<Entry>({
      make_lights_scene},
     {{"motion", "all that moves: turning boxes, a bent column, a morphing sphere, camera, lights", 24},
      make_motion_scene},
+    {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
 });
 
 } // namespace
