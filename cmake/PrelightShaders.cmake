@@ -4,6 +4,18 @@
 # gpu::FUNCTION(name). They may include what lies in shaders/.
 include(${CMAKE_SOURCE_DIR}/shaders/variants.cmake)
 
+# prelight_embed_texts(TARGET HEADER FUNCTION STRIP FILE…): see embed_texts.cmake.
+function(prelight_embed_texts TARGET HEADER FUNCTION STRIP)
+    string(MAKE_C_IDENTIFIER ${FUNCTION} id)
+    set(out ${CMAKE_CURRENT_BINARY_DIR}/${id}.cpp)
+    add_custom_command(OUTPUT ${out}
+        COMMAND ${CMAKE_COMMAND} -P ${CMAKE_SOURCE_DIR}/cmake/embed_texts.cmake
+                ${out} ${HEADER} ${FUNCTION} ${STRIP} ${ARGN}
+        DEPENDS ${ARGN} ${CMAKE_SOURCE_DIR}/cmake/embed_texts.cmake
+        COMMENT "Texts ${FUNCTION}" VERBATIM)
+    target_sources(${TARGET} PRIVATE ${out})
+endfunction()
+
 function(prelight_shaders TARGET)
     set(folder ${CMAKE_SOURCE_DIR}/shaders)
     set(function find_shader)
@@ -20,6 +32,11 @@ function(prelight_shaders TARGET)
     endforeach()
     set(out ${CMAKE_CURRENT_BINARY_DIR}/shaders)
     file(MAKE_DIRECTORY ${out})
+    foreach(material IN LISTS PRELIGHT_BUILT_IN_MATERIALS)
+        file(MAKE_DIRECTORY ${out}/${material})
+        file(CONFIGURE OUTPUT ${out}/materials/${material}/material.glsl
+             CONTENT "#include \"materials/${material}.glsl\"\n")
+    endforeach()
     set(table "")
     set(includes "")
     set(outputs "")
@@ -28,10 +45,15 @@ function(prelight_shaders TARGET)
         list(GET parts 0 name)
         list(GET parts 1 source)
         list(GET parts 2 defines)
+        list(LENGTH parts length)
+        set(material metallic_roughness)
+        if(length GREATER 3)
+            list(GET parts 3 material)
+        endif()
         separate_arguments(defines)
         add_custom_command(OUTPUT ${out}/${name}.inc
             COMMAND Vulkan::glslc --target-env=vulkan1.3 -O -Werror -mfmt=num ${defines}
-                    -I ${CMAKE_SOURCE_DIR}/shaders -MD -MF ${out}/${name}.d -o ${out}/${name}.inc
+                    -I ${CMAKE_SOURCE_DIR}/shaders -I ${out}/materials/${material} -MD -MF ${out}/${name}.d -o ${out}/${name}.inc
                     ${folder}/${source}
             DEPENDS ${folder}/${source} DEPFILE ${out}/${name}.d
             COMMENT "Shader ${name}" VERBATIM)

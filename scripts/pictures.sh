@@ -84,6 +84,18 @@ for filter in pcf contact; do
 done
 keep shadows
 keep shadows-reference
+# Every built-in material on the same sphere; deferred shading knows one. And a user's own.
+for renderer in light-prepass deferred; do
+    "$prelight" render materials --size 960x540 --renderer $renderer -o "$work/materials-$renderer.png"
+done
+mv "$work/materials-light-prepass.png" "$work/materials.png"
+keep materials
+keep materials-deferred
+# The first GLSL of the page, as a reader types it.
+awk '/^```/ { if (inside) exit; inside = /glsl/; next } inside' docs/materials.md > "$work/toon.glsl"
+"$prelight" render materials --size 640x360 --material metallic-roughness="$work/toon.glsl" \
+    --material skin="$work/toon.glsl" --material "normal map=$work/toon.glsl" -o "$work/materials-toon.png"
+keep materials-toon
 
 too_large=$(find "$out" -name '*.png' -size +400k)
 if [ -n "$too_large" ]; then

@@ -2,15 +2,15 @@
 #extension GL_GOOGLE_include_directive : require
 // Stage 1: the shading normal and roughness of the nearest surface; the only place that discards.
 // Compiled with NO_NORMAL_TARGET it is the first of two passes [L9]: depth alone.
-#ifndef DEPTH_TARGET
+#if !defined(DEPTH_TARGET) && !defined(OWN_MATERIAL)
 #define NO_WORLD
 #endif
-#ifdef NO_NORMAL_TARGET
+#if defined(NO_NORMAL_TARGET) && !defined(OWN_MATERIAL)
 #define NO_NORMAL
 #endif
 #include "shared/linear_depth.h"
+#include "shared/material_interface.glsl"
 #include "shared/normal_encoding.h"
-#include "shared/surface.glsl"
 
 layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMAL_OCT24;
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
@@ -27,17 +27,18 @@ layout(location = DEPTH_TARGET) out vec4 out_depth;
 #endif
 
 void main() {
-    if (has(FEATURE_ALPHA_MASK) && base_colour().a < material.emissive.w)
+    Point p = point();
+    Surface s = surface(p);
+    if (is_masked(s))
         discard;
 #ifndef NO_NORMAL_TARGET
-    vec3 n = shading_normal();
+    vec3 n = s.normal;
     if (view_space)
         n = mat3(frame.view_from_world) * n;
-    float roughness = metallic_roughness().y;
-    out_normal = normal_encode(normal_encoding, n, roughness);
+    out_normal = normal_encode(normal_encoding, n, s.roughness);
 #endif
 #ifdef ROUGHNESS_TARGET
-    out_roughness = roughness;
+    out_roughness = s.roughness;
 #endif
 #ifdef DEPTH_TARGET
     out_depth = linear_depth_encode(depth_source, dot(in_world, frame.forward.xyz));

@@ -12,12 +12,12 @@ layout(push_constant) uniform BatchBlock { ForwardBatch batch; };
 layout(location = 0) out vec4 out_colour;
 
 void main() {
-    ForwardSurface surface = forward_surface();
-    vec3 sum = vec3(0.0);
+    ForwardSurface s = forward_surface();
+    LampSums sums = no_lamps();
     uint contributing = 0u;
     for (uint i = 0u; i < batch.count; ++i) {
         bool contributes;
-        sum += forward_light(surface, lights[batch.lights[i]], contributes);
+        add_lamp(sums, s, lights[batch.lights[i]], contributes);
         contributing += contributes ? 1u : 0u;
     }
     count_lights(batch.count, contributing);
@@ -25,8 +25,5 @@ void main() {
         out_colour = vec4(float(batch.count), float(contributing), 0.0, 0.0);
         return;
     }
-    vec3 colour = min(sum, vec3(batch.limit));
-    if (with_base)
-        colour += min(base_light(surface.base), vec3(32752.0));
-    out_colour = vec4(colour, with_base ? 1.0 : 0.0);
+    out_colour = vec4(forward_colour(s, sums, with_base, batch.limit), with_base ? 1.0 : 0.0);
 }

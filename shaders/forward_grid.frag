@@ -16,15 +16,15 @@ uint cell_of(vec3 world) {
 }
 
 void main() {
-    ForwardSurface surface = forward_surface();
+    ForwardSurface s = forward_surface();
     LightList list = list_of(cell_of(in_world), 0u);
     if (has(FEATURE_UNLIT))
         list.count = 0u;
-    vec3 sum = vec3(0.0);
+    LampSums sums = no_lamps();
     uint contributing = 0u;
     for (uint i = 0u; i < list.count; ++i) {
         bool contributes;
-        sum += forward_light(surface, lights[listed_light(list, i)], contributes);
+        add_lamp(sums, s, lights[listed_light(list, i)], contributes);
         contributing += contributes ? 1u : 0u;
     }
     count_lights(list.count, contributing);
@@ -33,5 +33,5 @@ void main() {
         return;
     }
     // Each half of what a half float holds.
-    out_colour = stored_colour(min(sum, vec3(32752.0)) + min(base_light(surface.base), vec3(32752.0)));
+    out_colour = stored_colour(forward_colour(s, sums, true, 32752.0));
 }

@@ -1,9 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Deferred shading's geometry pass [D1] [D2]: all that lights need of the nearest surface, and the light
-// that needs no lamp. The only place that discards.
+// that needs no lamp. The only place that discards. A material's surface() fills it, and its shade() is asked
+// for what needs no lamp; of lamps the G-buffer knows metallic-roughness only.
+#include "shared/base_light.glsl"
 #include "shared/gbuffer_layout.glsl"
-#include "shared/surface.glsl"
 
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
 
@@ -27,17 +28,17 @@ vec2 motion() {
 }
 
 void main() {
-    vec4 base = base_colour();
-    if (has(FEATURE_ALPHA_MASK) && base.a < material.emissive.w)
+    Point p = point();
+    Surface s = surface(p);
+    if (is_masked(s))
         discard;
-    vec3 n = shading_normal();
+    vec3 n = s.normal;
     if (view_space)
         n = mat3(frame.view_from_world) * n;
-    vec2 surface = metallic_roughness();
-    GBufferTexels texels = gbuffer_encode(n, surface.y, motion(), base.rgb, surface.x, occlusion(), has(FEATURE_UNLIT));
+    GBufferTexels texels = gbuffer_encode(n, s.roughness, motion(), s.base, s.metallic, s.occlusion, has(FEATURE_UNLIT));
     out_normal = texels.normal;
     out_motion = texels.motion;
     out_albedo = texels.albedo;
-    vec3 stored = min(base_light(base.rgb) / frame.light_buffer.x, vec3(frame.ambient.w));
+    vec3 stored = min(base_light(p, s) / frame.light_buffer.x, vec3(frame.ambient.w));
     out_light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
 }

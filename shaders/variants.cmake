@@ -1,5 +1,6 @@
-# Shaders compiled a second time with other outputs: NAME|SOURCE|DEFINES. Only for what a
-# specialisation constant cannot do: an output without a target is an error.
+# Shaders compiled a second time with other outputs: NAME|SOURCE|DEFINES[|MATERIAL]. Only for what a
+# specialisation constant cannot do: an output without a target is an error. MATERIAL: a file of
+# shaders/materials/, what `#include "material.glsl"` means; metallic_roughness where none is named.
 set(PRELIGHT_SHADER_VARIANTS
     "depth_normal+roughness.frag|depth_normal.frag|-DROUGHNESS_TARGET=1"
     "depth_normal+depth.frag|depth_normal.frag|-DDEPTH_TARGET=1"
@@ -11,13 +12,15 @@ set(PRELIGHT_SHADER_VARIANTS
     "surface+shadow.vert|surface.vert|-DSHADOW_TILE -DNO_WORLD -DNO_NORMAL"
     "depth_mask+shadow.frag|depth_mask.frag|-DNO_WORLD -DNO_NORMAL"
     # Nor can another type of texture be a constant, or an input that is not there.
-    "material_metallic_roughness+bits.frag|material_metallic_roughness.frag|-DLIGHT_BITS"
-    "material_metallic_roughness+weighted.frag|material_metallic_roughness.frag|-DONLY_WEIGHTED"
-    "material_metallic_roughness+weighted+bits.frag|material_metallic_roughness.frag|-DONLY_WEIGHTED -DLIGHT_BITS"
-    "material_blinn_phong+bits.frag|material_blinn_phong.frag|-DLIGHT_BITS"
-    "material_metallic_roughness+pair.frag|material_metallic_roughness.frag|-DLIGHT_PAIR"
-    "material_metallic_roughness+weighted+pair.frag|material_metallic_roughness.frag|-DONLY_WEIGHTED -DLIGHT_PAIR"
-    "material_blinn_phong+pair.frag|material_blinn_phong.frag|-DLIGHT_PAIR"
+    "material_metallic_roughness.frag|material.frag|"
+    "material_metallic_roughness+bits.frag|material.frag|-DLIGHT_BITS"
+    "material_metallic_roughness+weighted.frag|material.frag|-DONLY_WEIGHTED"
+    "material_metallic_roughness+weighted+bits.frag|material.frag|-DONLY_WEIGHTED -DLIGHT_BITS"
+    "material_blinn_phong.frag|material.frag|-DONLY_WEIGHTED|blinn_phong"
+    "material_blinn_phong+bits.frag|material.frag|-DONLY_WEIGHTED -DLIGHT_BITS|blinn_phong"
+    "material_metallic_roughness+pair.frag|material.frag|-DLIGHT_PAIR"
+    "material_metallic_roughness+weighted+pair.frag|material.frag|-DONLY_WEIGHTED -DLIGHT_PAIR"
+    "material_blinn_phong+pair.frag|material.frag|-DONLY_WEIGHTED -DLIGHT_PAIR|blinn_phong"
     "view+pair.frag|view.frag|-DLIGHT_PAIR"
     "light_list+pair.comp|light_list.comp|-DLIGHT_PAIR"
     "trim_test+depth.comp|trim_test.comp|-DBY_DEPTH"
@@ -61,12 +64,10 @@ list(TRANSFORM shadowed APPEND " -DSHADOWS")
 # tangents.
 set(untextured
     "depth_normal.frag|depth_normal.frag|"
-    "material_metallic_roughness.frag|material_metallic_roughness.frag|"
-    "material_blinn_phong.frag|material_blinn_phong.frag|"
     ${PRELIGHT_SHADER_VARIANTS})
 list(FILTER untextured INCLUDE REGEX "^(depth_normal|material_)")
 list(TRANSFORM untextured REPLACE "^([^|]*)\\.frag" "\\1+untextured.frag")
-list(TRANSFORM untextured APPEND " -DNO_TEXTURES")
+list(TRANSFORM untextured REPLACE "^([^|]*\\|[^|]*\\|[^|]*)" "\\1 -DNO_TEXTURES")
 list(APPEND PRELIGHT_SHADER_VARIANTS ${untextured} ${shadowed})
 
 # The vertex shaders that go with all of these: passes::SurfaceDraws picks them.
@@ -82,5 +83,34 @@ foreach(world "" "+noworld")
                 list(APPEND PRELIGHT_SHADER_VARIANTS "surface${left_out}.vert|surface.vert|${defines}")
             endif()
         endforeach()
+    endforeach()
+endforeach()
+
+# What is compiled with each material that an object may choose: built-in ones here, as FOLDER/NAME where
+# FOLDER is the material's file; a user's own when it is loaded (src/materials/compile.cpp).
+set(PRELIGHT_MATERIAL_STAGES
+    "depth_normal.frag|depth_normal.frag|"
+    "depth_normal+roughness.frag|depth_normal.frag|-DROUGHNESS_TARGET=1"
+    "depth_normal+depth.frag|depth_normal.frag|-DDEPTH_TARGET=1"
+    "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
+    "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
+    "depth_mask.frag|depth_mask.frag|"
+    "material.frag|material.frag|"
+    "material+bits.frag|material.frag|-DLIGHT_BITS"
+    "material+pair.frag|material.frag|-DLIGHT_PAIR"
+    "gbuffer_fill.frag|gbuffer_fill.frag|"
+    "forward_base.frag|forward_base.frag|"
+    "forward.frag|forward.frag|"
+    "forward+shadows.frag|forward.frag|-DSHADOWS"
+    "forward_grid.frag|forward_grid.frag|"
+    "forward_grid+shadows.frag|forward_grid.frag|-DSHADOWS")
+list(TRANSFORM PRELIGHT_MATERIAL_STAGES APPEND " -DOWN_MATERIAL")
+file(GLOB materials CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/materials
+     ${CMAKE_CURRENT_LIST_DIR}/materials/*.glsl)
+list(TRANSFORM materials REPLACE "\\.glsl$" "")
+set(PRELIGHT_BUILT_IN_MATERIALS ${materials})
+foreach(material IN LISTS materials)
+    foreach(stage IN LISTS PRELIGHT_MATERIAL_STAGES)
+        list(APPEND PRELIGHT_SHADER_VARIANTS "${material}/${stage}|${material}")
     endforeach()
 endforeach()

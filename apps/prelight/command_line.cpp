@@ -25,6 +25,7 @@ constexpr const char* render_footer = R"(Examples:
   prelight render city -o city.png --view normal=normal.png --view depth=depth.png
   prelight render fox.glb --animation Run --time 0.4 -o fox.png
   prelight render city --view diffuse-light -o light.png
+  prelight render helmet.glb --material Visor=toon.glsl -o helmet.png --watch
   prelight render city --renderer reference --size 320x180 -o truth.exr
 A name ending in .exr receives exposed scene-linear values, without tone mapping.
 `prelight renderers NAME` lists what --set, --view and --preset accept.)";
@@ -41,7 +42,7 @@ report in FOLDER is replaced; a folder with other files is refused.)";
 struct RenderText {
     std::string size = "1280x720", shading = "ggx", tonemap = "pbr-neutral", output, stats;
     std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0", time;
-    std::vector<std::string> settings, views;
+    std::vector<std::string> settings, views, materials;
 };
 
 struct CompareText {
@@ -78,6 +79,8 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
     option("--view", text.views, "BUFFER[=FILE]",
            "Write this buffer in place of the picture; with =FILE.png, beside it; repeatable");
+    option("--material", text.materials, "NAME=FILE",
+           "Shade the glTF material NAME with a GLSL file of your own; repeatable (docs/materials.md)");
     option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
     option("--shading", text.shading, "MODEL", "ggx (default) or phong");
     option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
@@ -90,7 +93,7 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
                  "Each pass's CPU time for --stats: as many frames more, each pass submitted alone");
     sub.add_flag("--validate", command.validate,
                  "Run with Vulkan validation; any message is a failure");
-    sub.add_flag("--watch", command.watch, "Render again whenever the scene file changes");
+    sub.add_flag("--watch", command.watch, "Render again whenever the scene or a material file changes");
 }
 
 void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
@@ -153,6 +156,10 @@ void finish(RenderCommand& command, const RenderText& text) {
         const auto [key, value] = parse_pair("--set", setting);
         command.options.settings[key] = value;
     }
+    for (const std::string& material : text.materials) {
+        const auto [name, file] = parse_pair("--material", material);
+        command.materials.emplace_back(name, file);
+    }
     command.output = text.output;
     command.stats = text.stats;
     take_views(command, text.views);
@@ -212,6 +219,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     MakeCommand make;
     MakeText make_text;
     RenderersCommand renderers;
+    MaterialsCommand materials;
     BenchArguments bench;
     add_render(app, render, render_text);
     add_compare(app, compare, compare_text);
@@ -220,6 +228,9 @@ Command parse_command_line(int argc, const char* const* argv) {
     app.add_subcommand("devices", "Show the Vulkan devices and which would be taken");
     auto& list = *app.add_subcommand("renderers", "List renderers, or what one of them can do");
     list.add_option("NAME", renderers.name, "Show keys, values, views, presets")->type_name("");
+
+    auto& shaders = *app.add_subcommand("materials", "List built-in materials and their parameters");
+    shaders.add_option("NAME", materials.name, "Show one alone")->type_name("");
 
     check_command(app, argc, argv);
 
@@ -249,6 +260,8 @@ Command parse_command_line(int argc, const char* const* argv) {
         return bench.command();
     if (app.got_subcommand("renderers"))
         return renderers;
+    if (app.got_subcommand("materials"))
+        return materials;
     return DevicesCommand{};
 }
 

@@ -36,6 +36,8 @@ struct RenderCommand {
     bool validate = false;
     bool watch = false;
     std::filesystem::path stats; ///< empty: none
+    /// `--material NAME=FILE`, in the order given.
+    std::vector<std::pair<std::string, std::filesystem::path>> materials;
 };
 
 /// `prelight compare`
@@ -66,6 +68,11 @@ struct MakeCommand {
 
 /// `prelight devices`
 struct DevicesCommand {};
+
+/// `prelight materials [NAME]`
+struct MaterialsCommand {
+    std::string name; ///< empty: all
+};
 
 /// `prelight renderers [NAME]`
 struct RenderersCommand {
@@ -107,7 +114,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<RenderCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand,
-                             RenderersCommand, PrintCommand>;
+                             RenderersCommand, MaterialsCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);

@@ -9,6 +9,7 @@ void run(const CompareCommand& command);
 void run(const MakeCommand& command);
 void run(const DevicesCommand& command);
 void run(const RenderersCommand& command);
+void run(const MaterialsCommand& command);
 void run(const BenchCommand& command);
 void run(const PrintCommand& command);
 

@@ -1,6 +1,7 @@
 #include "argument.hpp"
 #include "commands.hpp"
 #include "output.hpp"
+#include "own_materials.hpp"
 #include "renderer_info.hpp"
 #include "scene_source.hpp"
 #include "stats_json.hpp"
@@ -34,7 +35,7 @@ void check_before_work(const RenderCommand& command, const RendererInfo& info) {
             std::ranges::find(info.views, view) == info.views.end())
             throw UsageError(
                 fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
-    if (command.watch && !names_file(command.scene))
+    if (command.watch && !names_file(command.scene) && command.materials.empty())
         throw UsageError(fmt::format("--watch: {} is not a file that could change", command.scene));
     check_writable(command.output);
     for (const ViewFile& more : command.more_views)
@@ -88,6 +89,16 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     std::fflush(stdout);
 }
 
+/// What --watch looks at.
+std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
+    std::vector<std::filesystem::path> files;
+    if (names_file(command.scene))
+        files.emplace_back(command.scene);
+    for (const auto& [name, file] : command.materials)
+        files.push_back(file);
+    return files;
+}
+
 } // namespace
 
 void run(const RenderCommand& command) {
@@ -101,6 +112,8 @@ void run(const RenderCommand& command) {
     std::future<Scene> built_in;
     if (names_builtin(command.scene))
         built_in = std::async(std::launch::async, [&] { return make_builtin(command.scene, command.lights, command.seed); });
+    OwnMaterials materials(command.materials);
+    const SceneEdit edit = [&](Scene& scene) { materials.assign(scene); };
     Session session;
     if (!info.needs_device && (command.validate || command.device != "auto"))
         throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
@@ -108,18 +121,19 @@ void run(const RenderCommand& command) {
     if (info.needs_device)
         session.device = Device::create({.select = command.device, .validate = command.validate});
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
-    FileWatch watch(command.scene);
+    FileWatch watch(files_of(command));
     start_up.device = clock.lap();
     const SceneTime time{command.moment, command.animation};
     const auto load = [&] {
-        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time);
+        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit);
     };
-    std::unique_ptr<LoadedScene> loaded = built_in.valid() ? resolve_builtin(built_in.get(), time) : load();
+    std::unique_ptr<LoadedScene> loaded = built_in.valid() ? resolve_builtin(built_in.get(), time, edit) : load();
     start_up.scene = clock.lap();
     render_once(session, command, *loaded, start_up);
 
     while (command.watch) {
         watch.wait();
+        materials.take_changes();
         std::unique_ptr<LoadedScene> changed;
         try {
             changed = load();

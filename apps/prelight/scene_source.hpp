@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <prelight/scene.hpp>
@@ -30,12 +31,16 @@ struct SceneTime {
     std::string animation;        ///< name or index; empty: all
 };
 
+/// What is done to a scene before it is resolved; may be empty.
+using SceneEdit = std::function<void(Scene&)>;
+
 /// Loads a file or makes a built-in scene, resolves it at that time, and adds lights to it as
 /// `--lights` says, `max_lights` at most.
 /// Warnings of the loader go to stderr. Throws Error; UsageError for an animation that is not there.
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
-                                        uint64_t seed, uint64_t max_lights, const SceneTime& time = {});
+                                        uint64_t seed, uint64_t max_lights, const SceneTime& time = {},
+                                        const SceneEdit& edit = {});
 /// The same for a built-in scene that make_builtin() has made already.
-std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time);
+std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time, const SceneEdit& edit = {});
 
 } // namespace prelight::app

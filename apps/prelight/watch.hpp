@@ -1,14 +1,15 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace prelight::app {
 
-/// Notices that a file's time or size has changed, by asking a few times a second.
+/// Notices that the time or size of one of some files has changed, by asking a few times a second.
 class FileWatch {
 public:
-    explicit FileWatch(std::filesystem::path file);
-    /// Returns when the file has changed since the last call and has then kept still for one poll,
+    explicit FileWatch(std::vector<std::filesystem::path> files);
+    /// Returns when a file has changed since the last call and all have then kept still for one poll,
     /// so that a writer has most likely finished. A file that is gone is waited for.
     void wait();
 
@@ -18,10 +19,11 @@ private:
         uintmax_t size = 0;
         bool operator==(const State&) const = default;
     };
-    std::optional<State> look() const; ///< nothing: no such file now
+    using States = std::vector<State>;
+    std::optional<States> look() const; ///< nothing: one of them is not there now
 
-    std::filesystem::path file_;
-    std::optional<State> known_;
+    std::vector<std::filesystem::path> files_;
+    std::optional<States> known_;
 };
 
 } // namespace prelight::app

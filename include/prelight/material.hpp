@@ -4,6 +4,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
 
 namespace prelight {
@@ -33,6 +35,8 @@ struct TextureRef {
     explicit operator bool() const { return image != no_image; }
 };
 
+struct MaterialShader; // material_shader.hpp
+
 enum class AlphaMode { opaque, mask, blend };
 
 /// glTF 2.0 metallic-roughness material. Texture channels are glTF's; base colour and emissive
@@ -54,6 +58,12 @@ struct Material {
     TextureRef normal_texture;             ///< tangent space, +Y up
     TextureRef occlusion_texture;          ///< R
     TextureRef emissive_texture;
+
+    /// How it is shaded: material_shader.hpp. Null: the renderer's own way, metallic-roughness in
+    /// Shading::ggx, Blinn-Phong in Shading::phong.
+    std::shared_ptr<const MaterialShader> shader{};
+    std::map<std::string, glm::vec4> parameters{}; ///< of the shader, by name; what is absent has its default
+    std::map<std::string, TextureRef> textures{};  ///< of the shader, by name
 };
 
 } // namespace prelight

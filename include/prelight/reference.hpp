@@ -22,6 +22,10 @@ struct ReferenceForm {
     /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.
     enum class Specular { stored, luv, fifth_channel, luminance, bent } specular = Specular::stored;
+    /// What materials with a shader of their own make of lamps: all at once, as a light buffer sums them;
+    /// each by itself, as a forward draw of one light at a time; or, where a G-buffer knows no such shader,
+    /// metallic-roughness, with the shader for what needs no lamp.
+    enum class OwnShaders { sums, each_light, no_lamps } own_shaders = OwnShaders::sums;
     bool operator==(const ReferenceForm&) const = default;
 };
 

@@ -5,9 +5,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <optional>
 #include <prelight/animation.hpp>
 #include <prelight/camera.hpp>
+#include <prelight/image.hpp>
 #include <prelight/light.hpp>
 #include <prelight/material.hpp>
 #include <string>
@@ -21,6 +23,14 @@ struct TextureImage {
     uint32_t width = 0;
     uint32_t height = 0;
     std::vector<uint8_t> rgba; ///< width × height × 4
+};
+
+/// Light from all around, infinitely far away.
+struct Environment {
+    std::string name; ///< for messages
+    /// Equirectangular, twice as wide as high; radiance, linear Rec. 709. The middle is seen along −Z, the
+    /// top row lies towards +Y, left of the middle towards −X.
+    Image image{};
 };
 
 /// Four of the joints that move each vertex. A vertex's place is the sum over all sets of weight ×
@@ -97,6 +107,7 @@ struct Scene {
     std::vector<Animation> animations{};
     std::vector<Skin> skins{};
     glm::vec3 ambient{0};                 ///< uniform environment radiance, linear RGB
+    std::shared_ptr<const Environment> environment{}; ///< what materials reflect; null: `ambient`
     std::vector<std::string> warnings;    ///< what the loader left out or changed, one line each
 };
 

@@ -65,6 +65,12 @@
 #define MATERIAL_NORMAL 3
 #define MATERIAL_OCCLUSION 4
 #define MATERIAL_EMISSIVE 5
+#define MATERIAL_OWN_TEXTURE 6  // and the next ones: textures that a material's shader declares
+#define MATERIAL_OWN_TEXTURES 6
+#define MATERIAL_ENVIRONMENT 12
+#define MATERIAL_PARAMETERS 13
+#define MATERIAL_ENVIRONMENT_LIGHT 14
+#define MATERIAL_TEXTURES 11  // of the standard and a shader's own: what MaterialConstants knows of
 
 #define VERTEX_POSITION 0
 #define VERTEX_NORMAL 1
@@ -128,6 +134,8 @@
 #define FEATURE_EMISSIVE_TEXTURE 16u
 #define FEATURE_ALPHA_MASK 32u
 #define FEATURE_UNLIT 64u
+#define FEATURE_ENVIRONMENT 128u
+#define FEATURE_OWN_TEXTURE 256u  // times 2 for each slot
 
 // Kinds of lights that a frame may hold; shaders leave out what the others need.
 #define LIGHT_KIND_SPOT 1u

@@ -1,9 +1,9 @@
-// Forward shading: a surface, and what one light adds to it. Fresnel of each light at V·H (model=full), or
-// at N·V (nv).
+// Forward shading: a surface, and what lamps add to it. Fresnel of each light at V·H (model=full), or at N·V
+// (nv); a material of its own gets the lamps' sums, as the light buffer would hold them.
 #ifndef PRELIGHT_FORWARD_LIGHT_GLSL
 #define PRELIGHT_FORWARD_LIGHT_GLSL
 #include "shared/lighting.glsl"
-#include "shared/surface.glsl"
+#include "shared/base_light.glsl"
 
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_FULL;
 layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
@@ -13,7 +13,8 @@ layout(constant_id = CONSTANT_LIGHT_OUTPUT) const int light_output = LIGHT_OUTPU
 layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCounters { uint pair_counters[]; };
 
 struct ForwardSurface {
-    vec3 base;
+    Point at;
+    Surface surface;
     Reflectance reflectance;
     LitPoint point;
     float schlick_nv;
@@ -21,20 +22,72 @@ struct ForwardSurface {
 
 ForwardSurface forward_surface() {
     ForwardSurface s;
-    s.base = base_colour().rgb;
-    vec2 factors = metallic_roughness();
-    s.reflectance = reflectance(s.base, factors.x);
-    s.point = lit_point(true, in_world, shading_normal(), to_viewer(in_world), max(factors.y, 0.089), gl_FragCoord.xy);
+    s.at = point();
+    s.surface = surface(s.at);
+    s.reflectance = reflectance(s.surface.base, s.surface.metallic);
+    s.point = lit_point(true, in_world, s.surface.normal, s.at.to_viewer, max(s.surface.roughness, 0.089), gl_FragCoord.xy);
     s.schlick_nv = schlick_weight(s.point.nv);
     return s;
 }
 
-vec3 forward_light(ForwardSurface s, LightData light, out bool contributes) {
+#ifdef OWN_MATERIAL
+struct LampSums {
+    vec3 irradiance, specular;
+    float grazing_diffuse, grazing_specular;  // weighted by luminance
+};
+LampSums no_lamps() { return LampSums(vec3(0.0), vec3(0.0), 0.0, 0.0); }
+
+void add_lamp(inout LampSums sums, ForwardSurface s, LightData light, out bool contributes) {
     Lamp lamp = lamp_of(light);
     LightTerms terms = light_terms(lamp, s.point);
     contributes = terms.contributes;
-    return reflected(lamp, terms, s.reflectance, model == MODEL_FULL ? schlick_weight(terms.vh) : s.schlick_nv);
+    float grazing = schlick_weight(terms.vh);
+    sums.irradiance += lamp.colour * terms.diffuse;
+    sums.specular += lamp.colour * terms.specular;
+    sums.grazing_diffuse += lamp.luminance * terms.diffuse * grazing;
+    sums.grazing_specular += lamp.luminance * terms.specular * grazing;
 }
+
+vec3 shade_lamps(ForwardSurface s, LampSums sums, vec3 ambient) {
+    Light light = light_without_lamps(ambient, s.schlick_nv);
+    light.irradiance = sums.irradiance;
+    light.diffuse = sums.irradiance / lambert_divisor;
+    light.luminance = luminance(light.diffuse);
+    light.specular = sums.specular;
+    if (shading == SHADING_GGX) {
+        light.grazing_diffuse = clamp(sums.grazing_diffuse / max(luminance(sums.irradiance), 1e-12), 0.0, 1.0);
+        light.grazing_specular = clamp(sums.grazing_specular / max(luminance(sums.specular), 1e-12), 0.0, 1.0);
+    }
+    return shade(s.at, s.surface, light);
+}
+
+// With the base all of it at once; without, what these lamps add to a surface without any.
+vec3 forward_colour(ForwardSurface s, LampSums sums, bool with_base, float limit) {
+    if (with_base)
+        return has(FEATURE_UNLIT) ? base_light(s.at, s.surface)
+                                  : min(shade_lamps(s, sums, frame.ambient.rgb * s.surface.occlusion), vec3(limit + 32752.0));
+    return clamp(shade_lamps(s, sums, vec3(0.0)) - shade_lamps(s, no_lamps(), vec3(0.0)), vec3(-limit), vec3(limit));
+}
+#else
+struct LampSums {
+    vec3 light;
+};
+LampSums no_lamps() { return LampSums(vec3(0.0)); }
+
+void add_lamp(inout LampSums sums, ForwardSurface s, LightData light, out bool contributes) {
+    Lamp lamp = lamp_of(light);
+    LightTerms terms = light_terms(lamp, s.point);
+    contributes = terms.contributes;
+    sums.light += reflected(lamp, terms, s.reflectance, model == MODEL_FULL ? schlick_weight(terms.vh) : s.schlick_nv);
+}
+
+vec3 forward_colour(ForwardSurface s, LampSums sums, bool with_base, float limit) {
+    vec3 colour = min(sums.light, vec3(limit));
+    if (with_base)
+        colour += min(base_light(s.at, s.surface), vec3(32752.0));
+    return colour;
+}
+#endif
 
 void count_lights(uint evaluated, uint contributing) {
     if (!count_pairs)

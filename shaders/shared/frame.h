@@ -49,8 +49,14 @@ struct MaterialConstants {
     vec4 base_colour;
     vec4 emissive;              // rgb × exposure; w: alpha cut-off
     vec4 factors;               // metallic, roughness, normal scale, occlusion strength
-    vec4 uv_linear[5];          // per texture, in the order of MATERIAL_… bindings: columns of 2×2
-    vec4 uv_offset[5];          // xy: offset; z: texture-coordinate set
+    vec4 uv_linear[11];         // MATERIAL_TEXTURES of them, in the order of MATERIAL_… bindings: columns of 2×2
+    vec4 uv_offset[11];         // xy: offset; z: texture-coordinate set
+};
+
+// What of the world's environment map no pixel needs to look up.
+struct EnvironmentConstants {
+    vec4 irradiance[9];  // rgb: spherical harmonics of what a white Lambert surface sends on; exposed
+    vec4 levels;         // x: the roughest mip level of MATERIAL_ENVIRONMENT; y: factor (exposure)
 };
 
 SHARED_END

@@ -16,31 +16,32 @@ layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_ST
 layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform LIGHT_TEXTURE diffuse_light;
 layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform LIGHT_TEXTURE specular_light;
 
-struct LightTexels {
+struct StoredLight {
     vec4 first, second;
 };
 
-LightTexels fetch_light(ivec2 pixel) {
+StoredLight fetch_light(ivec2 pixel) {
 #ifdef LIGHT_PAIR
     uvec4 bits = texelFetch(diffuse_light, pixel, 0);
-    return LightTexels(half_floats(bits.xy), half_floats(bits.zw));
+    return StoredLight(half_floats(bits.xy), half_floats(bits.zw));
 #elif defined(LIGHT_BITS)  // graph::Pass::sample_bits()
-    return LightTexels(half_floats(texelFetch(diffuse_light, pixel, 0).rg), half_floats(texelFetch(specular_light, pixel, 0).rg));
+    return StoredLight(half_floats(texelFetch(diffuse_light, pixel, 0).rg), half_floats(texelFetch(specular_light, pixel, 0).rg));
 #else
-    return LightTexels(texelFetch(diffuse_light, pixel, 0), texelFetch(specular_light, pixel, 0));
+    return StoredLight(texelFetch(diffuse_light, pixel, 0), texelFetch(specular_light, pixel, 0));
 #endif
 }
 
-struct Light {
+// What the light buffer holds for a pixel.
+struct LightTexels {
     vec4 diffuse;   // rgb: Σ diffuse light; a: its weighted grazing term
     vec4 specular;  // rgb: Σ specular light; a: its weighted grazing term
     float weight;   // Σ N·L att, what channel 4 is divided by (equation 8.5.6)
 };
 
-Light read_light() {
+LightTexels read_light() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     // Blending may have gone past the largest half float.
-    LightTexels texels = fetch_light(pixel);
+    StoredLight texels = fetch_light(pixel);
     vec4 first = texels.first;
     float luv_luminance = first.b;
     if (specular_way == SPECULAR_LUV)
@@ -48,21 +49,21 @@ Light read_light() {
     first = min(first * frame.light_buffer.x, vec4(65504.0));
     if (!packed_light) {
         vec4 second = min(texels.second * frame.light_buffer.x, vec4(65504.0));
-        return Light(first, second, 0.0);
+        return LightTexels(first, second, 0.0);
     }
     float weight = luminance(first.rgb);
     if (specular_way == SPECULAR_FIFTH_CHANNEL)
         weight = texels.second.r * frame.light_buffer.x;
     if (specular_way == SPECULAR_LUV)
         weight = luv_luminance * frame.light_buffer.x;
-    return Light(vec4(first.rgb, 0.0), vec4(first.aaa, 0.0), min(weight, 65504.0));
+    return LightTexels(vec4(first.rgb, 0.0), vec4(first.aaa, 0.0), min(weight, 65504.0));
 }
 
 // 0 stays 0, whatever the exponent.
 float raised(float base, float exponent) { return base > 0.0 ? pow(min(base, 1.0), exponent) : 0.0; }
 
 // [phong] The specular sum for a material of its own shininess mn (equation 8.5.4).
-vec3 specular_light_of(Light light, float mn) {
+vec3 specular_light_of(LightTexels light, float mn) {
     if (specular_way == SPECULAR_STORED)
         return light.specular.rgb; // the exponent was known when the lights were summed
     float channel4 = light.specular.r;

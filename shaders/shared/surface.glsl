@@ -1,5 +1,5 @@
-// What a material's textures say about the surface under a pixel. Textures that the material does not
-// have cost nothing: they are specialised away.
+// A point of an object and what its material's textures say about the surface there. Textures that the
+// material does not have cost nothing: they are specialised away.
 #ifndef PRELIGHT_SURFACE_GLSL
 #define PRELIGHT_SURFACE_GLSL
 #include "shared/frame.glsl"
@@ -34,62 +34,113 @@ layout(location = 4) in vec4 in_colour;
 
 bool has(uint feature) { return (material_features & feature) != 0u; }
 
+// A point of an object under a pixel.
+struct Point {
+    vec3 position;   // world axes, metres, the camera at the origin; 0 where NO_WORLD
+    vec3 to_viewer;  // unit; likewise
+    vec3 normal;     // unit, of the geometry, on the side of the viewer; 0 where NO_NORMAL
+    vec4 tangent;    // world space, w the bitangent's sign; likewise
+    vec4 texcoords;  // sets 0 and 1
+    vec4 colour;     // of the vertices, linear
+};
+
+Point point() {
+    Point p;
+#ifdef NO_WORLD
+    p.position = p.to_viewer = vec3(0.0);
+#else
+    p.position = in_world;
+    p.to_viewer = to_viewer(in_world);
+#endif
+#ifdef NO_NORMAL
+    p.normal = vec3(0.0);
+    p.tangent = vec4(0.0);
+#else
+    vec3 n = normalize(in_normal);
+    p.normal = gl_FrontFacing ? n : -n;
+    p.tangent = in_tangent;
+#endif
+    p.texcoords = in_texcoords;
+    p.colour = in_colour;
+    return p;
+}
+
 // Coordinates of the texture at a MATERIAL_… binding (KHR_texture_transform).
-vec2 coordinates(int binding) {
+vec2 coordinates(Point p, int binding) {
     vec4 m = material.uv_linear[binding - 1];
     vec4 o = material.uv_offset[binding - 1];
-    vec2 uv = o.z > 0.5 ? in_texcoords.zw : in_texcoords.xy;
+    vec2 uv = o.z > 0.5 ? p.texcoords.zw : p.texcoords.xy;
     return m.xy * uv.x + m.zw * uv.y + o.xy;
 }
 
-vec4 base_colour() {
-    vec4 colour = material.base_colour * in_colour;
+vec4 base_colour(Point p) {
+    vec4 colour = material.base_colour * p.colour;
     if (has(FEATURE_BASE_COLOUR_TEXTURE))
-        colour *= texture(base_colour_map, coordinates(MATERIAL_BASE_COLOUR));
+        colour *= texture(base_colour_map, coordinates(p, MATERIAL_BASE_COLOUR));
     return colour;
 }
 
 // x metallic, y perceptual roughness
-vec2 metallic_roughness() {
+vec2 metallic_roughness(Point p) {
     vec2 factors = material.factors.xy;
     if (has(FEATURE_METALLIC_ROUGHNESS_TEXTURE))
-        factors *= texture(metallic_roughness_map, coordinates(MATERIAL_METALLIC_ROUGHNESS)).bg;
+        factors *= texture(metallic_roughness_map, coordinates(p, MATERIAL_METALLIC_ROUGHNESS)).bg;
     return factors;
 }
 
-#ifndef NO_NORMAL
-// Unit shading normal in world space, after the normal map, facing the viewer on back faces.
-vec3 shading_normal() {
-    vec3 n = normalize(in_normal);
-    if (has(FEATURE_NORMAL_TEXTURE)) {
-        vec3 texel = texture(normal_map, coordinates(MATERIAL_NORMAL)).xyz * 2.0 - 1.0;
-        texel.xy *= material.factors.z;
-        vec3 t = normalize(in_tangent.xyz);
-        vec3 b = cross(n, t) * in_tangent.w;
-        n = normalize(t * texel.x + b * texel.y + n * texel.z);
-    }
+// A direction of tangent space in world space, unit, facing the viewer on back faces as p.normal does.
+vec3 from_tangent_space(Point p, vec3 direction) {
+    vec3 n = gl_FrontFacing ? p.normal : -p.normal;
+    vec3 t = normalize(p.tangent.xyz);
+    vec3 b = cross(n, t) * p.tangent.w;
+    n = normalize(t * direction.x + b * direction.y + n * direction.z);
     return gl_FrontFacing ? n : -n;
 }
-#endif
 
-float occlusion() {
-    if (!has(FEATURE_OCCLUSION_TEXTURE))
-        return 1.0;
-    return 1.0 + material.factors.w * (texture(occlusion_map, coordinates(MATERIAL_OCCLUSION)).r - 1.0);
+// The normal map's normal in tangent space, not of unit length; (0, 0, 1) without one.
+vec3 mapped_normal(Point p) {
+    if (!has(FEATURE_NORMAL_TEXTURE))
+        return vec3(0.0, 0.0, 1.0);
+    vec3 texel = texture(normal_map, coordinates(p, MATERIAL_NORMAL)).xyz * 2.0 - 1.0;
+    return vec3(texel.xy * material.factors.z, texel.z);
 }
 
-vec3 emissive() {
+// Unit shading normal in world space, after the normal map, facing the viewer on back faces.
+vec3 shading_normal(Point p) {
+    return has(FEATURE_NORMAL_TEXTURE) ? from_tangent_space(p, mapped_normal(p)) : p.normal;
+}
+
+float occlusion(Point p) {
+    if (!has(FEATURE_OCCLUSION_TEXTURE))
+        return 1.0;
+    return 1.0 + material.factors.w * (texture(occlusion_map, coordinates(p, MATERIAL_OCCLUSION)).r - 1.0);
+}
+
+// Exposed.
+vec3 emissive(Point p) {
     vec3 colour = material.emissive.rgb;
     if (has(FEATURE_EMISSIVE_TEXTURE))
-        colour *= texture(emissive_map, coordinates(MATERIAL_EMISSIVE)).rgb;
+        colour *= texture(emissive_map, coordinates(p, MATERIAL_EMISSIVE)).rgb;
     return colour;
 }
 
-// Light that needs no lamp: ambient as a term of the material, and emissive; an unlit surface's colour.
-vec3 base_light(vec3 base) {
-    if (has(FEATURE_UNLIT))
-        return base * frame.light_buffer.y;
-    Reflectance r = reflectance(base, metallic_roughness().x);
-    return frame.ambient.rgb * occlusion() * (r.diffuse + r.f0) + emissive();
+// What a material's surface() gives.
+struct Surface {
+    vec3 normal;      // unit, world space
+    float roughness;  // perceptual; lights see at least 0.089
+    float alpha;      // below the material's cut-off nothing is there (alphaMode MASK)
+    vec3 base;        // base colour, linear
+    float metallic;
+    float occlusion;  // 0 … 1, on ambient light
+    vec3 emissive;    // exposed
+};
+
+// As the glTF material's own factors and textures say.
+Surface gltf_surface(Point p) {
+    vec4 base = base_colour(p);
+    vec2 factors = metallic_roughness(p);
+    return Surface(shading_normal(p), factors.y, base.a, base.rgb, factors.x, occlusion(p), emissive(p));
 }
+
+bool is_masked(Surface s) { return has(FEATURE_ALPHA_MASK) && s.alpha < material.emissive.w; }
 #endif

@@ -67,7 +67,8 @@ GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelin
     std::optional<ShaderStage> fragment;
     if (!desc.fragment.empty())
         stages.push_back(
-            fragment.emplace(context, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, desc.constants).info());
+            fragment.emplace(context, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, desc.constants, desc.fragment_code)
+                .info());
 
     std::vector<VkVertexInputBindingDescription> bindings;
     for (const uint32_t stride : desc.vertex_strides) {

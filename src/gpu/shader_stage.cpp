@@ -5,8 +5,7 @@
 namespace prelight::gpu {
 namespace {
 
-UniqueShaderModule make_module(const Context& context, const std::string& name) {
-    const auto code = find_shader(name);
+UniqueShaderModule make_module(const Context& context, const std::string& name, std::span<const uint32_t> code) {
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     info.codeSize = code.size_bytes();
     info.pCode = code.data();
@@ -19,8 +18,8 @@ UniqueShaderModule make_module(const Context& context, const std::string& name) 
 } // namespace
 
 ShaderStage::ShaderStage(const Context& context, VkShaderStageFlagBits stage, const std::string& name,
-                         const Constants& constants)
-    : stage_(stage), module_(make_module(context, name)) {
+                         const Constants& constants, std::span<const uint32_t> code)
+    : stage_(stage), module_(make_module(context, name, code.empty() ? find_shader(name) : code)) {
     for (const auto& [id, value] : constants) {
         entries_.push_back({id, static_cast<uint32_t>(values_.size() * 4), 4});
         values_.push_back(value);

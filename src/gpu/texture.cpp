@@ -57,10 +57,41 @@ Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, c
         throw Error(fmt::format("{}: image {}: {}x{} exceeds the device's limit of {}", context.name(),
                                 name, image.width, image.height, limit));
     const uint32_t levels = static_cast<uint32_t>(std::bit_width(std::max(image.width, image.height)));
+    make(context, pool, name, format_of(encoding), image.width, image.height, levels);
+    fill(uploader, image, encoding, levels);
+}
+
+Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const std::string& name,
+                 const std::vector<Image>& levels) {
+    const auto count = static_cast<uint32_t>(levels.size());
+    make(context, pool, name, VK_FORMAT_R16G16B16A16_SFLOAT, levels[0].width, levels[0].height, count);
+    for (uint32_t level = 0; level < count; ++level) {
+        const Image& image = levels[level];
+        const Uploader::Staging staging = uploader.stage(image.pixels.size() * 4 * sizeof(uint16_t));
+        auto* halves = reinterpret_cast<uint16_t*>(staging.bytes);
+        for (const glm::vec3& p : image.pixels)
+            for (int c = 0; c < 4; ++c)
+                *halves++ = glm::packHalf1x16(c < 3 ? std::min(p[c], 65504.0f) : 1.0f);
+        submit(uploader.commands(), level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED,
+                                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 0, VK_ACCESS_2_TRANSFER_WRITE_BIT));
+        VkBufferImageCopy copy{};
+        copy.bufferOffset = staging.offset;
+        copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
+        copy.imageExtent = {image.width, image.height, 1};
+        vkCmdCopyBufferToImage(uploader.commands(), staging.buffer, image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+        submit(uploader.commands(), level_barrier(image_, level, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                                  VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                                  VK_ACCESS_2_TRANSFER_READ_BIT));
+    }
+    finish(uploader.commands(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, count);
+}
+
+void Texture::make(const Context& context, MemoryPool& pool, const std::string& name, VkFormat format, uint32_t width,
+                   uint32_t height, uint32_t levels) {
     VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
     info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = format_of(encoding);
-    info.extent = {image.width, image.height, 1};
+    info.format = format;
+    info.extent = {width, height, 1};
     info.mipLevels = levels;
     info.arrayLayers = 1;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
@@ -85,7 +116,6 @@ Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, c
     check(vkCreateImageView(context.device(), &view, nullptr, &view_handle), name);
     view_ = {context.device(), view_handle};
     context.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(view_handle), name);
-    fill(uploader, image, encoding, levels);
 }
 
 void Texture::fill(Uploader& uploader, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const {
@@ -123,8 +153,12 @@ void Texture::fill(Uploader& uploader, const TextureImage& image, TextureEncodin
         submit(commands, level_barrier(image_, level, write, read, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                        VK_ACCESS_2_TRANSFER_READ_BIT));
     }
+    finish(commands, read, levels);
+}
+
+void Texture::finish(VkCommandBuffer commands, VkImageLayout from, uint32_t levels) const {
     VkImageMemoryBarrier2 done =
-        level_barrier(image_, 0, read, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+        level_barrier(image_, 0, from, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                       VK_ACCESS_2_TRANSFER_READ_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
     done.subresourceRange.levelCount = levels;
     done.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;

@@ -1,5 +1,6 @@
 #pragma once
 #include "uploader.hpp"
+#include <prelight/image.hpp>
 #include <prelight/scene.hpp>
 
 namespace prelight::gpu {
@@ -19,9 +20,16 @@ public:
     /// limit.
     Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const TextureImage& image,
             TextureEncoding encoding);
+    /// Half floats, level by level as given: each half as wide and high as the one before, at least 1.
+    Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const std::string& name,
+            const std::vector<Image>& levels);
     VkImageView view() const { return view_; }
 
 private:
+    void make(const Context& context, MemoryPool& pool, const std::string& name, VkFormat format, uint32_t width,
+              uint32_t height, uint32_t levels);
+    /// For the fragment shader.
+    void finish(VkCommandBuffer commands, VkImageLayout from, uint32_t levels) const;
     void fill(Uploader& uploader, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const;
     UniqueImage image_;
     UniqueImageView view_;

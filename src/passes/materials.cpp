@@ -32,6 +32,7 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     draw_surfaces(graph, pass, frame,
                   {.name = "material",
                    .fragment = shader + (pair ? "+pair.frag" : bits ? "+bits.frag" : ".frag"),
+                   .own_fragment = pair ? "material+pair.frag" : bits ? "material+bits.frag" : "material.frag",
                    .constants = constants,
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,

@@ -70,7 +70,7 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
     : frame_(frame), features_kept_(desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
                                     : desc.keeps_alpha_mask ? ~0u
                                                             : ~FEATURE_ALPHA_MASK),
-      motion_(desc.motion), later_(is_later(desc.depth)), counts_(frame.visible_pixels() && !later_),
+      depth_only_(desc.depth_only), motion_(desc.motion), later_(is_later(desc.depth)), counts_(frame.visible_pixels() && !later_),
       skips_(frame.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
@@ -83,24 +83,49 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
     pipeline.push_bytes = desc.push_bytes;
     pipeline.sets = {frame.layout(), interface.inputs, frame.materials().layout};
     for (const resident::Draw& draw : frame.geometry().draws) {
-        const uint32_t features = key(draw);
-        if (pipelines_.contains(features))
+        const Key chosen = key(draw);
+        if (pipelines_.contains(chosen))
             continue;
-        const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
-        const LeftOut left_out{!desc.world, !desc.normal, desc.untextured_variant && !has_textures(features)};
-        pipeline.vertex = !shaded   ? "depth_only.vert"
-                          : motion_ ? "surface+motion.vert"
-                                    : variant_of("surface.vert", left_out.name());
-        pipeline.fragment = !shaded ? "" : left_out.textures ? variant_of(desc.fragment, "+untextured") : desc.fragment;
-        pipeline.attributes = shaded ? surface_attributes(motion_, left_out) : position_attributes();
-        pipeline.name = desc.name + " features " + std::to_string(features);
-        pipeline.constants = desc.constants;
-        pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
-        pipelines_.emplace(features, gpu::GraphicsPipeline(frame.context(), pipeline));
+        set_shaders(pipeline, desc, chosen);
+        pipelines_.emplace(chosen, gpu::GraphicsPipeline(frame.context(), pipeline));
     }
 }
 
-uint32_t SurfaceDraws::key(const resident::Draw& draw) const { return draw.features & features_kept_; }
+void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& desc, Key key) const {
+    const auto [shader, features] = key;
+    const bool own = shader > 0; // wants to know all of a point
+    const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
+    const LeftOut left_out{!own && !desc.world, !own && !desc.normal,
+                           !own && desc.untextured_variant && !has_textures(features)};
+    pipeline.vertex = !shaded   ? "depth_only.vert"
+                      : motion_ ? "surface+motion.vert"
+                                : variant_of("surface.vert", left_out.name());
+    pipeline.fragment = !shaded ? "" : left_out.textures ? variant_of(desc.fragment, "+untextured") : desc.fragment;
+    pipeline.fragment_code = {};
+    pipeline.name = desc.name;
+    if (own) {
+        const resident::MaterialShaders& shaders = frame_.materials().shaders;
+        pipeline.name += " " + shaders.name(shader);
+        if (shaded) {
+            const std::string& stage = desc.own_fragment.empty() ? desc.fragment : desc.own_fragment;
+            pipeline.fragment = shaders.name(shader) + "/" + stage;
+            pipeline.fragment_code = shaders.code(shader, stage);
+        }
+    }
+    pipeline.name += " features " + std::to_string(features);
+    pipeline.attributes = shaded ? surface_attributes(motion_, left_out) : position_attributes();
+    pipeline.constants = desc.constants;
+    pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
+}
+
+SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {
+    if (draw.shader == 0)
+        return {0, draw.features & features_kept_};
+    // Whatever it makes of a surface may decide whether it is there; what has no mask is depth and no more.
+    if (depth_only_ && !(draw.features & FEATURE_ALPHA_MASK))
+        return {0, 0};
+    return {draw.shader, draw.features & (features_kept_ | ~FEATURE_ALPHA_MASK)};
+}
 
 void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
     const resident::Geometry& geometry = frame_.geometry();

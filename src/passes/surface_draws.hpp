@@ -14,6 +14,7 @@ public:
     struct Desc {
         std::string name;
         std::string fragment;            ///< with `depth_only`: the shader of masked materials
+        std::string own_fragment = {};   ///< the stage for materials with a shader of their own; empty: `fragment`
         gpu::Constants constants;
         gpu::DepthTest depth = gpu::DepthTest::write_nearer;
         bool keeps_alpha_mask = true;    ///< false: the mask is not asked again, the depth test decides
@@ -46,7 +47,10 @@ public:
               std::span<const std::byte> push = {}) const;
 
 private:
-    uint32_t key(const resident::Draw& draw) const;
+    /// What chooses a pipeline: the material's shader, and its FEATURE_… bits.
+    using Key = std::pair<uint32_t, uint32_t>;
+    Key key(const resident::Draw& draw) const;
+    void set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& desc, Key key) const;
     bool same_state(const resident::Draw& a, const resident::Draw& b) const;
     /// Where a draw's indices and its command stand.
     struct Source {
@@ -60,9 +64,10 @@ private:
     void draw_batch(const graph::PassContext& pass, const Source& source, size_t batch) const;
     const resident::Frame& frame_;
     uint32_t features_kept_;
+    bool depth_only_;
     bool motion_;
     bool later_, counts_, skips_; ///< [G1]: the pass counts pixels, or leaves out what has none
-    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by FEATURE_… bits
+    std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };
 
 /// Says what draws with this depth test read beside attachments; draw_surfaces() does it by itself.

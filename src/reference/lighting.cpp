@@ -35,12 +35,13 @@ glm::dvec3 half_vector(glm::dvec3 to_light, glm::dvec3 view) {
 
 } // namespace
 
-Lighting::Lighting(const ReferenceForm& form, const Surface& surface, double exposure)
+Lighting::Lighting(const ReferenceForm& form, const Surface& surface, double exposure,
+                   const EnvironmentLight* environment)
     : form_(form), surface_(surface), diffuse_colour_(surface.base_colour * (1 - surface.metallic)),
       material_f0_(glm::mix(glm::dvec3(0.04), surface.base_colour, surface.metallic)),
       f0_(form.grey_reflectance ? glm::dvec3(luminance(material_f0_)) : material_f0_),
       alpha_(surface.roughness * surface.roughness),
-      exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)), exposure_(exposure) {}
+      exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)), exposure_(exposure), environment_(environment) {}
 
 double Lighting::cosine(const Incident& light) const {
     return clamped_dot(surface_.normal, light.to_light);
@@ -51,6 +52,15 @@ void Lighting::add(const Incident& light) {
     if (nl <= 0 || light.radiance == glm::dvec3(0))
         return;
     ++sums_.contributing;
+    if (surface_.shaded && form_.own_shaders == ReferenceForm::OwnShaders::each_light) {
+        Lighting one(form_, surface_, exposure_, environment_);
+        one.add_one(light, nl);
+        each_ += one.own_shader(one.sums_, glm::dvec3(0)) - own_shader({}, glm::dvec3(0));
+    }
+    add_one(light, nl);
+}
+
+void Lighting::add_one(const Incident& light, double nl) {
     if (form_.shading == Shading::ggx)
         add_ggx(light, nl);
     else
@@ -120,11 +130,11 @@ glm::dvec3 Lighting::compose_ggx() const {
 }
 
 // The ways of 8.5 to apply a material's exponent mn to the lights' sum (equations 8.5.4 to 8.5.7).
-glm::dvec3 Lighting::phong_specular() const {
+glm::dvec3 Lighting::phong_specular(const LightSums& sums) const {
     using Specular = ReferenceForm::Specular;
     if (form_.specular == Specular::stored)
-        return form_.mono_specular ? glm::dvec3(luminance(sums_.specular)) : sums_.specular;
-    const double channel4 = luminance(sums_.specular);
+        return form_.mono_specular ? glm::dvec3(luminance(sums.specular)) : sums.specular;
+    const double channel4 = luminance(sums.specular);
     if (channel4 <= 0)
         return glm::dvec3(0);
     const auto raised = [&](double base) { return std::pow(std::min(base, 1.0), exponent_); };
@@ -132,15 +142,44 @@ glm::dvec3 Lighting::phong_specular() const {
         return glm::dvec3(raised(channel4 * exposure_) / exposure_);
     // LUV stores the luminance of diffuse light as it is, so that it differs by rounding only.
     const double weight =
-        form_.specular == Specular::fifth_channel ? sums_.weight : luminance(sums_.diffuse);
+        form_.specular == Specular::fifth_channel ? sums.weight : luminance(sums.diffuse);
     return glm::dvec3(weight > 0 ? raised(channel4 / weight) * weight : 0);
+}
+
+glm::dvec3 Lighting::own_shader(const LightSums& sums, glm::dvec3 ambient, bool lamps) const {
+    const bool ggx = form_.shading == Shading::ggx;
+    const double at_viewer = fifth_power(1 - clamped_dot(surface_.normal, surface_.view));
+    const double e = luminance(sums.diffuse), s = luminance(sums.specular);
+    const bool by_lamps = lamps && ggx && (form_.fresnel == ReferenceForm::Fresnel::weighted || form_.fresnel == ReferenceForm::Fresnel::full);
+    return shade_own({.surface = surface_,
+                      .diffuse = sums.diffuse / (ggx ? pi : 1.0),
+                      .specular = ggx ? sums.specular : phong_specular(sums),
+                      .ambient = ambient * surface_.occlusion,
+                      .grazing_diffuse = !by_lamps ? at_viewer : e > 0 ? sums.diffuse_fresnel / e : 0,
+                      .grazing_specular = !by_lamps ? at_viewer : s > 0 ? sums.specular_fresnel / s : 0,
+                      .exposure = exposure_,
+                      .environment = environment_});
 }
 
 glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
     if (surface_.unlit)
         return surface_.base_colour;
+    if (!surface_.shaded)
+        return standard(ambient, true);
+    using Own = ReferenceForm::OwnShaders;
+    if (form_.own_shaders == Own::sums && !form_.ambient_as_light)
+        return own_shader(sums_, ambient);
+    if (form_.own_shaders == Own::sums) {
+        sums_.diffuse += form_.shading == Shading::ggx ? pi * ambient : ambient;
+        return own_shader(sums_, glm::dvec3(0));
+    }
+    const glm::dvec3 lamps = form_.own_shaders == Own::each_light ? each_ : standard(glm::dvec3(0), false);
+    return lamps + own_shader({}, ambient, false);
+}
+
+glm::dvec3 Lighting::standard(glm::dvec3 ambient, bool with_base) {
     const bool ggx = form_.shading == Shading::ggx;
-    glm::dvec3 result = surface_.emissive;
+    glm::dvec3 result = with_base ? surface_.emissive : glm::dvec3(0);
     if (form_.ambient_as_light) {
         // Uniform radiance gives irradiance π·L; it comes from everywhere, so it has no half vector
         // and adds nothing to the Fresnel sums.
@@ -152,7 +191,7 @@ glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
     }
     if (ggx)
         return result + compose_ggx();
-    return result + diffuse_colour_ * sums_.diffuse + f0_ * phong_specular();
+    return result + diffuse_colour_ * sums_.diffuse + f0_ * phong_specular(sums_);
 }
 
 } // namespace prelight::reference

@@ -1,6 +1,7 @@
 #pragma once
 #include <prelight/reference.hpp>
 #include <reference/light_tree.hpp>
+#include <reference/own_shaders.hpp>
 #include <reference/surface.hpp>
 
 namespace prelight::reference {
@@ -22,7 +23,9 @@ class Lighting {
 public:
     /// `exposure`: the factor that a picture's radiance is multiplied by; only specular=bent depends
     /// on it, for its base is what the light buffer holds.
-    Lighting(const ReferenceForm& form, const Surface& surface, double exposure = 1);
+    /// `environment`: what materials reflect; null: none.
+    Lighting(const ReferenceForm& form, const Surface& surface, double exposure = 1,
+             const EnvironmentLight* environment = nullptr);
 
     /// N·L; a light with N·L ≤ 0 or without radiance gives nothing and need not be added.
     double cosine(const Incident& light) const;
@@ -34,8 +37,13 @@ public:
 private:
     void add_ggx(const Incident& light, double nl);
     void add_phong(const Incident& light, double nl);
+    void add_one(const Incident& light, double nl);
     glm::dvec3 compose_ggx() const;
-    glm::dvec3 phong_specular() const;
+    /// What a shader of the material's own makes of sums of lamps, and of ambient radiance.
+    /// `lamps`: false for what is drawn where no lamp is looked at.
+    glm::dvec3 own_shader(const LightSums& sums, glm::dvec3 ambient, bool lamps = true) const;
+    glm::dvec3 standard(glm::dvec3 ambient, bool with_base);
+    glm::dvec3 phong_specular(const LightSums& sums) const;
 
     ReferenceForm form_;
     const Surface& surface_;
@@ -45,7 +53,9 @@ private:
     double alpha_;              ///< roughness²
     double exponent_;           ///< [phong] 2/α² − 2
     double exposure_;
+    const EnvironmentLight* environment_;
     LightSums sums_;
+    glm::dvec3 each_{0}; ///< OwnShaders::each_light: what the lamps added one by one
 };
 
 } // namespace prelight::reference

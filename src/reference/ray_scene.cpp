@@ -139,6 +139,10 @@ void RayScene::add(const Draw& draw, const World& world) {
                      world.scene->images[ref->image].rgba.empty()))
             throw Error(fmt::format("{}: material {}: image {} is not there", world.scene->name,
                                     draw.material->name, ref->image));
+    for (const auto& [name, ref] : draw.material->textures)
+        if (ref && (ref.image >= world.scene->images.size() || world.scene->images[ref.image].rgba.empty()))
+            throw Error(fmt::format("{}: material {}: image {} is not there", world.scene->name, draw.material->name,
+                                    ref.image));
     if (triangles == 0)
         return;
 
@@ -257,14 +261,14 @@ bool RayScene::blocked(const Ray& ray) const {
     return query.tfar < 0; // Embree's sign for "something there"
 }
 
-glm::dvec4 RayScene::base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights) const {
+glm::dvec4 RayScene::base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights, glm::dvec2 shift) const {
     const Material& material = *draw.material;
     glm::dvec4 colour = material.base_colour;
     if (const TextureRef& ref = material.base_colour_texture) {
         const auto& uvs = draw.primitive->texcoords[ref.texcoord & 1];
         const glm::dvec2 uv =
             uvs.empty() ? glm::dvec2(0) : interpolate(uvs, draw, triangle, weights);
-        colour *= textures_.sample(ref, uv, Encoding::srgb);
+        colour *= textures_.sample(ref, uv + shift, Encoding::srgb);
     }
     if (!draw.primitive->colours.empty())
         colour *= interpolate(draw.primitive->colours, draw, triangle, weights);

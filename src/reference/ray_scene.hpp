@@ -56,8 +56,8 @@ public:
     bool blocked(const Ray& ray) const;
     const Draw& draw(uint32_t index) const { return draws_[index]; }
     size_t draw_count() const { return draws_.size(); }
-    /// Base colour RGBA of a point: factor × texture × vertex colour.
-    glm::dvec4 base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights) const;
+    /// Base colour RGBA of a point: factor × texture × vertex colour. `shift` moves texture coordinates.
+    glm::dvec4 base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights, glm::dvec2 shift = glm::dvec2(0)) const;
 
 private:
     struct Embree;

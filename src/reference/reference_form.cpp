@@ -20,6 +20,10 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
     form.reflection_vector = is("specular-vector", "reflection");
     form.ambient_as_light = is("ambient", "light");
     form.shadows = is("shadows", "on");
+    using Own = ReferenceForm::OwnShaders;
+    form.own_shaders = settings.contains("g-buffer") ? Own::no_lamps
+                       : is("lights-per-pass", "1")  ? Own::each_light
+                                                     : Own::sums;
     using Specular = ReferenceForm::Specular;
     if (shading == Shading::phong)
         form.specular = is("specular", "luv")             ? Specular::luv

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <prelight/material_shader.hpp>
 #include <reference/surface.hpp>
 
 namespace prelight::reference {
@@ -10,6 +11,7 @@ constexpr double roughness_min = 0.089;
 
 class PointReader {
 public:
+    glm::dvec2 shift{0}; ///< of texture coordinates: parallax
     PointReader(const Textures& textures, const Draw& draw, const Hit& hit)
         : textures_(textures), draw_(draw), hit_(hit) {}
 
@@ -19,7 +21,7 @@ public:
     }
     glm::dvec4 texture(const TextureRef& ref, Encoding encoding) const {
         const auto& uvs = draw_.primitive->texcoords[ref.texcoord & 1];
-        return textures_.sample(ref, uvs.empty() ? glm::dvec2(0) : attribute(uvs), encoding);
+        return textures_.sample(ref, (uvs.empty() ? glm::dvec2(0) : glm::dvec2(attribute(uvs))) + shift, encoding);
     }
 
 private:
@@ -28,36 +30,132 @@ private:
     const Hit& hit_;
 };
 
-/// The normal of the side that the material means as front.
-glm::dvec3 shading_normal(const PointReader& read, const Draw& draw, const Hit& hit) {
+/// Directions along a texture and off the surface, on the side that the material means as front.
+struct Frame {
+    glm::dvec3 tangent{0}, bitangent{0}, normal{0};
+    bool has_tangents = false;
+    glm::dvec3 to_world(glm::dvec3 v) const {
+        const glm::dvec3 bent = tangent * v.x + bitangent * v.y + normal * v.z;
+        return glm::length(bent) > 0 ? glm::normalize(bent) : normal;
+    }
+};
+
+Frame frame_of(const PointReader& read, const Draw& draw, const Hit& hit) {
     const Primitive& primitive = *draw.primitive;
-    const glm::dvec3 flat = hit.back ? -hit.geometric_normal : hit.geometric_normal;
+    Frame frame;
+    frame.normal = hit.back ? -hit.geometric_normal : hit.geometric_normal;
     if (primitive.normals.empty())
-        return flat;
+        return frame;
     const glm::dvec3 interpolated = draw.normal_to_world * read.attribute(primitive.normals);
     const double length = glm::length(interpolated);
     if (!(length > 0)) // opposite normals met in the middle
-        return flat;
-    const glm::dvec3 normal = interpolated / length;
-    const Material& material = *draw.material;
-    if (!material.normal_texture || primitive.tangents.empty())
-        return normal;
-
+        return frame;
+    frame.normal = interpolated / length;
+    if (primitive.tangents.empty())
+        return frame;
     const glm::dvec4 object_tangent = read.attribute(primitive.tangents);
     const glm::dvec3 along = glm::dmat3(draw.to_world) * glm::dvec3(object_tangent);
     if (!(glm::length(along) > 0))
-        return normal;
-    const glm::dvec3 tangent = glm::normalize(along);
+        return frame;
+    frame.tangent = glm::normalize(along);
     // A cross product turns round under a mirror; the sign turns it back, so that a mirrored
     // instance is the mirror image of the original.
     const double handedness = (object_tangent.w < 0 ? -1 : 1) * (draw.mirrored ? -1 : 1);
-    const glm::dvec3 bitangent = handedness * glm::cross(normal, tangent);
-    const glm::dvec3 texel =
-        2.0 * glm::dvec3(read.texture(material.normal_texture, Encoding::linear)) - 1.0;
+    frame.bitangent = handedness * glm::cross(frame.normal, frame.tangent);
+    frame.has_tangents = true;
+    return frame;
+}
+
+/// The normal map's normal in tangent space; (0, 0, 1) without one.
+glm::dvec3 mapped_normal(const PointReader& read, const Material& material) {
+    if (!material.normal_texture)
+        return {0, 0, 1};
+    const glm::dvec3 texel = 2.0 * glm::dvec3(read.texture(material.normal_texture, Encoding::linear)) - 1.0;
     const double scale = material.normal_scale;
-    const glm::dvec3 bent =
-        tangent * (texel.x * scale) + bitangent * (texel.y * scale) + normal * texel.z;
-    return glm::length(bent) > 0 ? glm::normalize(bent) : normal;
+    return {texel.x * scale, texel.y * scale, texel.z};
+}
+
+const TextureRef* own_map(const Material& material, const char* name) {
+    const auto found = material.textures.find(name);
+    return found == material.textures.end() || !found->second ? nullptr : &found->second;
+}
+
+double own_number(const Material& material, const char* name) {
+    const auto found = material.parameters.find(name);
+    return found == material.parameters.end() ? material.shader->find_parameter(name)->default_value.x : found->second.x;
+}
+
+/// Where along the line of sight a ray that enters at depth 0 meets the relief: 0 the face, 1 the bottom.
+double relief_depth(const PointReader& read, const TextureRef& heights, glm::dvec2 direction, int steps) {
+    const auto surface = [&](double depth) {
+        PointReader there = read;
+        there.shift = direction * depth;
+        return 1 - there.texture(heights, Encoding::linear).r;
+    };
+    if (steps < 1)
+        return surface(0);
+    double last = surface(0);
+    for (int i = 1; i <= steps; ++i) {
+        const double depth = double(i) / steps, now = surface(depth);
+        if (now <= depth) { // the ray and the relief, both straight between two steps, cross
+            const double before = last - double(i - 1) / steps, after = depth - now;
+            return (i - 1 + before / std::max(before + after, 1e-6)) / steps;
+        }
+        last = now;
+    }
+    return 1;
+}
+
+/// The relief of `detailed`: moves where its textures are read.
+void take_relief(PointReader& read, const Material& material, const Frame& frame, glm::dvec3 view, bool back) {
+    const TextureRef* heights = own_map(material, "height_map");
+    if (!heights)
+        return;
+    const double off = std::max(glm::dot(frame.normal, view) * (back ? -1 : 1), 0.05);
+    // Along the bitangent v falls.
+    const glm::dvec2 direction = own_number(material, "depth") / off *
+                                 glm::dvec2(-glm::dot(frame.tangent, view), glm::dot(frame.bitangent, view));
+    read.shift = direction * relief_depth(read, *heights, direction, int(own_number(material, "occlusion_steps")));
+}
+
+/// A parameter of `layered` times a channel of its map.
+double layer_number(const PointReader& read, const Material& material, const char* name, const char* map, int channel) {
+    const TextureRef* ref = own_map(material, map);
+    return own_number(material, name) * (ref ? read.texture(*ref, Encoding::linear)[channel] : 1.0);
+}
+
+glm::dvec3 layer_colour(const PointReader& read, const Material& material, const char* name, const char* map) {
+    const auto given = material.parameters.find(name);
+    const glm::vec4 factor = given == material.parameters.end() ? material.shader->find_parameter(name)->default_value : given->second;
+    const TextureRef* ref = own_map(material, map);
+    return glm::dvec3(factor) * (ref ? glm::dvec3(read.texture(*ref, Encoding::srgb)) : glm::dvec3(1));
+}
+
+void take_layers(const PointReader& read, const Material& material, Surface& surface) {
+    SurfaceLayers& out = surface.layers;
+    out.ior = own_number(material, "ior");
+    out.specular = layer_number(read, material, "specular", "specular_map", 3);
+    out.specular_colour = layer_colour(read, material, "specular_colour", "specular_colour_map");
+    out.clearcoat = layer_number(read, material, "clearcoat", "clearcoat_map", 0);
+    const double coat_roughness = layer_number(read, material, "clearcoat_roughness", "clearcoat_roughness_map", 1);
+    out.sheen_colour = layer_colour(read, material, "sheen_colour", "sheen_colour_map");
+    out.sheen_roughness = layer_number(read, material, "sheen_roughness", "sheen_roughness_map", 3);
+    surface.roughness += out.clearcoat * (coat_roughness - surface.roughness); // one sum of light for both
+}
+
+/// What `detailed` adds to a surface.
+void take_details(const PointReader& read, const Material& material, const Frame& frame, Surface& surface, bool back) {
+    if (const TextureRef* ref = own_map(material, "detail_normal_map"); ref && frame.has_tangents) {
+        const glm::dvec3 detail = 2.0 * glm::dvec3(read.texture(*ref, Encoding::linear)) - 1.0;
+        const TextureRef* mask = own_map(material, "detail_mask");
+        const double amount = own_number(material, "detail") * (mask ? read.texture(*mask, Encoding::linear).r : 1.0);
+        const glm::dvec3 base = mapped_normal(read, material);
+        surface.normal = frame.to_world({base.x + amount * detail.x, base.y + amount * detail.y, base.z}) * (back ? -1.0 : 1.0);
+    }
+    if (const TextureRef* ref = own_map(material, "gloss_map"))
+        surface.roughness = 1 + (surface.roughness - 1) * read.texture(*ref, Encoding::linear).r;
+    if (const TextureRef* ref = own_map(material, "incandescence_map"))
+        surface.emissive += own_number(material, "incandescence") * glm::dvec3(read.texture(*ref, Encoding::srgb));
 }
 
 } // namespace
@@ -66,14 +164,20 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
                          glm::dvec3 view) {
     const Draw& draw = scene.draw(hit.draw);
     const Material& material = *draw.material;
-    const PointReader read(textures, draw, hit);
+    PointReader read(textures, draw, hit);
+    const Frame frame = frame_of(read, draw, hit);
+    const bool detailed = material.shader && material.shader->name == "detailed";
+    if (detailed && frame.has_tangents)
+        take_relief(read, material, frame, view, hit.back);
 
     Surface surface;
     surface.position = hit.position;
     surface.view = view;
-    surface.normal = shading_normal(read, draw, hit) * (hit.back ? -1.0 : 1.0);
-    surface.base_colour = glm::dvec3(scene.base_colour(draw, hit.triangle, hit.weights));
+    const bool mapped = material.normal_texture && frame.has_tangents;
+    surface.normal = (mapped ? frame.to_world(mapped_normal(read, material)) : frame.normal) * (hit.back ? -1.0 : 1.0);
+    surface.base_colour = glm::dvec3(scene.base_colour(draw, hit.triangle, hit.weights, read.shift));
     surface.unlit = material.unlit;
+    surface.shaded = material.shader ? &material : nullptr;
 
     surface.metallic = material.metallic;
     surface.roughness = material.roughness;
@@ -82,13 +186,18 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
         surface.roughness *= texel.g;
         surface.metallic *= texel.b;
     }
-    surface.roughness = std::max(surface.roughness, roughness_min);
     if (const TextureRef& ref = material.occlusion_texture)
         surface.occlusion = 1 + static_cast<double>(material.occlusion_strength) *
                                     (read.texture(ref, Encoding::linear).r - 1);
     surface.emissive = material.emissive;
     if (const TextureRef& ref = material.emissive_texture)
         surface.emissive *= glm::dvec3(read.texture(ref, Encoding::srgb));
+    if (material.shader && material.shader->name == "layered")
+        take_layers(read, material, surface);
+    if (detailed)
+        take_details(read, material, frame, surface, hit.back);
+    surface.environment_roughness = surface.roughness;
+    surface.roughness = std::max(surface.roughness, roughness_min);
     return surface;
 }
 

@@ -3,6 +3,13 @@
 
 namespace prelight::reference {
 
+/// What the material `layered` knows beside metallic-roughness: factors × textures.
+struct SurfaceLayers {
+    double ior = 1.5, specular = 1;
+    glm::dvec3 specular_colour{1}, sheen_colour{0};
+    double clearcoat = 0, sheen_roughness = 0;
+};
+
 /// What the lighting model knows of a point. Directions are unit vectors in world space.
 struct Surface {
     glm::dvec3 position{0};     ///< relative to the camera
@@ -12,11 +19,15 @@ struct Surface {
     glm::dvec3 emissive{0};     ///< linear radiance
     double metallic = 0;
     double roughness = 1; ///< perceptual, ≥ 0.089
+    double environment_roughness = 1; ///< the same, without the least that lamps see
     double occlusion = 1; ///< on ambient light; strength is worked in
     bool unlit = false;
+    SurfaceLayers layers{};
+    const Material* shaded = nullptr; ///< the material, when it has a shader of its own
 };
 
 /// Reads the material at a hit. `view` points towards the viewer.
+/// Throws Error for a material whose shader is a user's file: this knows built-in ones alone.
 Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
                          glm::dvec3 view);
 

@@ -59,7 +59,7 @@ public:
            double exposure, const ReferenceForm& form, ReferenceBuffers* buffers)
         : form_(form), textures_(*world.scene, form.bilinear_level0),
           scene_(world, camera.position, textures_), lights_(world, camera.position),
-          lens_(camera, width, height), origin_(camera.position), ambient_(world.ambient),
+          environment_(world.scene->environment.get()), lens_(camera, width, height), origin_(camera.position), ambient_(world.ambient),
           factor_(std::exp2(exposure)), buffers_(buffers) {
         const size_t pixels = size_t(width) * height;
         picture.linear = Image(width, height);
@@ -105,7 +105,7 @@ private:
         picture.geometric_normal[pixel] = hit.geometric_normal;
         picture.depth[pixel] = hit.distance;
 
-        Lighting lighting(form_, surface, factor_);
+        Lighting lighting(form_, surface, factor_, environment_.there() ? &environment_ : nullptr);
         if (!surface.unlit) {
             lights_.reach(surface.position, reached);
             for (const uint32_t index : reached) {
@@ -136,6 +136,7 @@ private:
     Textures textures_;
     RayScene scene_;
     LightTree lights_;
+    EnvironmentLight environment_;
     Lens lens_;
     glm::dvec3 origin_, ambient_;
     double factor_;

@@ -103,8 +103,8 @@ private:
     std::vector<PlacedLight> placed_;
     uint32_t kinds_ = 0; ///< of placed_, found when they come: every frame may bring 65,536
     size_t capacity_ = 0; ///< lights that the buffers hold
-    Geometry geometry_;
     Materials materials_;
+    Geometry geometry_;
     /// What the host writes for one frame.
     struct Slot {
         gpu::Buffer constants, lights, order, bounds, shadows;

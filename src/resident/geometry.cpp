@@ -99,7 +99,8 @@ private:
 
 } // namespace
 
-Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims) {
+Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
+                         const MaterialShaders& shaders) {
     Vertices vertices(motion);
     std::map<const Mesh*, std::vector<Placement>> placements; // of the meshes that are shown
     Geometry geometry;
@@ -117,7 +118,8 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
             const Placement& place = places->second[p];
             Draw& draw = geometry.draws.emplace_back(
                 Draw{place.first_index, static_cast<uint32_t>(primitive.indices.size()),
-                     place.vertex_offset, i, primitive.material, features_of(material), instance.mirrored,
+                     place.vertex_offset, i, primitive.material, features_of(*world.scene, material), shaders.index_of(material),
+                     instance.mirrored,
                      material.double_sided, &primitive});
             bound(draw, place, instance.transform);
         }
@@ -126,8 +128,8 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
         throw Error(fmt::format("{}: {} vertices and {} indices are more than one buffer addresses",
                                 world.scene->name, vertices.positions.size(), vertices.indices.size()));
     std::stable_sort(geometry.draws.begin(), geometry.draws.end(), [](const Draw& a, const Draw& b) {
-        return std::tie(a.features, a.material, a.mirrored, a.first_index) <
-               std::tie(b.features, b.material, b.mirrored, b.first_index);
+        return std::tie(a.shader, a.features, a.material, a.mirrored, a.first_index) <
+               std::tie(b.shader, b.features, b.material, b.mirrored, b.first_index);
     });
     constexpr VkBufferUsageFlags vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
     const VkBufferUsageFlags storage = trims ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;

@@ -1,5 +1,7 @@
+#include "environment.hpp"
 #include "scene.hpp"
 #include <array>
+#include <cstring>
 #include <fmt/format.h>
 #include <gpu/check.hpp>
 #include <prelight/error.hpp>
@@ -23,17 +25,44 @@ constexpr std::array slots{
     Slot{&Material::occlusion_texture, MATERIAL_OCCLUSION, FEATURE_OCCLUSION_TEXTURE, false},
     Slot{&Material::emissive_texture, MATERIAL_EMISSIVE, FEATURE_EMISSIVE_TEXTURE, true}};
 
+/// The material's texture for one that its shader declares; none: an empty reference.
+const TextureRef& own_texture(const Material& material, const std::string& name) {
+    static const TextureRef none;
+    const auto found = material.textures.find(name);
+    return found == material.textures.end() ? none : found->second;
+}
+
 shared::MaterialConstants constants_of(const Material& m, double exposure) {
     shared::MaterialConstants c{};
     c.base_colour = m.base_colour;
     c.emissive = glm::vec4(m.emissive * static_cast<float>(exposure), m.alpha_cutoff);
     c.factors = glm::vec4(m.metallic, m.roughness, m.normal_scale, m.occlusion_strength);
-    for (const Slot& slot : slots) {
-        const TextureRef& ref = m.*slot.ref;
-        c.uv_linear[slot.binding - 1] = glm::vec4(ref.uv_linear[0], ref.uv_linear[1]);
-        c.uv_offset[slot.binding - 1] = glm::vec4(ref.uv_offset, float(ref.texcoord), 0);
-    }
+    const auto place = [&](uint32_t binding, const TextureRef& ref) {
+        c.uv_linear[binding - 1] = glm::vec4(ref.uv_linear[0], ref.uv_linear[1]);
+        c.uv_offset[binding - 1] = glm::vec4(ref.uv_offset, float(ref.texcoord), 0);
+    };
+    for (const Slot& slot : slots)
+        place(slot.binding, m.*slot.ref);
+    if (m.shader)
+        for (const MaterialTexture& own : m.shader->textures)
+            place(MATERIAL_OWN_TEXTURE + own.slot, own_texture(m, own.name));
     return c;
+}
+
+/// The std140 block of the shader's parameters.
+void write_parameters(const Material& material, std::byte* block) {
+    for (const MaterialParameter& parameter : material.shader->parameters) {
+        const auto given = material.parameters.find(parameter.name);
+        const glm::vec4 value = given == material.parameters.end() ? parameter.default_value : given->second;
+        std::memcpy(block + parameter.offset, &value, 4 * parameter.components);
+    }
+}
+
+const TextureImage& stand_in(MaterialTexture::StandIn kind) {
+    using StandIn = MaterialTexture::StandIn;
+    static const TextureImage white{"white", 1, 1, {255, 255, 255, 255}}, black{"black", 1, 1, {0, 0, 0, 255}},
+        flat{"flat", 1, 1, {128, 128, 255, 255}};
+    return kind == StandIn::black ? black : kind == StandIn::flat ? flat : white;
 }
 
 /// Finds or makes what materials share.
@@ -45,19 +74,37 @@ public:
     /// Waits until all textures are there.
     void finish() { uploader_.finish(); }
 
-    gpu::Binding binding(const Slot& slot, const TextureRef& ref) {
-        const gpu::Texture& texture = find_texture(ref ? ref.image : no_image, slot.srgb);
-        return gpu::Binding::texture(slot.binding, texture.view(), find_sampler(ref.sampler));
+    gpu::Binding binding(uint32_t binding, bool srgb, const TextureRef& ref,
+                         MaterialTexture::StandIn without = MaterialTexture::StandIn::white) {
+        const gpu::Texture& texture = find_texture(ref.image, srgb, without);
+        return gpu::Binding::texture(binding, texture.view(), find_sampler(ref.sampler));
+    }
+
+    /// What the material's shader declares for the slot, or something to fill it.
+    gpu::Binding own_binding(const Material& material, uint32_t slot) {
+        if (material.shader)
+            for (const MaterialTexture& own : material.shader->textures)
+                if (own.slot == slot)
+                    return binding(MATERIAL_OWN_TEXTURE + slot, own.colour, own_texture(material, own.name), own.stand_in);
+        return binding(MATERIAL_OWN_TEXTURE + slot, false, {});
+    }
+
+    void make_environment(double exposure) {
+        const EnvironmentLevels levels = prefilter(scene_.environment.get());
+        out_.environment.emplace(context_, out_.pool, uploader_, "environment", levels.images);
+        out_.environment_sampler = make_environment_sampler(context_);
+        const shared::EnvironmentConstants constants = environment_constants(levels, exposure);
+        out_.environment_light = gpu::make_device_buffer(context_, "environment light", std::as_bytes(std::span(&constants, 1)),
+                                                         VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     }
 
 private:
-    const gpu::Texture& find_texture(uint32_t image, bool srgb) {
-        const auto key = std::pair(image, srgb);
+    const gpu::Texture& find_texture(uint32_t image, bool srgb, MaterialTexture::StandIn without) {
+        const TextureImage& source = image == no_image ? stand_in(without) : scene_.images[image];
+        const auto key = std::pair(&source, srgb);
         const auto found = out_.textures.find(key);
         if (found != out_.textures.end())
             return found->second;
-        static const TextureImage white{"white", 1, 1, {255, 255, 255, 255}};
-        const TextureImage& source = image == no_image ? white : scene_.images[image];
         const auto encoding = srgb                                      ? gpu::TextureEncoding::srgb8
                               : filter_ == gpu::TextureFilter::bilinear ? gpu::TextureEncoding::half
                                                                         : gpu::TextureEncoding::linear8;
@@ -80,7 +127,7 @@ private:
 
 } // namespace
 
-uint32_t features_of(const Material& material) {
+uint32_t features_of(const Scene& scene, const Material& material) {
     uint32_t features = 0;
     for (const Slot& slot : slots)
         if (material.*slot.ref)
@@ -89,6 +136,13 @@ uint32_t features_of(const Material& material) {
         features |= FEATURE_ALPHA_MASK;
     if (material.unlit)
         features |= FEATURE_UNLIT;
+    if (!material.shader)
+        return features;
+    if (scene.environment)
+        features |= FEATURE_ENVIRONMENT;
+    for (const MaterialTexture& own : material.shader->textures)
+        if (own_texture(material, own.name))
+            features |= FEATURE_OWN_TEXTURE << own.slot;
     return features;
 }
 
@@ -96,25 +150,45 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
                            double exposure) {
     if (scene.materials.empty())
         throw Error(fmt::format("{}: a scene has at least one material", scene.name));
+    for (size_t m = 0; m < scene.materials.size(); ++m)
+        check_material(scene.materials[m], fmt::format("{}: material {} ({})", scene.name, m, scene.materials[m].name));
     Materials out(context);
+    out.shaders = MaterialShaders(scene);
     const uint64_t alignment = context.limits().minUniformBufferOffsetAlignment;
-    const uint64_t stride = (sizeof(shared::MaterialConstants) + alignment - 1) / alignment * alignment;
-    std::vector<std::byte> constants(stride * std::max<size_t>(scene.materials.size(), 1));
+    const auto padded = [&](uint64_t size) { return (size + alignment - 1) / alignment * alignment; };
+    uint64_t most_parameters = 16;
+    for (const Material& material : scene.materials)
+        if (material.shader)
+            most_parameters = std::max<uint64_t>(most_parameters, material.shader->parameter_bytes);
+    most_parameters = (most_parameters + 15) / 16 * 16;
+    const uint64_t stride = padded(sizeof(shared::MaterialConstants)), parameter_stride = padded(most_parameters);
+    std::vector<std::byte> constants(stride * scene.materials.size()), parameters(parameter_stride * scene.materials.size());
     for (size_t m = 0; m < scene.materials.size(); ++m) {
         const shared::MaterialConstants c = constants_of(scene.materials[m], exposure);
-        std::copy_n(reinterpret_cast<const std::byte*>(&c), sizeof c, constants.data() + m * stride);
+        std::memcpy(constants.data() + m * stride, &c, sizeof c);
+        if (scene.materials[m].shader)
+            write_parameters(scene.materials[m], parameters.data() + m * parameter_stride);
     }
-    out.constants =
-        gpu::make_device_buffer(context, "material constants", constants, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    constexpr auto uniform = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+    out.constants = gpu::make_device_buffer(context, "material constants", constants, uniform);
+    out.parameters = gpu::make_device_buffer(context, "material parameters", parameters, uniform);
 
     Cache cache(context, scene, filter, out);
+    cache.make_environment(exposure);
     std::vector<std::vector<gpu::Binding>> sets;
     for (size_t m = 0; m < scene.materials.size(); ++m) {
+        const Material& material = scene.materials[m];
         auto& set = sets.emplace_back();
         set.push_back(gpu::Binding::uniform(MATERIAL_CONSTANTS, out.constants.handle(), m * stride,
                                             sizeof(shared::MaterialConstants)));
         for (const Slot& slot : slots)
-            set.push_back(cache.binding(slot, scene.materials[m].*slot.ref));
+            set.push_back(cache.binding(slot.binding, slot.srgb, material.*slot.ref));
+        for (uint32_t slot = 0; slot < MATERIAL_OWN_TEXTURES; ++slot)
+            set.push_back(cache.own_binding(material, slot));
+        set.push_back(gpu::Binding::texture(MATERIAL_ENVIRONMENT, out.environment->view(), out.environment_sampler));
+        set.push_back(gpu::Binding::uniform(MATERIAL_PARAMETERS, out.parameters.handle(), m * parameter_stride,
+                                            most_parameters));
+        set.push_back(gpu::Binding::uniform(MATERIAL_ENVIRONMENT_LIGHT, out.environment_light.handle()));
     }
     cache.finish();
     out.layout = gpu::make_set_layout(context, "material", sets.at(0));

@@ -2,7 +2,9 @@
 #include <gpu/buffer.hpp>
 #include <gpu/descriptors.hpp>
 #include <gpu/texture.hpp>
+#include <resident/material_shaders.hpp>
 #include <map>
+#include <optional>
 #include <prelight/scene.hpp>
 #include <vector>
 
@@ -16,6 +18,7 @@ struct Draw {
     uint32_t object = 0;    ///< index into World::instances
     uint32_t material = 0;
     uint32_t features = 0;  ///< FEATURE_… bits of its material
+    uint32_t shader = 0;    ///< of its material: index into Materials::shaders
     bool mirrored = false;
     bool double_sided = false;
     const Primitive* primitive = nullptr; ///< whose indices and vertices these are
@@ -52,19 +55,25 @@ struct VertexAttributes {
 /// Textures, samplers and one descriptor set a material.
 struct Materials {
     explicit Materials(const gpu::Context& context) : pool(context) {}
+    MaterialShaders shaders;
     gpu::MemoryPool pool;
-    std::map<std::pair<uint32_t, bool>, gpu::Texture> textures; ///< {image, sRGB}
+    std::map<std::pair<const TextureImage*, bool>, gpu::Texture> textures; ///< {image, sRGB}
     std::vector<gpu::UniqueSampler> samplers;
     gpu::Buffer constants;
+    gpu::Buffer parameters; ///< of the shaders; one block a material
+    std::optional<gpu::Texture> environment; ///< MATERIAL_ENVIRONMENT
+    gpu::UniqueSampler environment_sampler;
+    gpu::Buffer environment_light; ///< EnvironmentConstants
     gpu::UniqueSetLayout layout;
     gpu::DescriptorSets sets; ///< by material index
 };
 
 /// FEATURE_… bits of a material.
-uint32_t features_of(const Material& material);
+uint32_t features_of(const Scene& scene, const Material& material);
 
 /// `motion`: with previous positions; `trims`: the device reads positions and indices to trim them.
-Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims);
+Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
+                         const MaterialShaders& shaders);
 /// `exposure`: factor on emissive light. Throws Error naming an image that the device cannot hold.
 Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter,
                            double exposure);

@@ -14,7 +14,7 @@ TEST(Inform, HelpNamesEveryCommandAndHasExamples) {
     const TemporaryFolder folder;
     const Result result = run({"--help"}, folder.path);
     ASSERT_TRUE(succeeded(result));
-    for (const char* command : {"render", "compare", "make", "devices", "renderers", "bench", "Examples:"})
+    for (const char* command : {"render", "compare", "make", "devices", "renderers", "materials", "bench", "Examples:"})
         EXPECT_THAT(result.out, HasSubstr(command));
 }
 
@@ -26,7 +26,7 @@ TEST(Inform, RenderHelpNamesEveryOption) {
          {"--renderer", "--preset",      "--set",      "--size",    "--camera",
           "--frames",   "--lights",      "--seed",     "--watch",   "--view",
           "--msaa",     "--shading",     "--device",   "--tonemap", "--exposure",
-          "--stats",    "--count-pairs", "--validate", "-o",        "Examples:"})
+          "--stats",    "--count-pairs", "--validate", "-o",        "--material", "Examples:"})
         EXPECT_THAT(result.out, HasSubstr(option));
 }
 

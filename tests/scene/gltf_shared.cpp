@@ -35,7 +35,8 @@ void check_sound(const Scene& scene) {
                 ASSERT_NEAR(std::sqrt(double(n.x) * n.x + double(n.y) * n.y + double(n.z) * n.z), 1,
                             1e-5);
             const Material& m = scene.materials[p.material];
-            ASSERT_EQ(p.tangents.size(), m.normal_texture ? count : 0);
+            const bool mapped = m.normal_texture || (m.shader && !p.texcoords[0].empty());
+            ASSERT_EQ(p.tangents.size(), mapped ? count : 0);
             for (const glm::vec4& t : p.tangents)
                 ASSERT_TRUE(std::abs(t.w) == 1);
             for (const auto& set : p.texcoords)

@@ -32,6 +32,7 @@ constexpr std::array<std::pair<const char*, const char*>, table_count> table_nam
 
 constexpr std::array known_extensions{
     "KHR_lights_punctual",     "KHR_materials_unlit",   "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_specular", "KHR_materials_clearcoat", "KHR_materials_sheen",
     "KHR_texture_transform",   "KHR_mesh_quantization", "KHR_draco_mesh_compression",
     "EXT_meshopt_compression", "EXT_texture_webp",      "EXT_mesh_gpu_instancing",
 };

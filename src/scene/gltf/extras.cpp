@@ -1,17 +1,10 @@
 #include <cmath>
 #include <fmt/format.h>
+#include <scene/environment_codes.hpp>
 #include <scene/gltf/extras.hpp>
 
 namespace prelight::gltf {
 namespace {
-
-/// Extras may be any JSON value; only an object can hold ours.
-std::optional<Item> own_extras(const Item& item) {
-    const auto extras = item.find("extras");
-    if (!extras || !extras->is_object())
-        return {};
-    return Item(item.file(), item.label() + " extras", *extras).object("prelight");
-}
 
 void read_ambient(const Item& own, Scene& scene) {
     const auto ambient = own.numbers<3>("ambient", {0, 0, 0});
@@ -20,6 +13,17 @@ void read_ambient(const Item& own, Scene& scene) {
         if (!(scene.ambient[c] >= 0) || !std::isfinite(scene.ambient[c]))
             own.fail("ambient is negative or too large");
     }
+}
+
+void read_environment(const Document& document, const Item& own, Textures& textures, Scene& scene) {
+    const auto object = own.object("environment");
+    if (!object)
+        return;
+    const TextureImage picture = textures.take(object->required_index("source", document.count(Table::images)));
+    if (picture.width != 2 * picture.height)
+        object->fail(fmt::format("an environment map is twice as wide as high, and this one has {}x{} pixels",
+                                 picture.width, picture.height));
+    scene.environment = std::make_shared<Environment>(from_picture(picture));
 }
 
 void read_light(const Item& own, Light& light) {
@@ -40,9 +44,18 @@ void read_light(const Item& own, Light& light) {
 
 } // namespace
 
-void read_extras(const Document& document, Scene& scene) {
-    if (const auto own = own_extras(document.root()))
+std::optional<Item> own_extras(const Item& item) {
+    const auto extras = item.find("extras");
+    if (!extras || !extras->is_object())
+        return {};
+    return Item(item.file(), item.label() + " extras", *extras).object("prelight");
+}
+
+void read_extras(const Document& document, Textures& textures, Scene& scene) {
+    if (const auto own = own_extras(document.root())) {
         read_ambient(*own, scene);
+        read_environment(document, *own, textures, scene);
+    }
     for (size_t i = 0; i < scene.lights.size(); ++i)
         if (const auto own = own_extras(document.item(Table::lights, i)))
             read_light(*own, scene.lights[i]);

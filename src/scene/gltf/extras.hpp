@@ -1,11 +1,15 @@
 #pragma once
-#include <scene/gltf/document.hpp>
+#include <scene/gltf/textures.hpp>
 
 namespace prelight::gltf {
 
 /// Takes over what `save_glb` keeps in `extras.prelight` (schema in scene/write/parts.hpp): ambient
-/// light, falloff and shininess of lights. After read_lights. Extras of other programs are skipped;
+/// light, environment, falloff and shininess of lights. After read_lights. Extras of other programs are skipped;
 /// wrong values below `prelight` are errors.
-void read_extras(const Document& document, Scene& scene);
+void read_extras(const Document& document, Textures& textures, Scene& scene);
+
+/// The `extras.prelight` object of `item`, if there is one. Extras may be any JSON value; only an object can
+/// hold ours.
+std::optional<Item> own_extras(const Item& item);
 
 } // namespace prelight::gltf

@@ -62,6 +62,8 @@ Material read_material(Document& document, Textures& textures, const Item& item)
         material.occlusion_strength = unit(*occlusion, "strength", 1);
     material.double_sided = item.flag("doubleSided");
     material.unlit = item.extension("KHR_materials_unlit").has_value();
+    read_material_extras(textures, item, material);
+    read_material_layers(document, textures, item, material);
     return material;
 }
 

@@ -258,7 +258,10 @@ private:
     }
 
     const Material& material() const { return scene_.materials[primitive_.material]; }
-    bool needs_tangents() const { return bool(material().normal_texture); }
+    bool needs_tangents() const {
+        const Material& m = material(); // a shader of its own may read any texture as a normal map
+        return m.normal_texture || (m.shader && attributes_->has(m.normal_texture.texcoord == 1 ? "TEXCOORD_1" : "TEXCOORD_0"));
+    }
 
     /// Makes what the file left out, so that every primitive that is drawn has it.
     void complete() {

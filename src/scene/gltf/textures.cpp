@@ -102,6 +102,14 @@ uint32_t Textures::image_of(const Item& texture) {
     return slots_[*source];
 }
 
+TextureImage Textures::take(uint32_t image) {
+    if (slots_[image] != no_image)
+        return scene_.images[slots_[image]];
+    TextureImage taken = std::move(scene_.images[load_image(image)]);
+    scene_.images.pop_back();
+    return taken;
+}
+
 std::span<const uint8_t> Textures::image_bytes(const Item& image) {
     if (image.has("uri"))
         return document_.read_uri(image.text("uri"), image.label());

@@ -9,6 +9,8 @@ public:
     Textures(Document& document, Buffers& buffers, Scene& scene);
     /// The textureInfo object under `key` of a material; no image when it is absent.
     TextureRef read(const Item& material, std::string_view key);
+    /// One of the file's images, decoded, that is no material's.
+    TextureImage take(uint32_t image);
 
 private:
     uint32_t image_of(const Item& texture);
@@ -22,6 +24,13 @@ private:
     Scene& scene_;
     std::vector<uint32_t> slots_; ///< glTF image → Scene::images, or no_image
 };
+
+/// Takes over a material's `extras.prelight` (schema in scene/write/parts.hpp).
+void read_material_extras(Textures& textures, const Item& item, Material& material);
+
+/// KHR_materials_ior, _specular, _clearcoat and _sheen as parameters of the material `layered`; nothing where they
+/// say what glTF says without them, or where the material has a shader or no light.
+void read_material_layers(Document& document, Textures& textures, const Item& item, Material& material);
 
 /// Fills `scene.materials`, one for each of the file's.
 void read_materials(Document& document, Textures& textures, Scene& scene);

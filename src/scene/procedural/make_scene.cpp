@@ -5,6 +5,7 @@
 #include <prelight/scene_io.hpp>
 #include <scene/procedural/city.hpp>
 #include <scene/procedural/lights.hpp>
+#include <scene/procedural/materials.hpp>
 #include <scene/procedural/motion.hpp>
 #include <scene/procedural/shadows.hpp>
 #include <scene/procedural/spheres.hpp>
@@ -29,6 +30,7 @@ constexpr auto entries = std::to_array<Entry>({
      make_motion_scene},
     {{"shadows", "thin walls, poles, a fence, columns far away: sun, point light, narrow and wide spot", 4},
      make_shadows_scene},
+    {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
 });
 
 } // namespace

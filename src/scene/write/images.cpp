@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <scene/environment_codes.hpp>
 #include <scene/write/parts.hpp>
 
 // Static: other libraries of this program hold their own copy of stb.
@@ -50,8 +51,17 @@ std::vector<std::byte> encode_png(const TextureImage& image) {
 } // namespace
 
 void add_images(const Scene& scene, Document& document) {
-    for (size_t i = 0; i < scene.images.size(); ++i) {
-        const TextureImage& image = scene.images[i];
+    std::vector<const TextureImage*> images;
+    for (const TextureImage& image : scene.images)
+        images.push_back(&image);
+    TextureImage environment;
+    if (scene.environment) {
+        environment = to_picture(*scene.environment);
+        document.root["extras"]["prelight"]["environment"] = {{"source", images.size()}};
+        images.push_back(&environment);
+    }
+    for (size_t i = 0; i < images.size(); ++i) {
+        const TextureImage& image = *images[i];
         const auto fail = [&](const std::string& reason) {
             document.fail(label("image", i, image.name), reason);
         };

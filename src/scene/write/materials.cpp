@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <prelight/material_shader.hpp>
 #include <scene/write/parts.hpp>
 
 namespace prelight::write {
@@ -72,6 +73,7 @@ public:
             document_.use("KHR_materials_unlit");
             entry["extensions"]["KHR_materials_unlit"] = Json::object();
         }
+        set_own(entry, material);
         document_.add("materials", std::move(entry));
     }
 
@@ -116,6 +118,23 @@ private:
             entry["extensions"]["KHR_materials_emissive_strength"] = {
                 {"emissiveStrength", number(strength)}};
         }
+    }
+
+    void set_own(Json& entry, const Material& material) {
+        Json own = Json::object();
+        if (material.shader && material.shader->file.empty())
+            own["material"] = material.shader->name;
+        for (const auto& [name, value] : material.parameters) {
+            const MaterialParameter* declared = material.shader ? material.shader->find_parameter(name) : nullptr;
+            const uint32_t components = declared ? declared->components : 4;
+            for (uint32_t c = 0; c < components; ++c)
+                own["parameters"][name].push_back(checked(value[static_cast<int>(c)]));
+        }
+        for (const auto& [name, ref] : material.textures)
+            if (ref)
+                set_texture(own["textures"], name.c_str(), ref);
+        if (!own.empty())
+            entry["extras"]["prelight"] = std::move(own);
     }
 
     void set_texture(Json& owner, const char* key, const TextureRef& ref) {

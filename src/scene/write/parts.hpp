@@ -9,8 +9,14 @@
 //
 //   root.extras.prelight.ambient      [r, g, b]  uniform environment radiance, linear; absent: 0 0
 //   0 light.extras.prelight.falloff     "linear" | "quadratic"; absent: KHR_lights_punctual's own
+//   root.extras.prelight.environment  {source: image}  equirectangular, RGBA is RGBE; absent: ambient
 //   light.extras.prelight.shininess   number > 0, [phong] light shininess; absent: 1
 //   light.extras.prelight.castsShadow bool; absent: true
+//
+//   material.extras.prelight.material    name of a built-in material (`prelight materials`); absent: the renderer's
+//                                        own, or a file that is named elsewhere
+//   material.extras.prelight.parameters  {NAME: number or [numbers]}, as that material declares them
+//   material.extras.prelight.textures    {NAME: textureInfo}, likewise
 //
 // (`light` is an element of root.extensions.KHR_lights_punctual.lights.)
 namespace prelight::write {

@@ -1,0 +1,41 @@
+#include "own_materials.hpp"
+
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+namespace {
+
+std::shared_ptr<const MaterialShader> load_checked(const std::filesystem::path& file) {
+    auto shader = load_material_shader(file);
+    check_material_shader(*shader);
+    return shader;
+}
+
+} // namespace
+
+OwnMaterials::OwnMaterials(const Files& files) : files_(files) {
+    for (const auto& [name, file] : files)
+        shaders_.push_back(load_checked(file));
+}
+
+void OwnMaterials::take_changes() {
+    for (size_t i = 0; i < files_.size(); ++i) {
+        try {
+            auto shader = load_material_shader(files_[i].second);
+            if (shader->source == shaders_[i]->source)
+                continue;
+            check_material_shader(*shader);
+            shaders_[i] = std::move(shader);
+        } catch (const Error& error) {
+            fmt::print(stderr, "prelight: {}; {} stays as it was\n", error.what(), files_[i].first);
+        }
+    }
+}
+
+void OwnMaterials::assign(Scene& scene) const {
+    for (size_t i = 0; i < files_.size(); ++i)
+        assign_material_shader(scene, files_[i].first, shaders_[i]);
+}
+
+} // namespace prelight::app

@@ -1,0 +1,67 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <prelight/material.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prelight {
+
+struct Scene;
+
+/// A number, or up to four, that a material's file declares.
+struct MaterialParameter {
+    std::string name;
+    uint32_t components = 1;
+    glm::vec4 default_value{0};
+    float low = 0, high = 1; ///< of each component
+    std::string description; ///< the comment beside it
+    uint32_t offset = 0;     ///< bytes, in the std140 block of all
+};
+
+/// A texture that a material's file declares beside glTF's own.
+struct MaterialTexture {
+    enum class StandIn { white, black, flat, required };
+    std::string name;
+    uint32_t slot = 0;   ///< 0 … 5
+    bool colour = false; ///< sRGB-encoded in the file
+    StandIn stand_in = StandIn::white; ///< what is read where a material has none
+    std::string description;
+};
+
+/// A material's way to be shaded: one GLSL file with surface() and shade(), what it declares, and where it
+/// came from. The language of these files: docs/materials.md.
+struct MaterialShader {
+    std::string name;        ///< built-in: as `prelight materials` lists it; else the file's name
+    std::string file;        ///< for messages; empty: built-in
+    std::string source;      ///< GLSL
+    std::string description; ///< its first comment
+    std::vector<MaterialParameter> parameters;
+    std::vector<MaterialTexture> textures;
+    uint32_t parameter_bytes = 0;
+
+    const MaterialParameter* find_parameter(std::string_view parameter) const;
+    const MaterialTexture* find_texture(std::string_view texture) const;
+};
+
+/// Built-in ones, by name.
+const std::vector<std::shared_ptr<const MaterialShader>>& built_in_material_shaders();
+/// Null: there is none of that name.
+std::shared_ptr<const MaterialShader> find_material_shader(std::string_view name);
+
+/// Reads what `source` declares, not its code. Throws Error "FILE:LINE: REASON".
+std::shared_ptr<const MaterialShader> parse_material_shader(std::string name, std::string file, std::string source);
+/// Reads a file, at most 1 MiB. Throws Error.
+std::shared_ptr<const MaterialShader> load_material_shader(const std::filesystem::path& file);
+/// Compiles it for every pass that may draw with it. Throws Error "FILE:LINE: REASON".
+void check_material_shader(const MaterialShader& shader);
+
+/// Checks a material's parameters and textures against its shader. Throws Error that begins with `object`.
+void check_material(const Material& material, const std::string& object);
+
+/// Gives all materials of that name the shader, and tangents to what they are on. Throws UsageError when there
+/// is none of that name, Error when its parameters and textures do not fit.
+void assign_material_shader(Scene& scene, std::string_view material, std::shared_ptr<const MaterialShader> shader);
+
+} // namespace prelight

@@ -1,0 +1,62 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Stage 3: the object's material from the light buffer. Compiled with each material; with the two standard
+// ones as material_blinn_phong.frag (equation 8.5.3) and material_metallic_roughness.frag.
+#ifdef ONLY_WEIGHTED  // model=weighted
+#define NO_WORLD
+#define NO_NORMAL
+#endif
+#include "shared/display.glsl"
+#include "shared/light_buffer.glsl"
+#include "shared/material_interface.glsl"
+#include "shared/shininess.glsl"
+
+layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
+layout(constant_id = CONSTANT_MATERIAL_OUTPUT) const int material_output = MATERIAL_OUTPUT_SHADED;
+layout(constant_id = CONSTANT_AMBIENT_AS_LIGHT) const bool ambient_as_light = false;
+layout(location = 0) out vec4 out_colour;
+
+// A material with a shininess of its own raises the lights' sum to it [L5].
+vec3 specular_sum(LightTexels texels, float roughness) {
+    return shading == SHADING_PHONG ? specular_light_of(texels, shininess(roughness)) : texels.specular.rgb;
+}
+
+Light light_of(LightTexels texels, Point p, Surface s) {
+    Light light;
+    light.irradiance = texels.diffuse.rgb;
+    light.diffuse = light.irradiance / lambert_divisor;
+    light.luminance = luminance(light.diffuse);
+    light.specular = specular_sum(texels, s.roughness);
+    light.ambient = ambient_as_light ? vec3(0.0) : frame.ambient.rgb * s.occlusion;
+    light.grazing_diffuse = mean_grazing(texels.diffuse);
+    light.grazing_specular = mean_grazing(texels.specular);
+#ifndef ONLY_WEIGHTED
+    // Equation 8.5.8 suggests it: Fresnel at N·V (nv, mono). [phong] sums no grazing terms.
+    if (model != MODEL_WEIGHTED || shading == SHADING_PHONG)
+        light.grazing_diffuse = light.grazing_specular = grazing_at_viewer(p, s);
+#endif
+    return light;
+}
+
+void main() {
+    Point p = point();
+    Surface s = surface(p);
+    if (material_output == MATERIAL_OUTPUT_ALBEDO) {
+        out_colour = vec4(s.base, 1.0);
+        return;
+    }
+    if (has(FEATURE_UNLIT)) {
+        out_colour = stored_colour(min(s.base * frame.light_buffer.y, vec3(65504.0)));
+        return;
+    }
+    LightTexels texels = read_light();
+    if (material_output == MATERIAL_OUTPUT_DIFFUSE_SUM) {
+        out_colour = vec4(texels.diffuse.rgb, 1.0);
+        return;
+    }
+    if (material_output == MATERIAL_OUTPUT_SPECULAR_SUM) {
+        out_colour = vec4(specular_sum(texels, s.roughness), 1.0);
+        return;
+    }
+    out_colour = stored_colour(min(shade(p, s, light_of(texels, p, s)), vec3(65504.0)));
+}

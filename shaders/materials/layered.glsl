@@ -1,0 +1,59 @@
+// glTF's metallic-roughness with KHR_materials_specular, _ior, _clearcoat and _sheen, from one sum of specular
+// light for all layers.
+PARAMETERS {
+    float ior DEFAULT(1.5) RANGE(1.0, 1000.0); // KHR_materials_ior
+    float specular DEFAULT(1.0) RANGE(0.0, 1.0); // KHR_materials_specular: strength of a dielectric's reflection
+    vec3 specular_colour DEFAULT(vec3(1.0)) RANGE(0.0, 1000.0); // and its colour at normal incidence
+    float clearcoat DEFAULT(0.0) RANGE(0.0, 1.0); // KHR_materials_clearcoat
+    float clearcoat_roughness DEFAULT(0.0) RANGE(0.0, 1.0);
+    vec3 sheen_colour DEFAULT(vec3(0.0)) RANGE(0.0, 1.0); // KHR_materials_sheen
+    float sheen_roughness DEFAULT(0.0) RANGE(0.0, 1.0);
+};
+TEXTURE_LINEAR(0) specular_map DEFAULT(white); // A
+TEXTURE_COLOUR(1) specular_colour_map DEFAULT(white);
+TEXTURE_LINEAR(2) clearcoat_map DEFAULT(white); // R
+TEXTURE_LINEAR(3) clearcoat_roughness_map DEFAULT(white); // G
+TEXTURE_COLOUR(4) sheen_colour_map DEFAULT(white);
+TEXTURE_LINEAR(5) sheen_roughness_map DEFAULT(white); // A
+
+float coat_strength(Point p) {
+    return has_texture(2) ? clearcoat * texture(clearcoat_map, texture_place(p, 2)).r : clearcoat;
+}
+
+// Lights see one roughness: the coat's, as far as there is a coat.
+Surface surface(Point p) {
+    Surface s = gltf_surface(p);
+    float coat_roughness = clearcoat_roughness;
+    if (has_texture(3))
+        coat_roughness *= texture(clearcoat_roughness_map, texture_place(p, 3)).g;
+    s.roughness = mix(s.roughness, coat_roughness, coat_strength(p));
+    return s;
+}
+
+vec3 shade(Point p, Surface s, Light light) {
+    float weight = specular;
+    vec3 tint = specular_colour, cloth_colour = sheen_colour;
+    float cloth_roughness = sheen_roughness;
+    if (has_texture(0))
+        weight *= texture(specular_map, texture_place(p, 0)).a;
+    if (has_texture(1))
+        tint *= texture(specular_colour_map, texture_place(p, 1)).rgb;
+    if (has_texture(4))
+        cloth_colour *= texture(sheen_colour_map, texture_place(p, 4)).rgb;
+    if (has_texture(5))
+        cloth_roughness *= texture(sheen_roughness_map, texture_place(p, 5)).a;
+
+    float r = (ior - 1.0) / (ior + 1.0);
+    vec3 f0 = mix(min(r * r * tint, vec3(1.0)) * weight, s.base, s.metallic);
+    float f90 = mix(weight, 1.0, s.metallic);
+    vec3 diffuse_colour = s.base * (1.0 - s.metallic);
+    vec3 body = diffuse_colour * (1.0 - f0 - (f90 - f0) * light.grazing_diffuse) * light.diffuse +
+                (f0 + (f90 - f0) * light.grazing_specular) * light.specular + light.ambient * (diffuse_colour + f0) + s.emissive;
+
+    float nv = clamp(dot(s.normal, p.to_viewer), 0.0, 1.0);
+    vec3 sheen = cloth_colour * pow(max(1.0 - nv, 0.0001), 1.0 + 3.0 * (1.0 - cloth_roughness));
+    vec3 dressed = body * (1.0 - max(sheen.r, max(sheen.g, sheen.b))) + sheen * (light.diffuse + light.ambient);
+
+    float strength = coat_strength(p), coat = strength * (0.04 + 0.96 * light.grazing_specular);
+    return dressed * (1.0 - coat) + coat * light.specular + 0.04 * strength * light.ambient;
+}

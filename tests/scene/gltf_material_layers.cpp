@@ -1,0 +1,57 @@
+// KHR_materials_ior, _specular, _clearcoat and _sheen become parameters of the material `layered`.
+#include "gltf_builder.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <prelight/material_shader.hpp>
+
+namespace prelight {
+namespace {
+
+using namespace prelight::test;
+using testing::HasSubstr;
+
+GltfBuilder with_extensions(const Json& extensions) {
+    GltfBuilder b = GltfBuilder::textured_triangle();
+    b.add_image(png(1, 1, solid(1, 1, {9, 9, 9, 255})));
+    b.json["textures"] = Json::array({{{"source", 0}}});
+    b.json["materials"][0]["extensions"] = extensions;
+    return b;
+}
+
+TEST(GltfMaterialLayers, AreReadWithTheirTextures) {
+    const Material m = with_extensions({{"KHR_materials_ior", {{"ior", 1.33}}},
+                                        {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 2}}, {"specularTexture", {{"index", 0}}}}},
+                                        {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.25}, {"clearcoatRoughnessTexture", {{"index", 0}}}}},
+                                        {"KHR_materials_sheen", {{"sheenColorFactor", {0.1, 0.2, 0.3}}, {"sheenRoughnessFactor", 0.5}}}})
+                           .load().materials.at(0);
+    ASSERT_TRUE(m.shader);
+    EXPECT_EQ(m.shader->name, "layered");
+    EXPECT_EQ(m.parameters.at("ior").x, 1.33f);
+    EXPECT_EQ(m.parameters.at("specular").x, 0.5f);
+    EXPECT_EQ(m.parameters.at("specular_colour"), glm::vec4(1, 0.5f, 2, 0));
+    EXPECT_EQ(m.parameters.at("clearcoat").x, 0.75f);
+    EXPECT_EQ(m.parameters.at("clearcoat_roughness").x, 0.25f);
+    EXPECT_EQ(m.parameters.at("sheen_colour"), glm::vec4(0.1f, 0.2f, 0.3f, 0));
+    EXPECT_EQ(m.parameters.at("sheen_roughness").x, 0.5f);
+    EXPECT_TRUE(m.textures.at("specular_map"));
+    EXPECT_TRUE(m.textures.at("clearcoat_roughness_map"));
+}
+
+TEST(GltfMaterialLayers, ThatSayNothingNewLeaveTheMaterialAsItWas) {
+    for (const Json& extensions : {Json{{"KHR_materials_ior", {{"ior", 1.5}}}}, Json{{"KHR_materials_specular", Json::object()}},
+                                   Json{{"KHR_materials_clearcoat", {{"clearcoatFactor", 0}, {"clearcoatRoughnessFactor", 0.5}}}},
+                                   Json{{"KHR_materials_sheen", Json::object()}},
+                                   Json{{"KHR_materials_ior", {{"ior", 2}}}, {"KHR_materials_unlit", Json::object()}}})
+        EXPECT_FALSE(with_extensions(extensions).load().materials.at(0).shader) << extensions;
+}
+
+TEST(GltfMaterialLayers, OutOfTheirRangesAreErrors) {
+    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_ior", {{"ior", 0.5}}}})), HasSubstr("ior 0.5 is outside 1 … 1000"));
+    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}}}})), HasSubstr("clearcoat 2 is outside 0 … 1"));
+    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_sheen", {{"sheenColorFactor", {0, -1, 0}}}}})), HasSubstr("sheen_colour -1 is outside"));
+    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_specular", {{"specularTexture", {{"index", 4}}}}}})), HasSubstr("specularTexture"));
+    EXPECT_EQ(with_extensions({{"KHR_materials_ior", {{"ior", 0}}}}).load().materials.at(0).parameters.at("ior").x, 1000) << "glTF's word for a mirror";
+}
+
+} // namespace
+} // namespace prelight
