@@ -92,7 +92,7 @@ TEST(BenchClaims, C1_PrintsEachClaimAndWritesIt) {
         EXPECT_NE(row["source"], "");
         EXPECT_EQ(row["ratio"].is_null(), row["verdict"] == "not measured" || row["verdict"] == "not built yet");
     }
-    ASSERT_EQ(claims.size(), 15u);
+    ASSERT_EQ(claims.size(), 18u);
     // Sizes are exact; an allocation may round a small picture up, but both of a difference alike.
     EXPECT_DOUBLE_EQ(claims["msaa-target"]["a"], 7.3728);
     EXPECT_DOUBLE_EQ(claims["five-targets"]["a"], 36.864);
@@ -101,7 +101,9 @@ TEST(BenchClaims, C1_PrintsEachClaimAndWritesIt) {
     for (const char* id : {"msaa-target", "five-targets", "no-msaa-light-buffers"})
         EXPECT_EQ(claims[id]["verdict"], "agrees");
     // Times: a null in JSON is what a figure that is not finite becomes.
-    for (const char* id : {"depth-against-ambient", "depth-against-normals", "frustum-ray", "ambient-first"}) {
+    for (const char* id : {"depth-against-ambient", "depth-against-normals", "frustum-ray", "ambient-first",
+                           "shadowed-directional-1", "shadowed-directional-2", "shadowed-directional-4",
+                           "shadowed-directional-8", "more-directionals"}) {
         EXPECT_GT(claims[id]["a"], 0) << id;
         EXPECT_GT(claims[id]["b"], 0) << id;
         EXPECT_GT(claims[id]["ratio"], 0) << id;
