@@ -44,7 +44,7 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
              {"cpu_ms", pass.cpu_ms ? spread_json(*pass.cpu_ms) : Json(nullptr)},
              {"bytes_read", pass.bytes_read},
              {"bytes_written", pass.bytes_written}});
-    return {
+    Json entry{
         {"device", stats.device},
         {"driver", stats.driver},
         {"scene", scene},
@@ -65,7 +65,6 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
         {"cpu_ms", spread_json(stats.cpu_ms)},
         {"gpu_ms", spread_json(stats.gpu_ms)},
         {"host_ms", stats.host_ms ? host_json(*stats.host_ms) : Json(nullptr)},
-        {"shadows", stats.shadows ? shadows_json(*stats.shadows) : Json(nullptr)},
         {"passes", passes},
         {"attachment_bytes", stats.attachment_bytes},
         {"attachment_bytes_unshared", stats.attachment_bytes_unshared},
@@ -80,6 +79,9 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
         {"light_pixel_pairs",
          {{"evaluated", stats.pairs_evaluated}, {"contributing", stats.pairs_contributing}}},
     };
+    if (stats.shadows)
+        entry["shadows"] = shadows_json(*stats.shadows);
+    return entry;
 }
 
 std::string json_text(const Json& json) {

@@ -186,6 +186,20 @@ TEST(Render, StatsHoldWhatTheContractNames) {
     EXPECT_EQ(stats.size(), 28u) << "a key that the contract does not name";
 }
 
+TEST(Render, StatsTellOfShadowsWhereThereAreAny) {
+    const TemporaryFolder folder;
+    const Result result = run({"render", "shadows", "--size", "64x36", "--set", "shadows=on", "--set", "shadow-budget=4096",
+                               "-o", "a.png", "--stats", "a.json"}, folder.path);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json shadows = Json::parse(bytes_of(folder.path / "a.json")).at("shadows");
+    EXPECT_EQ(shadows.at("budget"), 4096);
+    EXPECT_EQ(shadows.at("lights"), 4);
+    EXPECT_EQ(shadows.at("lights_reduced"), 4);
+    EXPECT_EQ(shadows.at("lights_without"), 0);
+    EXPECT_EQ(shadows.at("tiles_drawn"), 17); // 4 cascades, two cubes, a spot
+    EXPECT_NE(result.err.find("smaller shadow maps"), std::string::npos) << result.err;
+}
+
 TEST(Render, PassCpuGivesEachPassAFigure) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run({"render", "spheres", "--size", "64x36", "-o", "a.png", "--frames", "3", "--stats",

@@ -241,6 +241,37 @@ TEST(Shadows, S1_TilesOfUnmovedLightsAreReused) {
     expect_validation_clean(test_device());
 }
 
+// Lights that come, go and stop casting: the same bytes as a renderer made for them, wherever their tiles lie.
+TEST(Shadows, S1_LightsComeAndGo) {
+    const ShadowGarden garden;
+    Garden crowd;
+    crowd.add_lights(40, 3, 2);
+    std::vector<std::vector<PlacedLight>> steps(1, garden.world.lights);
+    steps.push_back(steps[0]);
+    steps[1].insert(steps[1].end(), crowd.world.lights.begin(), crowd.world.lights.end()); // more than there is room for
+    steps.push_back({steps[1].begin() + 1, steps[1].begin() + 9});
+    steps.push_back(steps[2]);
+    steps[3][0].light.casts_shadow = false;
+    for (const char* memory : {"atlas", "reuse"}) {
+        Shot shot = garden.shot();
+        shot.width = 160, shot.height = 90;
+        shot.settings["shadow-budget"] = "1048576";
+        shot.settings["shadow-memory"] = memory;
+        const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+        renderer->set_world(garden.world);
+        for (const std::vector<PlacedLight>& lights : steps) {
+            renderer->set_lights(lights);
+            renderer->render(garden.camera);
+            World world = garden.world;
+            world.lights = lights;
+            Shot fresh = shot;
+            fresh.world = &world;
+            EXPECT_TRUE(renderer->read("linear").pixels == render_linear(test_device(), fresh).pixels) << memory << ", " << lights.size() << " lights";
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
 // [S1] When the budget is short, resolution drops before shadows do, and the figures say so.
 TEST(Shadows, S1_AShortBudgetLowersResolution) {
     const ShadowGarden garden;
