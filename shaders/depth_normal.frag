@@ -11,6 +11,7 @@
 #include "shared/linear_depth.h"
 #include "shared/material_interface.glsl"
 #include "shared/normal_encoding.h"
+#include "shared/specular_antialiasing.glsl"
 
 layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMAL_OCT24;
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
@@ -35,10 +36,11 @@ void main() {
     vec3 n = s.normal;
     if (view_space)
         n = mat3(frame.view_from_world) * n;
-    out_normal = normal_encode(normal_encoding, n, s.roughness);
+    float roughness = antialiased_roughness(s.roughness, s.normal);
+    out_normal = normal_encode(normal_encoding, n, roughness);
 #endif
 #ifdef ROUGHNESS_TARGET
-    out_roughness = s.roughness;
+    out_roughness = roughness;
 #endif
 #ifdef DEPTH_TARGET
     out_depth = linear_depth_encode(depth_source, dot(in_world, frame.forward.xyz));

@@ -5,6 +5,7 @@
 // for what needs no lamp; of lamps the G-buffer knows metallic-roughness only.
 #include "shared/base_light.glsl"
 #include "shared/gbuffer_layout.glsl"
+#include "shared/specular_antialiasing.glsl"
 
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
 
@@ -35,7 +36,7 @@ void main() {
     vec3 n = s.normal;
     if (view_space)
         n = mat3(frame.view_from_world) * n;
-    GBufferTexels texels = gbuffer_encode(n, s.roughness, motion(), s.base, s.metallic, s.occlusion, has(FEATURE_UNLIT));
+    GBufferTexels texels = gbuffer_encode(n, antialiased_roughness(s.roughness, s.normal), motion(), s.base, s.metallic, s.occlusion, has(FEATURE_UNLIT));
     out_normal = texels.normal;
     out_motion = texels.motion;
     out_albedo = texels.albedo;

@@ -91,7 +91,8 @@ gpu::Constants SurfaceFormat::constants() const {
             {CONSTANT_NORMAL_SPACE, view_space},
             {CONSTANT_DEPTH_SOURCE, static_cast<uint32_t>(depth)},
             {CONSTANT_POSITION_FROM_RAY, position_from_ray},
-            {CONSTANT_GBUFFER, static_cast<uint32_t>(gbuffer)}};
+            {CONSTANT_GBUFFER, static_cast<uint32_t>(gbuffer)},
+            {CONSTANT_SPECULAR_ANTIALIASING, specular_antialiasing}};
 }
 
 graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool stencil) {

@@ -62,6 +62,7 @@ struct SurfaceFormat {
     bool position_from_ray = true;   ///< frustum ray, or the inverse view-projection matrix
     bool two_passes = false;         ///< geometry once for depth and once for normals, instead of MRT
     GBufferLayout gbuffer = GBufferLayout::none;
+    bool specular_antialiasing = false; ///< stored roughness grows with the spread of normals under a pixel
     /// Specialisation constants of every shader that writes or reads these buffers.
     gpu::Constants constants() const;
 };

@@ -34,6 +34,7 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     GBuffer out{};
     out.surface.format.gbuffer = format.layout;
     out.surface.format.position_from_ray = format.position_from_ray;
+    out.surface.format.specular_antialiasing = format.specular_antialiasing;
     const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
     make(graph, frame.extent(), format.stencil, out);
     out.surface.depth_source = out.surface.depth;

@@ -18,6 +18,7 @@ struct GBufferFormat {
     bool light_in_bytes = false;                ///< RT0 in RGBA8 instead of RGBA16F
     bool position_from_ray = true;
     bool stencil = false;                       ///< killzone2 has it always
+    bool specular_antialiasing = false;         ///< as in SurfaceFormat
 };
 
 /// The geometry pass: every object once, into four targets and depth. Ambient and emissive light, and

@@ -27,7 +27,8 @@ private:
                                                                  : passes::GBufferLayout::wide,
                 .light_in_bytes = settings().is("accumulation", "rgba8"),
                 .position_from_ray = settings().is("position", "ray"),
-                .stencil = settings().is("light-culling", "stencil")};
+                .stencil = settings().is("light-culling", "stencil"),
+                .specular_antialiasing = settings().is("specular-antialiasing", "on")};
     }
 
     resident::FrameSettings frame_settings() const override {
@@ -96,6 +97,7 @@ RendererInfo deferred_info() {
                  passes::list_contents_setting(),
                      {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                      {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+                     {"specular-antialiasing", {"off", "on"}, "off", "on: roughness grows with the spread of normals under a pixel"},
                      {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                       "bilinear: level 0 only, for comparing with the reference"}},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count"},

@@ -20,7 +20,8 @@ passes::SurfaceFormat surface_format(const Settings& settings) {
             .depth = passes::find_depth_source(settings.get("depth")).source,
             .stencil = settings.is("light-culling", "stencil"),
             .position_from_ray = settings.is("position", "ray"),
-            .two_passes = settings.is("geometry", "two-passes")};
+            .two_passes = settings.is("geometry", "two-passes"),
+            .specular_antialiasing = settings.is("specular-antialiasing", "on")};
 }
 
 class LightPrepass final : public DeviceRenderer {
@@ -110,6 +111,7 @@ RendererInfo light_prepass_info() {
                  passes::tile_size_setting(),
                  passes::list_shading_setting(),
                  passes::list_contents_setting(),
+                 {"specular-antialiasing", {"off", "on"}, "off", "on: roughness grows with the spread of normals under a pixel"},
                  {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                   "bilinear: level 0 only, for comparing with the reference"}},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
