@@ -27,7 +27,8 @@ bool may_be_lit() {
 }
 
 void main() {
-    int side = may_be_lit() ? tile_size : 1;
+    bool lit = may_be_lit();
+    int rows = lit ? tile_size : 1;
     uvec3 at = cell_at(gl_WorkGroupID, gl_LocalInvocationIndex);
     if (any(greaterThanEqual(at, lists.cells.xyz)))
         return;
@@ -40,14 +41,14 @@ void main() {
     do {
         int x = 0;
         do {
-            float stored = side > 1 ? read_depth(min(low + ivec2(x, y), last)) : 0.0;
+            float stored = read_depth(min(low + ivec2(x, y), last));
             least = min(least, stored > 0.0 ? stored : 3e38);
             most = max(most, stored);
             depths |= stored > 0.0 ? depth_bit(stored) : 0u;
-        } while (++x < side);
-    } while (++y < side);
-    LightCell cell = LightCell(1.0, 0.0, depths, 0u, 0u, 0u);
-    if (most > 0.0) {
+        } while (++x < tile_size);
+    } while (++y < rows);
+    LightCell cell = LightCell(1.0, 0.0, lit ? depths : 0u, 0u, 0u, 0u);
+    if (lit && most > 0.0) {
         cell.nearest = linear_depth ? least : view_depth(most);
         cell.farthest = linear_depth ? most : view_depth(least);
     }

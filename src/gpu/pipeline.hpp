@@ -12,7 +12,7 @@ struct VertexAttribute {
 };
 
 enum class Blend { none, add };
-enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only };
+enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only, overwrite };
 
 /// What a draw does to stencil: [V4]. Marks count the faces of a closed volume around a pixel's surface,
 /// wrapping; with `depth` as `behind_or_at`, a face "passes" where the surface lies behind it.
@@ -26,7 +26,7 @@ enum class Stencil {
 /// Everything of a graphics pipeline that Prelight varies. Depth is reversed: nearer is greater, so
 /// that `write_nearer` is GREATER_OR_EQUAL. `behind_or_at`: a fragment passes where the stored
 /// surface lies behind it (front faces of a light volume); `before_or_at` is the opposite;
-/// `surface_only`: at the far end, passes wherever a surface is.
+/// `surface_only`: at the far end, passes wherever a surface is; `overwrite`: passes everywhere and is written.
 /// Cull mode and front face are dynamic state.
 struct GraphicsPipelineDesc {
     std::string name;

@@ -37,6 +37,10 @@ public:
         desc.push_stage = VK_SHADER_STAGE_VERTEX_BIT;
         desc.slope_bias = slope_bias;
         desc.sets = {frame.layout(), inputs, frame.materials().layout};
+        clear_ = gpu::GraphicsPipeline(frame.context(), {.name = "shadow tile clear",
+                                                         .vertex = "fullscreen.vert",
+                                                         .depth_format = shadow_format,
+                                                         .depth = gpu::DepthTest::overwrite});
         for (const Draw& draw : frame.geometry().draws) {
             const uint32_t features = key(draw);
             if (pipelines_.contains(features))
@@ -56,6 +60,13 @@ public:
         const VkDeviceSize offsets[] = {0, 0, 0};
         vkCmdBindVertexBuffers(pass.commands, 0, 3, buffers, offsets);
         vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    }
+
+    /// Depth 0, the far end, all over the viewport. vkCmdClearAttachments makes a software device finish all that was
+    /// drawn into the atlas before.
+    void clear(const graph::PassContext& pass) const {
+        clear_.bind(pass.commands);
+        vkCmdDraw(pass.commands, 3, 1, 0, 0);
     }
 
     /// `draws`: indices into Geometry::draws, rising. Neighbours of the same mesh are one call.
@@ -89,6 +100,7 @@ public:
     /// Each pipeline once.
     void warm_up(const graph::PassContext& pass) const {
         const std::vector<Draw>& all = frame_.geometry().draws;
+        clear(pass);
         for (const auto& [features, pipeline] : pipelines_)
             for (uint32_t d = 0; d < all.size(); ++d)
                 if (key(all[d]) == features) {
@@ -119,6 +131,7 @@ private:
     }
 
     const resident::Frame& frame_;
+    gpu::GraphicsPipeline clear_;
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: without mask
 };
 
@@ -183,10 +196,7 @@ void ShadowDraws::draw(const graph::PassContext& pass, const ShadowTile& tile) {
     const VkRect2D area{{x, y}, {tile.place.side, tile.place.side}};
     vkCmdSetViewport(pass.commands, 0, 1, &viewport);
     vkCmdSetScissor(pass.commands, 0, 1, &area);
-    VkClearAttachment clear{};
-    clear.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT; // to 0, the far end
-    const VkClearRect cleared{area, 0, 1};
-    vkCmdClearAttachments(pass.commands, 1, &clear, 1, &cleared);
+    casters_->clear(pass);
     find_casters(tile);
     casters_->draw(pass, tile, seen_);
     ++counts_.tiles_drawn;
