@@ -79,7 +79,6 @@ void FrameGraph::derive_image_barriers(GraphImage& image, uint32_t index) {
     image.final_access = before;
 }
 
-/// Into the layout that each frame finds and leaves them in.
 void FrameGraph::derive_buffer_barriers(uint32_t index) {
     std::vector<Group> uses;
     for (uint32_t p = 0; p < passes_.size(); ++p)

@@ -206,6 +206,7 @@ std::vector<std::pair<std::string, double>> FrameGraph::pass_times(uint32_t slot
     return times;
 }
 
+/// Into the layout that each frame finds and leaves them in.
 void FrameGraph::begin_persistent_images() const {
     for (const GraphImage& image : images_) {
         if (!image.persistent || !image.usage)

@@ -37,14 +37,15 @@ uint32_t storage_of(VkFormat format) {
 
 } // namespace
 
-bool is_light_pair(VkFormat format) { return format == VK_FORMAT_R32G32B32A32_UINT; }
+bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
+    return graph.desc(image).format == VK_FORMAT_R32G32B32A32_UINT;
+}
 
 LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair) {
     LightBuffer out;
     if (pair) {
         out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, frame.extent()});
         out.target = {.variant = "+pair", .images = {out.diffuse}, .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
-        out.pair = true;
         return out;
     }
     out.diffuse = out.specular = target(graph, frame, "diffuse light", model.buffer);

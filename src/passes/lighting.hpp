@@ -43,13 +43,12 @@ struct LightBuffer {
     graph::ImageId diffuse;
     graph::ImageId specular;
     LightTarget target;
-    bool pair = false; ///< both lie in `diffuse`: is_light_pair()
 };
 /// `pair`: as light_pair_pays() says.
 LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair = false);
-/// Four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel (shaders/shared/light_pair.glsl),
+/// An image of pairs: four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel (shaders/shared/light_pair.glsl),
 /// which only a light pass that writes each pixel once can fill.
-bool is_light_pair(VkFormat format);
+bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image);
 
 /// RGBA16F: lights evaluated in R, contributing in G, for --view light-count.
 LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& frame);

@@ -14,7 +14,6 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     graph::Pass& pass = graph.pass(name);
     pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f})
         .depth_test(inputs.depth);
-    const bool pair = inputs.light.pair;
     const bool bits = frame.context().is_software() && is_half(graph, inputs.light.diffuse) &&
                       is_half(graph, inputs.light.specular);
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
@@ -29,10 +28,11 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     const std::string shader = !ggx    ? "material_blinn_phong"
                                : at_nv ? "material_metallic_roughness"
                                        : "material_metallic_roughness+weighted";
+    const std::string texels = is_light_pair(graph, inputs.light.diffuse) ? "+pair" : bits ? "+bits" : "";
     draw_surfaces(graph, pass, frame,
                   {.name = "material",
-                   .fragment = shader + (pair ? "+pair.frag" : bits ? "+bits.frag" : ".frag"),
-                   .own_fragment = pair ? "material+pair.frag" : bits ? "material+bits.frag" : "material.frag",
+                   .fragment = shader + texels + ".frag",
+                   .own_fragment = "material" + texels + ".frag",
                    .constants = constants,
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,

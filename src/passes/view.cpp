@@ -9,7 +9,7 @@ graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                          ViewKind kind, const SurfaceBuffers& surface, graph::ImageId buffer) {
     const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, frame.extent()});
     graph::Pass& pass = graph.pass("view-" + name);
-    const bool pair = is_light_pair(graph.desc(buffer).format);
+    const bool pair = is_light_pair(graph, buffer);
     pass.colour(target, graph::Load::discard)
         .sample(INPUT_DEPTH, surface.depth_source)
         .sample(INPUT_NORMAL, pair ? surface.normal : buffer)

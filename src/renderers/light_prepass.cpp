@@ -75,7 +75,7 @@ private:
         if (model_.packed())
             show("specular-light", ViewKind::light_alpha, light.diffuse);
         else
-            show("specular-light", light.pair ? ViewKind::second_light : ViewKind::light, light.specular);
+            show("specular-light", passes::is_light_pair(graph, light.specular) ? ViewKind::second_light : ViewKind::light, light.specular);
         for (const bool specular : {false, true})
             if (const char* name = specular ? "specular-sum" : "diffuse-sum"; wants(name))
                 views[name] = passes::light_sum_pass(graph, frame, materials, specular);

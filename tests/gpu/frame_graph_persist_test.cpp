@@ -48,6 +48,37 @@ TEST_P(FrameGraphPersistTest, WhatOneFrameDrewIsThereInTheNext) {
         ASSERT_EQ(depth[i], i % 64 < 32 ? 0.25f : 0.5f) << i;
 }
 
+// Each frame draws another column; images that only the frame needs are drawn before and after.
+TEST_P(FrameGraphPersistTest, AColourImageIsEmptyBeforeItsFirstFrame) {
+    FrameGraph graph(context());
+    const graph::ImageDesc colours{VK_FORMAT_R16G16B16A16_SFLOAT, {64, 32}};
+    const ImageId early = graph.image("early", colours), image = graph.image("columns", colours), seen = graph.image("seen", colours);
+    graph.pass("early").colour(early, Load::clear, {9, 9, 9, 9}).record([](const auto&) {});
+    int32_t column = 0;
+    graph::Pass& pass = graph.pass("one column");
+    pass.colour(image, Load::keep).sample(0, early);
+    auto program = std::make_shared<std::unique_ptr<Program>>();
+    pass.prepare([=, this](const graph::PassInterface& interface) {
+        *program = std::make_unique<Program>(context(), "constant.frag", interface.inputs, interface.colour_formats);
+    });
+    pass.record([=, &column](const graph::PassContext& c) {
+        const VkRect2D one{{column, 0}, {1, 32}};
+        vkCmdSetScissor(c.commands, 0, 1, &one);
+        (*program)->run(c.commands, c.inputs, {1, 1, 1, 1});
+    });
+    graph.pass("late").colour(seen, Load::clear, {9, 9, 9, 9}).sample(0, image).record([](const auto&) {});
+    graph.persist(image);
+    graph.keep(image);
+    graph.keep(seen);
+    graph.compile();
+    for (; column < 3; ++column) {
+        run_frame(context(), graph);
+        const auto values = texels<std::array<uint16_t, 4>>(graph, image);
+        for (size_t i = 0; i < values.size(); ++i)
+            ASSERT_EQ(values[i][0], static_cast<int32_t>(i % 64) <= column ? 0x3c00 : 0) << i << ", frame " << column;
+    }
+}
+
 // Each draw sees what was drawn just before it, and none of the pass's own pixels is lost.
 TEST_P(FrameGraphPersistTest, DrawsBetweenThePassesOwn) {
     FrameGraph graph(context());
