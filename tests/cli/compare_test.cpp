@@ -293,10 +293,11 @@ TEST(Compare, InterruptLeavesTheEarlierReportAndNothingHalf) {
                           "100000", "-o", "report"},
                          folder.path);
         const auto half = [&] { // pictures lie there, under another name
-            for (const auto& entry : fs::directory_iterator(folder.path))
-                if (entry.path().filename() != "report")
-                    for (const auto& picture : fs::directory_iterator(entry.path() / "pictures"))
-                        return picture.exists();
+            for (const auto& entry : fs::directory_iterator(folder.path)) {
+                const fs::path pictures = entry.path() / "pictures"; // made a moment after its folder
+                if (entry.path().filename() != "report" && fs::exists(pictures) && !fs::is_empty(pictures))
+                    return true;
+            }
             return false;
         };
         while (program.running() && !half())
