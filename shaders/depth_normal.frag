@@ -30,13 +30,15 @@ layout(location = DEPTH_TARGET) out vec4 out_depth;
 void main() {
     Point p = point();
     Surface s = surface(p);
+#ifndef NO_NORMAL_TARGET
+    float roughness = antialiased_roughness(p, s);
+#endif
     if (is_masked(s))
         discard;
 #ifndef NO_NORMAL_TARGET
     vec3 n = s.normal;
     if (view_space)
         n = mat3(frame.view_from_world) * n;
-    float roughness = antialiased_roughness(s.roughness, s.normal);
     out_normal = normal_encode(normal_encoding, n, roughness);
 #endif
 #ifdef ROUGHNESS_TARGET

@@ -31,12 +31,13 @@ vec2 motion() {
 void main() {
     Point p = point();
     Surface s = surface(p);
+    float roughness = antialiased_roughness(p, s);
     if (is_masked(s))
         discard;
     vec3 n = s.normal;
     if (view_space)
         n = mat3(frame.view_from_world) * n;
-    GBufferTexels texels = gbuffer_encode(n, antialiased_roughness(s.roughness, s.normal), motion(), s.base, s.metallic, s.occlusion, has(FEATURE_UNLIT));
+    GBufferTexels texels = gbuffer_encode(n, roughness, motion(), s.base, s.metallic, s.occlusion, has(FEATURE_UNLIT));
     out_normal = texels.normal;
     out_motion = texels.motion;
     out_albedo = texels.albedo;

@@ -10,7 +10,6 @@ set(PRELIGHT_SHADER_VARIANTS
     # Casters of shadows: push constants that say where the light is.
     "depth_only+shadow.vert|depth_only.vert|-DSHADOW_TILE"
     "surface+shadow.vert|surface.vert|-DSHADOW_TILE -DNO_WORLD -DNO_NORMAL"
-    "depth_mask+shadow.frag|depth_mask.frag|-DNO_WORLD -DNO_NORMAL"
     # Nor can another type of texture be a constant, or an input that is not there.
     "material_metallic_roughness.frag|material.frag|"
     "material_metallic_roughness+bits.frag|material.frag|-DLIGHT_BITS"

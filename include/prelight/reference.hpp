@@ -18,6 +18,10 @@ struct ReferenceForm {
     bool reflection_vector = false;   ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
     bool ambient_as_light = false;    ///< ambient enters the diffuse sum (full-screen light) [V1]
     bool shadows = false;             ///< shadow rays for every light that casts one
+    /// Lamps see a rougher surface where its normals differ between the pixels of a 2×2 quad, all on the plane of the
+    /// triangle that the pixel's own ray hits: α² + min(½(|∂n/∂x|² + |∂n/∂y|²), 0.18). Differences within the
+    /// pixel's row and column (Tokuyoshi and Kaplanyan 2019).
+    bool specular_antialiasing = false;
     bool bilinear_level0 = true;      ///< textures: bilinear on level 0, whatever the sampler says
     /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.
@@ -50,7 +54,8 @@ struct ReferencePicture {
 };
 
 /// The form that pictures of a renderer with these settings in force (`Stats::settings`) are judged
-/// against: `model`, `specular`, `specular-gate`, `specular-vector`, `ambient`, `g-buffer`, `shadows`. A key that a renderer
+/// against: `model`, `specular`, `specular-gate`, `specular-vector`, `ambient`, `g-buffer`, `shadows`,
+/// `specular-antialiasing`. A key that a renderer
 /// lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
 ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings);

@@ -4,6 +4,7 @@
 #define PRELIGHT_FORWARD_LIGHT_GLSL
 #include "shared/lighting.glsl"
 #include "shared/base_light.glsl"
+#include "shared/specular_antialiasing.glsl"
 
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_FULL;
 layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
@@ -25,7 +26,7 @@ ForwardSurface forward_surface() {
     s.at = point();
     s.surface = surface(s.at);
     s.reflectance = reflectance(s.surface.base, s.surface.metallic);
-    s.point = lit_point(true, in_world, s.surface.normal, s.at.to_viewer, max(s.surface.roughness, 0.089), gl_FragCoord.xy);
+    s.point = lit_point(true, in_world, s.surface.normal, s.at.to_viewer, max(antialiased_roughness(s.at, s.surface), 0.089), gl_FragCoord.xy);
     s.schlick_nv = schlick_weight(s.point.nv);
     return s;
 }

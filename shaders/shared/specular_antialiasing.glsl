@@ -3,18 +3,18 @@
 // "Improved Geometric Specular Antialiasing", 2019).
 #ifndef PRELIGHT_SPECULAR_ANTIALIASING_GLSL
 #define PRELIGHT_SPECULAR_ANTIALIASING_GLSL
-#include "shared/bindings.h"
+#include "shared/surface.glsl"
 
 layout(constant_id = CONSTANT_SPECULAR_ANTIALIASING) const bool specular_antialiasing = false;
 
-// `n`: unit, the same space for all pixels of a quad. α² is GGX' variance of slopes up to a factor 2, and a pixel's
-// footprint a Gaussian of half a pixel; what a silhouette adds is limited.
-float antialiased_roughness(float roughness, vec3 n) {
+// The roughness that lamps see; to be called where all pixels of a quad are still there. α² is twice the variance of
+// slopes; a pixel's footprint is a Gaussian of half a pixel; what a silhouette adds is limited.
+float antialiased_roughness(Point p, Surface s) {
     if (!specular_antialiasing)
-        return roughness;
-    vec3 across = dFdx(n), down = dFdy(n);
-    float variance = 0.25 * (dot(across, across) + dot(down, down));
-    float alpha = roughness * roughness;
-    return sqrt(sqrt(min(alpha * alpha + min(2.0 * variance, 0.18), 1.0)));
+        return s.roughness;
+    vec3 across = dFdxFine(s.normal), down = dFdyFine(s.normal);
+    float spread = min(0.5 * (dot(across, across) + dot(down, down)), 0.18) + 2.0 * normal_map_variance(p);
+    float alpha = s.roughness * s.roughness;
+    return sqrt(sqrt(min(alpha * alpha + spread, 1.0)));
 }
 #endif

@@ -105,6 +105,14 @@ vec3 mapped_normal(Point p) {
     return vec3(texel.xy * material.factors.z, texel.z);
 }
 
+// Variance of slopes that the level read of the normal map has averaged away; alpha holds its root.
+float normal_map_variance(Point p) {
+    if (!has(FEATURE_NORMAL_TEXTURE))
+        return 0.0;
+    float deviation = texture(normal_map, coordinates(p, MATERIAL_NORMAL)).a * material.factors.z;
+    return deviation * deviation;
+}
+
 // Unit shading normal in world space, after the normal map, facing the viewer on back faces.
 vec3 shading_normal(Point p) {
     return has(FEATURE_NORMAL_TEXTURE) ? from_tangent_space(p, mapped_normal(p)) : p.normal;

@@ -45,6 +45,7 @@ public:
 
     Comparison with(std::map<std::string, std::string> settings) const {
         settings["texture-filter"] = "bilinear";
+        settings["specular-antialiasing"] = "off"; // roughness as the material says it, in the reference too
         const auto renderer = create_renderer(
             "light-prepass", &device_,
             {.width = options_.width, .height = options_.height, .settings = std::move(settings), .views = {"linear"}});

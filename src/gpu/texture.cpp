@@ -47,17 +47,37 @@ VkOffset3D corner(uint32_t size_x, uint32_t size_y, uint32_t level) {
             static_cast<int32_t>(std::max(1u, size_y >> level)), 1};
 }
 
+std::string name_of(const TextureImage& image) { return image.name.empty() ? "texture" : image.name; }
+
+void check_size(const Context& context, const TextureImage& image) {
+    const uint32_t limit = context.limits().maxImageDimension2D;
+    if (image.width > limit || image.height > limit)
+        throw Error(fmt::format("{}: image {}: {}x{} exceeds the device's limit of {}", context.name(), name_of(image),
+                                image.width, image.height, limit));
+}
+
+Uploader::Staging stage_texels(Uploader& uploader, const TextureImage& image, TextureEncoding encoding) {
+    const bool half = encoding == TextureEncoding::half;
+    const Uploader::Staging staging = uploader.stage(image.rgba.size() * (half ? 2 : 1));
+    if (!half) {
+        std::memcpy(staging.bytes, image.rgba.data(), image.rgba.size());
+        return staging;
+    }
+    std::array<uint16_t, 256> halves;
+    for (size_t v = 0; v < halves.size(); ++v)
+        halves[v] = glm::packHalf1x16(static_cast<float>(v) / 255.0f);
+    std::transform(image.rgba.begin(), image.rgba.end(), reinterpret_cast<uint16_t*>(staging.bytes),
+                   [&](uint8_t v) { return halves[v]; });
+    return staging;
+}
+
 } // namespace
 
 Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const TextureImage& image,
                  TextureEncoding encoding) {
-    const std::string name = image.name.empty() ? "texture" : image.name;
-    const uint32_t limit = context.limits().maxImageDimension2D;
-    if (image.width > limit || image.height > limit)
-        throw Error(fmt::format("{}: image {}: {}x{} exceeds the device's limit of {}", context.name(),
-                                name, image.width, image.height, limit));
+    check_size(context, image);
     const uint32_t levels = static_cast<uint32_t>(std::bit_width(std::max(image.width, image.height)));
-    make(context, pool, name, format_of(encoding), image.width, image.height, levels);
+    make(context, pool, name_of(image), format_of(encoding), image.width, image.height, levels);
     fill(uploader, image, encoding, levels);
 }
 
@@ -72,18 +92,31 @@ Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, c
         for (const glm::vec3& p : image.pixels)
             for (int c = 0; c < 4; ++c)
                 *halves++ = glm::packHalf1x16(c < 3 ? std::min(p[c], 65504.0f) : 1.0f);
-        submit(uploader.commands(), level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED,
-                                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 0, VK_ACCESS_2_TRANSFER_WRITE_BIT));
-        VkBufferImageCopy copy{};
-        copy.bufferOffset = staging.offset;
-        copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
-        copy.imageExtent = {image.width, image.height, 1};
-        vkCmdCopyBufferToImage(uploader.commands(), staging.buffer, image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-        submit(uploader.commands(), level_barrier(image_, level, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                                                  VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                                  VK_ACCESS_2_TRANSFER_READ_BIT));
+        copy_level(uploader, staging, level, {image.width, image.height});
     }
     finish(uploader.commands(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, count);
+}
+
+Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const std::vector<TextureImage>& levels,
+                 TextureEncoding encoding) {
+    const auto count = static_cast<uint32_t>(levels.size());
+    check_size(context, levels[0]);
+    make(context, pool, name_of(levels[0]), format_of(encoding), levels[0].width, levels[0].height, count);
+    for (uint32_t level = 0; level < count; ++level)
+        copy_level(uploader, stage_texels(uploader, levels[level], encoding), level, {levels[level].width, levels[level].height});
+    finish(uploader.commands(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, count);
+}
+
+void Texture::copy_level(const Uploader& uploader, const Uploader::Staging& staging, uint32_t level, VkExtent2D size) const {
+    constexpr auto write = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    submit(uploader.commands(), level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0, VK_ACCESS_2_TRANSFER_WRITE_BIT));
+    VkBufferImageCopy copy{};
+    copy.bufferOffset = staging.offset;
+    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
+    copy.imageExtent = {size.width, size.height, 1};
+    vkCmdCopyBufferToImage(uploader.commands(), staging.buffer, image_, write, 1, &copy);
+    submit(uploader.commands(), level_barrier(image_, level, write, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                              VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_ACCESS_2_TRANSFER_READ_BIT));
 }
 
 void Texture::make(const Context& context, MemoryPool& pool, const std::string& name, VkFormat format, uint32_t width,
@@ -119,37 +152,19 @@ void Texture::make(const Context& context, MemoryPool& pool, const std::string& 
 }
 
 void Texture::fill(Uploader& uploader, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const {
-    const bool half = encoding == TextureEncoding::half;
-    const Uploader::Staging staging = uploader.stage(image.rgba.size() * (half ? 2 : 1));
-    if (half) {
-        std::array<uint16_t, 256> halves;
-        for (size_t v = 0; v < halves.size(); ++v)
-            halves[v] = glm::packHalf1x16(static_cast<float>(v) / 255.0f);
-        std::transform(image.rgba.begin(), image.rgba.end(), reinterpret_cast<uint16_t*>(staging.bytes),
-                       [&](uint8_t v) { return halves[v]; });
-    } else {
-        std::memcpy(staging.bytes, image.rgba.data(), image.rgba.size());
-    }
+    copy_level(uploader, stage_texels(uploader, image, encoding), 0, {image.width, image.height});
     const VkCommandBuffer commands = uploader.commands();
     constexpr auto write = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
     constexpr auto read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-    for (uint32_t level = 0; level < levels; ++level) {
+    for (uint32_t level = 1; level < levels; ++level) {
         submit(commands, level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0,
                                        VK_ACCESS_2_TRANSFER_WRITE_BIT));
-        if (level == 0) {
-            VkBufferImageCopy copy{};
-            copy.bufferOffset = staging.offset;
-            copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-            copy.imageExtent = {image.width, image.height, 1};
-            vkCmdCopyBufferToImage(commands, staging.buffer, image_, write, 1, &copy);
-        } else {
-            VkImageBlit blit{};
-            blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level - 1, 0, 1};
-            blit.srcOffsets[1] = corner(image.width, image.height, level - 1);
-            blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
-            blit.dstOffsets[1] = corner(image.width, image.height, level);
-            vkCmdBlitImage(commands, image_, read, image_, write, 1, &blit, VK_FILTER_LINEAR);
-        }
+        VkImageBlit blit{};
+        blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level - 1, 0, 1};
+        blit.srcOffsets[1] = corner(image.width, image.height, level - 1);
+        blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
+        blit.dstOffsets[1] = corner(image.width, image.height, level);
+        vkCmdBlitImage(commands, image_, read, image_, write, 1, &blit, VK_FILTER_LINEAR);
         submit(commands, level_barrier(image_, level, write, read, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                        VK_ACCESS_2_TRANSFER_READ_BIT));
     }

@@ -20,12 +20,17 @@ public:
     /// limit.
     Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const TextureImage& image,
             TextureEncoding encoding);
+    /// Level by level as given: each half as wide and high as the one before, at least 1.
+    Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const std::vector<TextureImage>& levels,
+            TextureEncoding encoding);
     /// Half floats, level by level as given: each half as wide and high as the one before, at least 1.
     Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const std::string& name,
             const std::vector<Image>& levels);
     VkImageView view() const { return view_; }
 
 private:
+    /// Records the copy of one whole level; the device finds it where transfers read.
+    void copy_level(const Uploader& uploader, const Uploader::Staging& staging, uint32_t level, VkExtent2D size) const;
     void make(const Context& context, MemoryPool& pool, const std::string& name, VkFormat format, uint32_t width,
               uint32_t height, uint32_t levels);
     /// For the fragment shader.

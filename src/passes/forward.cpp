@@ -25,6 +25,7 @@ SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
                            {CONSTANT_LIGHT_KINDS, frame.light_kinds()},
+                           {CONSTANT_SPECULAR_ANTIALIASING, inputs.model.specular_antialiasing},
                            {CONSTANT_FORWARD_BASE, kind == StepKind::base_and_lights}});
     add_shadow_constants(desc.constants, frame);
     desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;

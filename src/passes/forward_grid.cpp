@@ -16,7 +16,8 @@ void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
-                           {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
+                           {CONSTANT_LIGHT_KINDS, frame.light_kinds()},
+                           {CONSTANT_SPECULAR_ANTIALIASING, inputs.model.specular_antialiasing}});
     add_shadow_constants(desc.constants, frame);
     for (const auto& constant : display_constants(inputs.display, graph.desc(inputs.colour).format))
         desc.constants.push_back(constant);

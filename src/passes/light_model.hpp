@@ -19,6 +19,7 @@ struct LightModel {
     bool step_gate = false;         ///< [phong] specular-gate=step
     bool reflection_vector = false; ///< [phong] R·V instead of N·H
     bool ambient_as_light = false;
+    bool specular_antialiasing = false; ///< forward passes; elsewhere it is done where the surface is stored (SurfaceFormat)
     bool packed() const {
         return buffer == LightBufferFormat::packed_rgba16f || buffer == LightBufferFormat::packed_rgba8;
     }

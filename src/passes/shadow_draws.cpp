@@ -47,7 +47,7 @@ public:
                 continue;
             desc.name = "shadow casters, features " + std::to_string(features);
             desc.vertex = features ? "surface+shadow.vert" : "depth_only+shadow.vert";
-            desc.fragment = features ? "depth_mask+shadow.frag" : "";
+            desc.fragment = features ? "shadow_mask.frag" : "";
             desc.constants = {{CONSTANT_MATERIAL_FEATURES, features}};
             desc.attributes = attributes_of(features != 0);
             pipelines_.emplace(features, gpu::GraphicsPipeline(frame.context(), desc));

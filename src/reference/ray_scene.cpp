@@ -71,6 +71,27 @@ RTCRay to_embree(const Ray& ray) {
     return out;
 }
 
+/// A triangle relative to the scene's origin, in double precision.
+struct Triangle {
+    glm::dvec3 corner[3], edge1{}, edge2{}, across{};
+    Triangle(const Draw& draw, uint32_t triangle) {
+        const uint32_t* index = &draw.primitive->indices[size_t(triangle) * 3];
+        for (int i = 0; i < 3; ++i)
+            corner[i] = glm::dvec3(draw.to_world * glm::dvec4(draw.primitive->positions[index[i]], 1));
+        edge1 = corner[1] - corner[0];
+        edge2 = corner[2] - corner[0];
+        across = glm::cross(edge1, edge2);
+    }
+    glm::dvec3 at(glm::dvec2 place) const { return corner[0] + place.x * edge1 + place.y * edge2; }
+    /// Where the ray meets its plane: weights of the second and third corner, and how far along the ray.
+    glm::dvec2 meet(const Ray& ray, double& distance) const {
+        distance = glm::dot(across, corner[0] - ray.origin) / glm::dot(across, ray.direction);
+        const glm::dvec3 inside = ray.origin + distance * ray.direction - corner[0];
+        return glm::dvec2(glm::dot(glm::cross(inside, edge2), across), glm::dot(glm::cross(edge1, inside), across)) /
+               glm::dot(across, across);
+    }
+};
+
 } // namespace
 
 struct RayScene::Embree {
@@ -219,38 +240,39 @@ bool RayScene::closest(const Ray& ray, Hit& hit) const {
 void RayScene::refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights,
                       double embree_distance) const {
     const Draw& draw = draws_[hit.draw];
-    const uint32_t* index = &draw.primitive->indices[size_t(hit.triangle) * 3];
-    glm::dvec3 corner[3];
+    const Triangle triangle(draw, hit.triangle);
     double extent = 0;
-    for (int i = 0; i < 3; ++i) {
-        corner[i] = glm::dvec3(draw.to_world * glm::dvec4(draw.primitive->positions[index[i]], 1));
-        const glm::dvec3 size = glm::abs(corner[i]);
-        extent = std::max({extent, size.x, size.y, size.z});
-    }
-    const glm::dvec3 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];
-    const glm::dvec3 across = glm::cross(edge1, edge2);
-    const double facing = glm::dot(across, ray.direction), area = glm::dot(across, across);
+    for (const glm::dvec3& corner : triangle.corner)
+        for (int axis = 0; axis < 3; ++axis)
+            extent = std::max(extent, std::abs(corner[axis]));
+    const double facing = glm::dot(triangle.across, ray.direction);
 
-    double u = embree_weights.x, v = embree_weights.y;
+    glm::dvec2 place = embree_weights;
     hit.distance = embree_distance;
     // The ray against the triangle's plane, in double. A ray along the plane or a needle of a
     // triangle throws the point out of it: Embree's own answer is the better one then.
-    const double t = glm::dot(across, corner[0] - ray.origin) / facing;
-    const glm::dvec3 inside = ray.origin + t * ray.direction - corner[0];
-    const double exact_u = glm::dot(glm::cross(inside, edge2), across) / area;
-    const double exact_v = glm::dot(glm::cross(edge1, inside), across) / area;
+    double distance = 0;
+    const glm::dvec2 exact = triangle.meet(ray, distance);
     constexpr double slack = 1e-3;
-    if (exact_u > -slack && exact_v > -slack && exact_u + exact_v < 1 + slack) {
-        u = exact_u;
-        v = exact_v;
-        hit.distance = t;
+    if (exact.x > -slack && exact.y > -slack && exact.x + exact.y < 1 + slack) {
+        place = exact;
+        hit.distance = distance;
     }
-    hit.weights = {1 - u - v, u, v};
-    hit.position = corner[0] + u * edge1 + v * edge2;
-    hit.geometric_normal = glm::normalize(facing > 0 ? -across : across);
+    hit.weights = {1 - place.x - place.y, place.x, place.y};
+    hit.position = triangle.at(place);
+    hit.geometric_normal = glm::normalize(facing > 0 ? -triangle.across : triangle.across);
     hit.back = draw.material->double_sided && (facing > 0) != draw.mirrored;
     // Thirty times the rounding of the farthest corner to float.
     hit.offset = extent * 2e-6;
+}
+
+Hit RayScene::beside(const Hit& hit, const Ray& ray) const {
+    const Triangle triangle(draws_[hit.draw], hit.triangle);
+    Hit out = hit;
+    const glm::dvec2 place = triangle.meet(ray, out.distance);
+    out.weights = {1 - place.x - place.y, place.x, place.y};
+    out.position = triangle.at(place);
+    return out;
 }
 
 bool RayScene::blocked(const Ray& ray) const {

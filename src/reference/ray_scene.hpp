@@ -52,6 +52,8 @@ public:
 
     /// The nearest hit within [near, far]. Returns false when there is none.
     bool closest(const Ray& ray, Hit& hit) const;
+    /// Where another ray meets the plane of the triangle that was hit, on the triangle or not.
+    Hit beside(const Hit& hit, const Ray& ray) const;
     /// Whether anything lies on the ray; here both faces of every triangle count.
     bool blocked(const Ray& ray) const;
     const Draw& draw(uint32_t index) const { return draws_[index]; }

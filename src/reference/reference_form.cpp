@@ -20,6 +20,7 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
     form.reflection_vector = is("specular-vector", "reflection");
     form.ambient_as_light = is("ambient", "light");
     form.shadows = is("shadows", "on");
+    form.specular_antialiasing = is("specular-antialiasing", "on");
     using Own = ReferenceForm::OwnShaders;
     form.own_shaders = settings.contains("g-buffer") ? Own::no_lamps
                        : is("lights-per-pass", "1")  ? Own::each_light

@@ -57,6 +57,7 @@ ReferenceForm form_of(const Settings& settings, Shading shading) {
             .reflection_vector = settings.at("specular-vector") == "reflection",
             .ambient_as_light = settings.at("ambient") == "light",
             .shadows = settings.at("shadows") == "on",
+            .specular_antialiasing = settings.at("specular-antialiasing") == "on" && settings.at("specular") == "stored",
             .bilinear_level0 = settings.at("texture-filter") == "bilinear",
             .specular = ways.at(settings.at("specular"))};
 }
@@ -182,6 +183,8 @@ RendererInfo reference_info() {
                  "material",
                  "ambient as a term of the material, or as a light in the diffuse sum"},
                 {"shadows", {"off", "on"}, "off", "a shadow ray for every light that casts a shadow"},
+                {"specular-antialiasing", {"off", "on"}, "on",
+                 "lamps see a rougher surface where normals differ under a pixel; not with a specular way other than stored"},
                 {"texture-filter",
                  {"bilinear", "sampler"},
                  "bilinear",

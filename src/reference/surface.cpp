@@ -143,15 +143,25 @@ void take_layers(const PointReader& read, const Material& material, Surface& sur
     surface.roughness += out.clearcoat * (coat_roughness - surface.roughness); // one sum of light for both
 }
 
-/// What `detailed` adds to a surface.
-void take_details(const PointReader& read, const Material& material, const Frame& frame, Surface& surface, bool back) {
-    if (const TextureRef* ref = own_map(material, "detail_normal_map"); ref && frame.has_tangents) {
-        const glm::dvec3 detail = 2.0 * glm::dvec3(read.texture(*ref, Encoding::linear)) - 1.0;
-        const TextureRef* mask = own_map(material, "detail_mask");
-        const double amount = own_number(material, "detail") * (mask ? read.texture(*mask, Encoding::linear).r : 1.0);
-        const glm::dvec3 base = mapped_normal(read, material);
-        surface.normal = frame.to_world({base.x + amount * detail.x, base.y + amount * detail.y, base.z}) * (back ? -1.0 : 1.0);
-    }
+bool is_detailed(const Material& material) { return material.shader && material.shader->name == "detailed"; }
+
+/// The shading normal, with the normal map and what `detailed` adds to it.
+glm::dvec3 bent_normal(const PointReader& read, const Material& material, const Frame& frame, bool back) {
+    const double side = back ? -1 : 1;
+    if (!frame.has_tangents)
+        return frame.normal * side;
+    const TextureRef* details = is_detailed(material) ? own_map(material, "detail_normal_map") : nullptr;
+    if (!details)
+        return (material.normal_texture ? frame.to_world(mapped_normal(read, material)) : frame.normal) * side;
+    const glm::dvec3 detail = 2.0 * glm::dvec3(read.texture(*details, Encoding::linear)) - 1.0;
+    const TextureRef* mask = own_map(material, "detail_mask");
+    const double amount = own_number(material, "detail") * (mask ? read.texture(*mask, Encoding::linear).r : 1.0);
+    const glm::dvec3 base = mapped_normal(read, material);
+    return frame.to_world({base.x + amount * detail.x, base.y + amount * detail.y, base.z}) * side;
+}
+
+/// What `detailed` adds to a surface beside its normal.
+void take_details(const PointReader& read, const Material& material, Surface& surface) {
     if (const TextureRef* ref = own_map(material, "gloss_map"))
         surface.roughness = 1 + (surface.roughness - 1) * read.texture(*ref, Encoding::linear).r;
     if (const TextureRef* ref = own_map(material, "incandescence_map"))
@@ -160,21 +170,37 @@ void take_details(const PointReader& read, const Material& material, const Frame
 
 } // namespace
 
+glm::dvec3 shading_normal(const RayScene& scene, const Textures& textures, const Hit& hit, glm::dvec3 view) {
+    const Draw& draw = scene.draw(hit.draw);
+    PointReader read(textures, draw, hit);
+    const Frame frame = frame_of(read, draw, hit);
+    if (is_detailed(*draw.material) && frame.has_tangents)
+        take_relief(read, *draw.material, frame, view, hit.back);
+    return bent_normal(read, *draw.material, frame, hit.back);
+}
+
+void antialias_specular(Surface& surface, glm::dvec3 across, glm::dvec3 down) {
+    across -= surface.normal;
+    down -= surface.normal;
+    const double spread = 0.5 * (glm::dot(across, across) + glm::dot(down, down));
+    const double alpha2 = std::pow(surface.environment_roughness, 4) + (spread < 0.18 ? spread : 0.18); // no number: 0.18
+    surface.roughness = std::max(std::pow(std::min(alpha2, 1.0), 0.25), roughness_min);
+}
+
 Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
                          glm::dvec3 view) {
     const Draw& draw = scene.draw(hit.draw);
     const Material& material = *draw.material;
     PointReader read(textures, draw, hit);
     const Frame frame = frame_of(read, draw, hit);
-    const bool detailed = material.shader && material.shader->name == "detailed";
+    const bool detailed = is_detailed(material);
     if (detailed && frame.has_tangents)
         take_relief(read, material, frame, view, hit.back);
 
     Surface surface;
     surface.position = hit.position;
     surface.view = view;
-    const bool mapped = material.normal_texture && frame.has_tangents;
-    surface.normal = (mapped ? frame.to_world(mapped_normal(read, material)) : frame.normal) * (hit.back ? -1.0 : 1.0);
+    surface.normal = bent_normal(read, material, frame, hit.back);
     surface.base_colour = glm::dvec3(scene.base_colour(draw, hit.triangle, hit.weights, read.shift));
     surface.unlit = material.unlit;
     surface.shaded = material.shader ? &material : nullptr;
@@ -195,7 +221,7 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
     if (material.shader && material.shader->name == "layered")
         take_layers(read, material, surface);
     if (detailed)
-        take_details(read, material, frame, surface, hit.back);
+        take_details(read, material, surface);
     surface.environment_roughness = surface.roughness;
     surface.roughness = std::max(surface.roughness, roughness_min);
     return surface;

@@ -19,12 +19,19 @@ struct Surface {
     glm::dvec3 emissive{0};     ///< linear radiance
     double metallic = 0;
     double roughness = 1; ///< perceptual, ≥ 0.089
-    double environment_roughness = 1; ///< the same, without the least that lamps see
+    double environment_roughness = 1; ///< the same, without the least and the anti-aliasing of what lamps see
     double occlusion = 1; ///< on ambient light; strength is worked in
     bool unlit = false;
     SurfaceLayers layers{};
     const Material* shaded = nullptr; ///< the material, when it has a shader of its own
 };
+
+/// The shading normal that `evaluate_surface` finds there.
+glm::dvec3 shading_normal(const RayScene& scene, const Textures& textures, const Hit& hit, glm::dvec3 view);
+
+/// Makes lamps see a rougher surface, by the normals beside it in its row and column of a quad of pixels:
+/// ReferenceForm::specular_antialiasing.
+void antialias_specular(Surface& surface, glm::dvec3 across, glm::dvec3 down);
 
 /// Reads the material at a hit. `view` points towards the viewer.
 /// Throws Error for a material whose shader is a user's file: this knows built-in ones alone.

@@ -95,8 +95,9 @@ private:
         if (!found)
             return;
         const Draw& draw = scene_.draw(hit.draw);
-        const Surface surface =
-            evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
+        Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
+        if (form_.specular_antialiasing)
+            antialias_specular(surface, normal_at(hit, x ^ 1, y), normal_at(hit, x, y ^ 1));
         picture.instance[pixel] = draw.instance;
         picture.primitive[pixel] = draw.primitive_index;
         picture.position[pixel] = origin_ + hit.position;
@@ -125,6 +126,12 @@ private:
             buffers_->light_count[pixel] = lighting.sums().contributing;
         }
         picture.linear.pixels[pixel] = glm::vec3(lighting.radiance(ambient_) * factor_);
+    }
+
+    /// The normal that the triangle, its plane going on beyond its edges, has under another pixel.
+    glm::dvec3 normal_at(const Hit& hit, uint32_t x, uint32_t y) const {
+        const Ray ray = lens_.ray(x, y);
+        return shading_normal(scene_, textures_, scene_.beside(hit, ray), glm::normalize(-ray.direction));
     }
 
     bool shadowed(const Hit& hit, const Incident& light) const {

@@ -97,12 +97,12 @@ RendererInfo deferred_info() {
                  passes::list_contents_setting(),
                      {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                      {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
-                     {"specular-antialiasing", {"off", "on"}, "off", "on: roughness grows with the spread of normals under a pixel"},
+                     specular_antialiasing_setting(),
                      {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                       "bilinear: level 0 only, for comparing with the reference"}},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count"},
         .presets = {"killzone2"},
-        .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}}}};
+        .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}}};
     for (SettingInfo& setting : draw_settings(false))
         info.settings.push_back(std::move(setting));
     for (SettingInfo& setting : shadow_settings(true))

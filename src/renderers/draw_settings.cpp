@@ -41,6 +41,11 @@ std::vector<SettingInfo> draw_settings(bool twice) {
     return all;
 }
 
+SettingInfo specular_antialiasing_setting() {
+    return {"specular-antialiasing", {"off", "on"}, "on",
+            "on: lamps see a rougher surface where normals differ under a pixel, so that highlights do not sparkle"};
+}
+
 void resolve_draw_settings(Settings& settings, const gpu::Context& context) {
     if (!settings.all().contains("draws"))
         return;

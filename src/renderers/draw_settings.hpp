@@ -8,6 +8,8 @@ namespace prelight {
 /// The settings of every architecture that say how geometry is drawn: [G2] [G3].
 /// `twice`: of one that draws all geometry twice, and may leave out in the second pass what the first one hid [G1].
 std::vector<SettingInfo> draw_settings(bool twice);
+/// Of every architecture that lights surfaces.
+SettingInfo specular_antialiasing_setting();
 /// Replaces "auto" by what is best on the device, and what it lacks by what it has, with a note.
 void resolve_draw_settings(Settings& settings, const gpu::Context& context);
 /// What resolved settings say; defaults of DrawOptions where a renderer has none of them.

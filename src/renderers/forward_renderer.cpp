@@ -12,6 +12,7 @@ ForwardRenderer::ForwardRenderer(Device& device, const RenderOptions& options, S
     model_.fresnel = this->settings().is("model", "nv") ? passes::FresnelModel::nv : passes::FresnelModel::full;
     model_.step_gate = this->settings().is("specular-gate", "step");
     model_.reflection_vector = this->settings().is("specular-vector", "reflection");
+    model_.specular_antialiasing = this->settings().is("specular-antialiasing", "on");
 }
 
 resident::FrameSettings ForwardRenderer::frame_settings() const {
@@ -61,6 +62,7 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twi
         {"model", {"full", "nv"}, "full", "Fresnel: of each light at V·H, or at N·V"},
         {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
         {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+        specular_antialiasing_setting(),
         {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
          "bilinear: level 0 only, for comparing with the reference"}};
     own.insert(own.end(), common.begin(), common.end());

@@ -51,6 +51,16 @@ void check_specular_way(Settings& settings, LightModel& model) {
     model.buffer = buffer_format(packed);
 }
 
+/// What raises a sum of lights takes the exponent as the material says it: the first pass's roughness is not asked.
+void resolve_specular_antialiasing(Settings& settings, const LightModel& model) {
+    if (model.specular == SpecularWay::stored || settings.is("specular-antialiasing", "off"))
+        return;
+    if (settings.given("specular-antialiasing"))
+        throw UsageError(fmt::format("--set specular-antialiasing=on: specular={} does not take the stored roughness",
+                                     settings.get("specular")));
+    settings.resolve("specular-antialiasing", "off");
+}
+
 void choose_fresnel(Settings& settings, LightModel& model) {
     if (settings.is("model", "auto"))
         settings.resolve("model", model.packed() ? "mono" : model.has_alpha() ? "weighted" : "nv");
@@ -115,6 +125,7 @@ passes::LightModel light_model(Settings& settings, Shading shading) {
                      .reflection_vector = settings.is("specular-vector", "reflection"),
                      .ambient_as_light = settings.is("ambient", "light")};
     check_specular_way(settings, model);
+    resolve_specular_antialiasing(settings, model);
     choose_fresnel(settings, model);
     choose_writes(settings, model);
     return model;

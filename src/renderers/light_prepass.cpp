@@ -111,7 +111,7 @@ RendererInfo light_prepass_info() {
                  passes::tile_size_setting(),
                  passes::list_shading_setting(),
                  passes::list_contents_setting(),
-                 {"specular-antialiasing", {"off", "on"}, "off", "on: roughness grows with the spread of normals under a pixel"},
+                 specular_antialiasing_setting(),
                  {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                   "bilinear: level 0 only, for comparing with the reference"}},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",

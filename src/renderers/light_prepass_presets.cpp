@@ -12,7 +12,8 @@ std::map<std::string, std::map<std::string, std::string>> light_prepass_presets(
           {"normal-space", "world"},
           {"light-buffer", "packed-rgba8"},
           {"specular", "luminance"},
-          {"light-culling", "volumes"}}},
+          {"light-culling", "volumes"},
+          {"specular-antialiasing", "off"}}},
         // M. Quandt, Light Pre-Pass Round 2: depth in a colour target (Single, HalfSingle, Color), world-space
         // normals in 10:10:10:2 (Color), R·V in alpha, frustum rays, ambient and directional lights full
         // screen, spheres, cones; no depth test, culling by the camera's place.
@@ -27,7 +28,8 @@ std::map<std::string, std::map<std::string, std::string>> light_prepass_presets(
           {"ambient", "light"},
           {"light-culling", "volumes"},
           {"spot-volume", "cone"},
-          {"volume-depth-test", "off"}}},
+          {"volume-depth-test", "off"},
+          {"specular-antialiasing", "off"}}},
         // M. Lee, Prelighting: view-space normal in RGB and specular power in alpha of the memory that later
         // holds the frame (the frame graph sees to that), diffuse and specular light by MRT in 8:8:8:8
         // each (3.7 MB at 1280 × 720), one screen-space quad a light.
@@ -36,7 +38,8 @@ std::map<std::string, std::map<std::string, std::string>> light_prepass_presets(
           {"normal-space", "view"},
           {"light-buffer", "rgba8"},
           {"specular", "stored"},
-          {"light-culling", "rectangles"}}},
+          {"light-culling", "rectangles"},
+          {"specular-antialiasing", "off"}}},
     };
 }
 

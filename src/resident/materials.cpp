@@ -1,4 +1,5 @@
 #include "environment.hpp"
+#include "normal_map_levels.hpp"
 #include "scene.hpp"
 #include <array>
 #include <cstring>
@@ -15,15 +16,15 @@ struct Slot {
     TextureRef Material::* ref;
     uint32_t binding;
     uint32_t feature;
-    bool srgb;
+    TextureUse use;
 };
 constexpr std::array slots{
-    Slot{&Material::base_colour_texture, MATERIAL_BASE_COLOUR, FEATURE_BASE_COLOUR_TEXTURE, true},
+    Slot{&Material::base_colour_texture, MATERIAL_BASE_COLOUR, FEATURE_BASE_COLOUR_TEXTURE, TextureUse::colour},
     Slot{&Material::metallic_roughness_texture, MATERIAL_METALLIC_ROUGHNESS,
-         FEATURE_METALLIC_ROUGHNESS_TEXTURE, false},
-    Slot{&Material::normal_texture, MATERIAL_NORMAL, FEATURE_NORMAL_TEXTURE, false},
-    Slot{&Material::occlusion_texture, MATERIAL_OCCLUSION, FEATURE_OCCLUSION_TEXTURE, false},
-    Slot{&Material::emissive_texture, MATERIAL_EMISSIVE, FEATURE_EMISSIVE_TEXTURE, true}};
+         FEATURE_METALLIC_ROUGHNESS_TEXTURE, TextureUse::values},
+    Slot{&Material::normal_texture, MATERIAL_NORMAL, FEATURE_NORMAL_TEXTURE, TextureUse::normals},
+    Slot{&Material::occlusion_texture, MATERIAL_OCCLUSION, FEATURE_OCCLUSION_TEXTURE, TextureUse::values},
+    Slot{&Material::emissive_texture, MATERIAL_EMISSIVE, FEATURE_EMISSIVE_TEXTURE, TextureUse::colour}};
 
 /// The material's texture for one that its shader declares; none: an empty reference.
 const TextureRef& own_texture(const Material& material, const std::string& name) {
@@ -74,9 +75,9 @@ public:
     /// Waits until all textures are there.
     void finish() { uploader_.finish(); }
 
-    gpu::Binding binding(uint32_t binding, bool srgb, const TextureRef& ref,
+    gpu::Binding binding(uint32_t binding, TextureUse use, const TextureRef& ref,
                          MaterialTexture::StandIn without = MaterialTexture::StandIn::white) {
-        const gpu::Texture& texture = find_texture(ref.image, srgb, without);
+        const gpu::Texture& texture = find_texture(ref.image, use, without);
         return gpu::Binding::texture(binding, texture.view(), find_sampler(ref.sampler));
     }
 
@@ -85,8 +86,8 @@ public:
         if (material.shader)
             for (const MaterialTexture& own : material.shader->textures)
                 if (own.slot == slot)
-                    return binding(MATERIAL_OWN_TEXTURE + slot, own.colour, own_texture(material, own.name), own.stand_in);
-        return binding(MATERIAL_OWN_TEXTURE + slot, false, {});
+                    return binding(MATERIAL_OWN_TEXTURE + slot, own.colour ? TextureUse::colour : TextureUse::values, own_texture(material, own.name), own.stand_in);
+        return binding(MATERIAL_OWN_TEXTURE + slot, TextureUse::values, {});
     }
 
     void make_environment(double exposure) {
@@ -99,15 +100,17 @@ public:
     }
 
 private:
-    const gpu::Texture& find_texture(uint32_t image, bool srgb, MaterialTexture::StandIn without) {
+    const gpu::Texture& find_texture(uint32_t image, TextureUse use, MaterialTexture::StandIn without) {
         const TextureImage& source = image == no_image ? stand_in(without) : scene_.images[image];
-        const auto key = std::pair(&source, srgb);
+        const auto key = std::pair(&source, use);
         const auto found = out_.textures.find(key);
         if (found != out_.textures.end())
             return found->second;
-        const auto encoding = srgb                                      ? gpu::TextureEncoding::srgb8
+        const auto encoding = use == TextureUse::colour                              ? gpu::TextureEncoding::srgb8
                               : filter_ == gpu::TextureFilter::bilinear ? gpu::TextureEncoding::half
                                                                         : gpu::TextureEncoding::linear8;
+        if (use == TextureUse::normals)
+            return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, normal_map_levels(source), encoding)).first->second;
         return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, source, encoding)).first->second;
     }
     VkSampler find_sampler(const Sampler& sampler) {
@@ -182,7 +185,7 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
         set.push_back(gpu::Binding::uniform(MATERIAL_CONSTANTS, out.constants.handle(), m * stride,
                                             sizeof(shared::MaterialConstants)));
         for (const Slot& slot : slots)
-            set.push_back(cache.binding(slot.binding, slot.srgb, material.*slot.ref));
+            set.push_back(cache.binding(slot.binding, slot.use, material.*slot.ref));
         for (uint32_t slot = 0; slot < MATERIAL_OWN_TEXTURES; ++slot)
             set.push_back(cache.own_binding(material, slot));
         set.push_back(gpu::Binding::texture(MATERIAL_ENVIRONMENT, out.environment->view(), out.environment_sampler));

@@ -52,12 +52,15 @@ struct VertexAttributes {
     uint16_t colour[4]; ///< unsigned normalised
 };
 
+/// What texels are: sRGB colours; linear values; a normal map, with normal_map_levels().
+enum class TextureUse { colour, values, normals };
+
 /// Textures, samplers and one descriptor set a material.
 struct Materials {
     explicit Materials(const gpu::Context& context) : pool(context) {}
     MaterialShaders shaders;
     gpu::MemoryPool pool;
-    std::map<std::pair<const TextureImage*, bool>, gpu::Texture> textures; ///< {image, sRGB}
+    std::map<std::pair<const TextureImage*, TextureUse>, gpu::Texture> textures;
     std::vector<gpu::UniqueSampler> samplers;
     gpu::Buffer constants;
     gpu::Buffer parameters; ///< of the shaders; one block a material

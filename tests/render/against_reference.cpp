@@ -67,6 +67,7 @@ ReferenceForm form_of(const Shot& shot) {
     form.reflection_vector = is(shot, "specular-vector", "reflection");
     form.ambient_as_light = is(shot, "ambient", "light");
     form.shadows = is(shot, "shadows", "on");
+    form.specular_antialiasing = !is(shot, "specular-antialiasing", "off") && form.specular == Specular::stored;
     form.own_shaders = shot.renderer == "deferred"    ? ReferenceForm::OwnShaders::no_lamps
                        : shot.renderer == "multipass" ? ReferenceForm::OwnShaders::each_light
                                                       : ReferenceForm::OwnShaders::sums;

@@ -46,7 +46,7 @@ TEST_P(RandomScenes, EveryArchitectureAgreesWithTheReferenceAndTheOthers) {
     const RandomScene scene(GetParam());
     const Shot form = scene.shot();
     const ReferencePicture reference = render_reference(scene.world, scene.camera, form.width, form.height, 0,
-                                                        {.fresnel = ReferenceForm::Fresnel::nv});
+                                                        {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
     Image first;
     for (const Shot& shot : every_architecture(form)) {
         SCOPED_TRACE(name_of(shot));
@@ -120,7 +120,7 @@ TEST(EveryArchitecture, TheReferenceTakesOtherLightsToo) {
     const Image image = renderer->read("linear");
     garden.world.lights = lights;
     EXPECT_TRUE(image.pixels ==
-                render_reference(garden.world, garden.camera, 64, 36, 0, {.fresnel = ReferenceForm::Fresnel::full})
+                render_reference(garden.world, garden.camera, 64, 36, 0, {.fresnel = ReferenceForm::Fresnel::full, .specular_antialiasing = true})
                     .linear.pixels);
 }
 

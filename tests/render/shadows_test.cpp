@@ -62,7 +62,7 @@ TEST(Shadows, S1_EveryArchitectureAgreesWithShadowRays) {
     const ShadowGarden garden;
     Shot form = garden.shot();
     const ReferencePicture reference = render_reference(garden.world, garden.camera, form.width, form.height, 0,
-                                                        {.fresnel = ReferenceForm::Fresnel::nv, .shadows = true});
+                                                        {.fresnel = ReferenceForm::Fresnel::nv, .shadows = true, .specular_antialiasing = true});
     size_t shadowed = 0;
     for (const uint64_t mask : reference.shadow_mask)
         shadowed += mask != 0;
