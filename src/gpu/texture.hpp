@@ -28,7 +28,7 @@ public:
 private:
     void make(const Context& context, MemoryPool& pool, const std::string& name, VkFormat format, uint32_t width,
               uint32_t height, uint32_t levels);
-    /// For the fragment shader.
+    /// For fragment and compute shaders.
     void finish(VkCommandBuffer commands, VkImageLayout from, uint32_t levels) const;
     void fill(Uploader& uploader, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const;
     UniqueImage image_;

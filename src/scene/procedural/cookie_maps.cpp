@@ -31,11 +31,13 @@ TextureImage painted(const char* name, uint32_t width, uint32_t height, Colour c
     return image;
 }
 
-/// Above 0 inside a star of five points around the origin.
-double star(glm::dvec2 p, double radius) {
-    const double angle = std::atan2(p.x, p.y), fifth = 2 * pi / 5;
-    const double off = std::abs(std::remainder(angle, fifth));
-    return radius * std::cos(pi / 5 * 1.9) / std::cos(std::max(fifth / 2 - off, 0.0) * 1.9) - glm::length(p) * 0.45;
+/// Inside a star of five points around the origin, one of them up.
+bool in_star(glm::dvec2 p, double radius) {
+    const double fifth = 2 * pi / 5, off = std::abs(std::remainder(std::atan2(p.x, -p.y), fifth));
+    const glm::dvec2 place = glm::length(p) * glm::dvec2(std::cos(off), std::sin(off));
+    const glm::dvec2 tip(radius, 0), notch = 0.42 * radius * glm::dvec2(std::cos(fifth / 2), std::sin(fifth / 2));
+    const glm::dvec2 edge = notch - tip, from_tip = place - tip;
+    return edge.x * from_tip.y - edge.y * from_tip.x > 0; // the side of the origin
 }
 
 constexpr std::array<glm::dvec3, 5> glass{
@@ -60,16 +62,16 @@ TextureImage window_cookie() {
 
 TextureImage lantern_cookie() {
     return painted("lantern", 512, 256, [](double u, double v) {
-        constexpr int rows = 5, columns = 10;
-        const double row = v * rows - 0.5;
-        if (row < 0 || row > rows - 1)
-            return glm::dvec3(v < 0.5 ? 0.9 : 0.0); // open above, closed below
-        const double band = std::abs(row - std::round(row));
-        if (band > 0.47)
-            return glm::dvec3(0.8, 0.55, 0.3); // slits between the bands
-        const double column = u * columns + (int(std::round(row)) % 2 ? 0.5 : 0.0);
-        const glm::dvec2 place(column - std::floor(column) - 0.5, row - std::round(row));
-        return star(place, 0.4) > 0 ? glm::dvec3(1, 0.8, 0.5) : glm::dvec3(0.015);
+        constexpr int rows = 6, columns = 12; // 30° each
+        constexpr glm::dvec3 metal(0.012), lit(1, 0.8, 0.5);
+        const double row = v * rows, column = u * columns + (int(row) % 2 ? 0.5 : 0.0);
+        if (row < 0.6)
+            return lit; // open above
+        if (row < 1 || row >= 5)
+            return metal;
+        const glm::dvec2 place(column - std::floor(column) - 0.5, row - std::floor(row) - 0.5);
+        const bool slit = std::abs(place.y) > 0.465 && row > 1.5 && row < 4.5;
+        return slit || in_star(place, 0.4) ? lit : metal;
     });
 }
 

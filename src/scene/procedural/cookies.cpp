@@ -58,8 +58,8 @@ void add_lights(Scene& scene, uint32_t lights, uint64_t seed) {
                    dice = append(scene.images, dice_cookie());
     const auto profile = std::make_shared<const LightProfile>(parse_profile(wall_lamp_profile(), "wall lamp"));
     const Light through_window{.name = "window", .kind = LightKind::spot, .colour = {1, 0.95f, 0.85f}, .intensity = 150, .range = 16,
-                               .inner_cone = 0.5f, .outer_cone = 0.52f, .cookie = window};
-    const Light pierced{.name = "lantern", .kind = LightKind::point, .colour = {1, 0.85f, 0.6f}, .intensity = 14, .range = 9, .cookie = lantern};
+                               .inner_cone = 0.38f, .outer_cone = 0.4f, .cookie = window};
+    const Light pierced{.name = "lantern", .kind = LightKind::point, .colour = {1, 0.85f, 0.6f}, .intensity = 12, .range = 9, .cookie = lantern};
     const Light pips{.name = "dice", .kind = LightKind::point, .intensity = 7, .range = 6, .cookie = dice};
     Light wall{.name = "wall lamp", .kind = LightKind::point, .colour = {1, 0.9f, 0.75f}, .intensity = 9, .range = 7, .profile = profile};
     const Light both{.name = "stage", .kind = LightKind::spot, .colour = {0.8f, 0.9f, 1}, .intensity = 0.05f, .range = 10, .inner_cone = 0.7f,
@@ -67,7 +67,7 @@ void add_lights(Scene& scene, uint32_t lights, uint64_t seed) {
     uint32_t made = 0;
     const auto wanted = [&] { return made++ < lights; };
     if (wanted())
-        add_aimed(scene, through_window, {5.4, 3.6, 3.4}, {0.2, 0, -0.4});
+        add_aimed(scene, through_window, {5.4, 3.7, 3.6}, {0.4, 0, 0.2});
     if (wanted()) {
         const glm::dvec3 at(-3, 1.7, -0.4);
         add_light(scene, pierced, at);
