@@ -40,45 +40,52 @@ vec4 cube_place(vec3 d) {
     return vec4(vec2(0.5) + vec2(0.5, -0.5) * across / away, 1.0 / (away * away), number);
 }
 
-vec3 map_texel(DistributionData light, vec2 texel) {
-    return textureLod(distribution_maps, texel * vec2(light.right.w, light.up.w), 0.0).rgb;
+vec3 map_texel(vec2 texel) {
+    return textureLod(distribution_maps, texel / vec2(textureSize(distribution_maps, 0)), 0.0).rgb;
 }
 
 // Between the two levels whose texels are nearest to what a pixel covers.
-vec3 cookie_at(DistributionData light, vec4 place, float spread) {
-    float last = light.cookie.z;
-    float lod = clamp(log2(max(spread * light.detail.x * place.z, 1.0)), 0.0, last), level = floor(lod);
-    float first = light.cookie.y + place.w * (last + 1.0) + level;
-    vec4 finer = distribution_levels[uint(first)].rectangle;
-    vec4 coarser = distribution_levels[uint(first + (level < last ? 1.0 : 0.0))].rectangle;
-    return mix(map_texel(light, finer.xy + place.xy * finer.zw), map_texel(light, coarser.xy + place.xy * coarser.zw), lod - level);
+vec3 cookie_at(uint index, vec4 place, float spread) {
+    vec4 cookie = distributions[index].cookie;
+    float lod = clamp(log2(max(spread * distributions[index].detail.x * place.z, 1.0)), 0.0, cookie.z), level = floor(lod);
+    uint first = uint(cookie.y + place.w * (cookie.z + 1.0) + level);
+    vec4 finer = distribution_levels[first].rectangle;
+    vec3 colour = map_texel(finer.xy + place.xy * finer.zw);
+    for (bool once = lod > level; once; once = false) {
+        vec4 coarser = distribution_levels[first + 1u].rectangle;
+        colour = mix(colour, map_texel(coarser.xy + place.xy * coarser.zw), lod - level);
+    }
+    return colour;
 }
 
-float profile_at(DistributionData light, vec3 d) {
+float profile_at(uint index, vec3 d) {
+    vec2 limits = distributions[index].detail.zw;
+    vec4 profile = distributions[index].profile;
     float off_axis = acos(clamp(-d.z, -1.0, 1.0)), around = atan(d.y, d.x);
     around += around < 0.0 ? 2.0 * half_turn : 0.0;
-    bool lit = off_axis >= light.detail.z && off_axis <= light.detail.w;
-    return lit ? map_texel(light, light.profile.xz + vec2(around, off_axis) * light.profile.yw).r : 0.0;
+    bool lit = off_axis >= limits.x && off_axis <= limits.y;
+    return lit ? map_texel(profile.xz + vec2(around, off_axis) * profile.yw).r : 0.0;
 }
 
 // Factor of the light's colour; `number`: that of its record, from 1. `direction`: unit, from the light; `spread`: radians
 // that a pixel at the lit point covers, seen from the light.
 //
 // Loops of one turn: a software device leaves out a loop that no invocation enters, but runs both sides of an `if`.
+// Members are read where they are needed: each costs it a load for each invocation.
 vec3 light_distribution(uint number, vec3 direction, float spread) {
-    DistributionData light = distributions[number - 1u];
-    vec3 d = vec3(dot(direction, light.right.xyz), dot(direction, light.up.xyz),
-                  dot(direction, cross(light.right.xyz, light.up.xyz)));
-    int kind = int(light.cookie.x);
+    uint index = number - 1u;
+    vec3 right = distributions[index].right.xyz, up = distributions[index].up.xyz;
+    vec3 d = vec3(dot(direction, right), dot(direction, up), dot(direction, cross(right, up)));
+    int kind = int(distributions[index].cookie.x);
     vec3 factor = vec3(1.0);
     for (bool once = kind == COOKIE_SPOT; once; once = false)
-        factor = d.z < 0.0 ? cookie_at(light, spot_place(d, light.cookie.w), spread) : vec3(0.0);
+        factor = d.z < 0.0 ? cookie_at(index, spot_place(d, distributions[index].cookie.w), spread) : vec3(0.0);
     for (bool once = kind == COOKIE_SPHERE; once; once = false)
-        factor = cookie_at(light, sphere_place(d), spread);
+        factor = cookie_at(index, sphere_place(d), spread);
     for (bool once = kind == COOKIE_CUBE; once; once = false)
-        factor = cookie_at(light, cube_place(d), spread);
-    for (bool once = light.detail.y > 0.0; once; once = false)
-        factor *= profile_at(light, d);
+        factor = cookie_at(index, cube_place(d), spread);
+    for (bool once = distributions[index].detail.y > 0.0; once; once = false)
+        factor *= profile_at(index, d);
     return factor;
 }
 #endif

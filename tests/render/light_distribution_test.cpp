@@ -20,18 +20,29 @@ std::shared_ptr<const LightProfile> wall_lamp() {
     return profile;
 }
 
+/// Equirectangular, so coarse that one sees between which texels it is mixed.
+TextureImage patches() {
+    TextureImage image{"patches", 24, 12, {}};
+    uint32_t state = 7;
+    for (uint32_t i = 0; i < 24 * 12; ++i) {
+        state = state * 1664525u + 1013904223u;
+        image.rgba.insert(image.rgba.end(), {uint8_t(state >> 24), uint8_t(state >> 16), uint8_t(state >> 20), 255});
+    }
+    return image;
+}
+
 /// A garden with a light of each kind that has a cookie or a profile, and two that have none.
 struct CookieGarden : Garden {
     CookieGarden() : CookieGarden(glm::dvec3(0)) {}
     explicit CookieGarden(glm::dvec3 origin) : Garden(origin) {
-        scene.images = {window_cookie(), lantern_cookie(), dice_cookie()};
+        scene.images = {window_cookie(), patches(), dice_cookie()};
         Light window = spot(0.6f, 14, 70);
         window.inner_cone = 0.55f;
         window.cookie = 0;
         turned(window, at(3, 5.5, 4), {-0.5, -1, -0.7}, {0.2, 1, 0.1});
         Light lantern = point(9, 9);
         lantern.cookie = 1;
-        turned(lantern, at(-2.5, 2.4, 2.4), {0.3, -0.2, -1}, {0.3, 1, 0});
+        turned(lantern, at(-2.5, 2.4, 2.4), {-0.5, 1.2, -0.3}, {0.3, 0.5, -1}); // where it goes round lies on the floor
         Light dice = point(8, 8, {0.8f, 0.9f, 1});
         dice.cookie = 2;
         turned(dice, at(2.2, 2.6, -1), {-0.6, 0.2, -1}, {0.1, 1, 0.4});
