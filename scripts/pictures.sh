@@ -84,6 +84,16 @@ for filter in pcf contact; do
 done
 keep shadows
 keep shadows-reference
+
+# Cookies and profiles of lights.
+"$prelight" render cookies --size 640x360 -o "$work/cookies.png"
+"$prelight" render cookies --size 640x360 --renderer reference -o "$work/cookies-reference.png"
+"$prelight" render cookies --size 640x360 --set shadows=on -o "$work/cookies-shadows.png"
+"$prelight" render cookies --size 640x360 --camera wall -o "$work/cookies-wall.png"
+for name in cookies cookies-reference cookies-shadows cookies-wall; do
+    keep $name
+done
+
 # Every built-in material on the same sphere; deferred shading knows one. And a user's own.
 for renderer in light-prepass deferred; do
     "$prelight" render materials --size 960x540 --renderer $renderer -o "$work/materials-$renderer.png"

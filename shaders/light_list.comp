@@ -26,7 +26,8 @@ LightFront front;
 Lamp shuffled(Lamp mine, uint lane) {
     return Lamp(shuffled(mine.position, lane), shuffled(mine.colour, lane), subgroupShuffle(mine.luminance, lane),
                 subgroupShuffle(mine.inverse_range2, lane), shuffled(mine.axis, lane), shuffled(mine.cone, lane),
-                subgroupShuffle(mine.shininess, lane), subgroupShuffle(mine.falloff, lane)
+                subgroupShuffle(mine.shininess, lane), subgroupShuffle(mine.falloff, lane),
+                subgroupShuffle(mine.distribution, lane)
 #ifdef SHADOWS
                 , subgroupShuffle(mine.shadow, lane)
 #endif

@@ -1,9 +1,15 @@
 #pragma once
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace prelight {
+
+struct LightProfile; // light_distribution.hpp
+
+inline constexpr uint32_t no_cookie = 0xffffffffu;
 
 enum class LightKind { directional, point, spot };
 /// Falloff with distance. `gltf` is the default everywhere; the others are the source texts'.
@@ -26,6 +32,11 @@ struct Light {
     float shininess = 1; ///< [phong] light shininess n: multiplies the material's exponent (8.5.4)
     Falloff falloff = Falloff::gltf; ///< linear and quadratic need a finite range
     bool casts_shadow = true; ///< where a renderer draws shadows at all (setting `shadows`)
+    /// What it sends in which direction; light_distribution.hpp says how. Points and spots only.
+    uint32_t cookie = no_cookie; ///< index into Scene::images, or no_cookie
+    std::shared_ptr<const LightProfile> profile{}; ///< measured; null: the same everywhere
+    bool profile_candela = false; ///< `intensity` is a factor on the profile's candela, not its maximum
+    float size = 0.03f; ///< metres: radius of the sphere that soft shadows take it for; not directional
 };
 
 } // namespace prelight

@@ -127,6 +127,9 @@ struct PlacedLight {
     Light light;
     glm::dvec3 position{0};         ///< world, metres
     glm::dvec3 direction{0, 0, -1}; ///< world, unit: the way the light shines
+    /// World: the node's +Y axis, which is up in its cookie. What of it lies along `direction` does not
+    /// count (light_axes() in light_distribution.hpp).
+    glm::dvec3 up{0, 1, 0};
 };
 
 /// What one frame shows: the node tree resolved to world space, in the order of a depth-first walk.

@@ -10,6 +10,10 @@
 // only of frames with shadows
 #define FRAME_SHADOWS 5
 #define FRAME_SHADOW_SAMPLER 6
+// of lights that send more in some directions: cookies, profiles
+#define FRAME_DISTRIBUTIONS 7
+#define FRAME_DISTRIBUTION_LEVELS 8
+#define FRAME_DISTRIBUTION_MAPS 9
 
 #define SET_INPUTS 1
 // light pass
@@ -142,7 +146,14 @@
 #define LIGHT_KIND_SPOT 1u
 #define LIGHT_KIND_DIRECTIONAL 2u
 #define LIGHT_KIND_SEED_FALLOFF 4u
-#define LIGHT_KINDS_ALL 7u
+#define LIGHT_KIND_DISTRIBUTION 8u
+#define LIGHT_KINDS_ALL 15u
+
+// What a cookie is.
+#define COOKIE_NONE 0
+#define COOKIE_SPOT 1
+#define COOKIE_SPHERE 2
+#define COOKIE_CUBE 3
 
 #define NORMAL_OCT24 0
 #define NORMAL_OCT32 1

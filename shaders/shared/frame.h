@@ -25,11 +25,28 @@ struct FrameConstants {
 
 // One light; directional ones are point lights whose vector to the light is constant.
 struct LightData {
-    vec4 position;  // xyz: world position, or the unit vector to a directional light; w: 1 or 0
+    vec4 position;  // xyz: world position, or the unit vector to a directional light; w: 0 of a directional one,
+                    // else 1, and 1 + the number of its DistributionData, counted from 1, where it has one
     vec4 colour;    // rgb: colour · intensity · exposure; w: 1 / range, 0 when infinite
     vec4 axis;      // xyz: unit vector the light shines along (spot); w: shininess
     vec4 cone;      // x, y: scale and offset of the cone's falloff; z: falloff kind, and 4 ×
                     // (number of its first shadow tile + 1) where it has one; w: outer angle
+};
+
+// What a light sends in which direction: a cookie, a measured profile, or both. Maps lie in one image, level by level
+// with a texel around each that continues it.
+struct DistributionData {
+    vec4 right;    // xyz: the light's +X axis, world; w: 1 / width of that image
+    vec4 up;       // xyz: +Y; w: 1 / height
+    vec4 cookie;   // x: COOKIE_…; y: its first DistributionLevel; z: the number of its last level;
+                   // w: COOKIE_SPOT: 1 / tan(outer cone)
+    vec4 detail;   // x: texels of the cookie's level 0 a radian; y: 1 where there is a profile; z, w: the profile's
+                   // first and last angle from the axis, radians
+    vec4 profile;  // place in its map: x: column at 0°, y: columns a radian, z: row at 0°, w: rows a radian
+};
+
+struct DistributionLevel {
+    vec4 rectangle;  // texels: x, y of the corner, width, height
 };
 
 // What a light covers of the screen, in the order of the lights: light-culling=rectangles.

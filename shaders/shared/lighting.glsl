@@ -3,6 +3,7 @@
 #ifndef PRELIGHT_LIGHTING_GLSL
 #define PRELIGHT_LIGHTING_GLSL
 #include "shared/frame.glsl"
+#include "shared/light_distribution.glsl"
 #include "shared/light_kinds.glsl"
 #include "shared/shininess.glsl"
 #include "shared/reflectance.glsl"
@@ -53,26 +54,33 @@ LitPoint lit_point(bool surface, vec3 world, vec3 n, vec3 v, float roughness, ve
 
 // A light as points are lit by it, with everything that no point changes.
 struct Lamp {
-    vec4 position;         // as in LightData
+    vec4 position;         // as in LightData; w: 1 or 0
     vec3 colour;
     float luminance;       // of colour
     float inverse_range2;  // 1 / range², 0 when infinite
     vec3 axis;             // of a spot
     vec2 cone;
     float shininess, falloff;
+    uint distribution;     // number of its DistributionData from 1, 0 without one
 #ifdef SHADOWS
     uint shadow;           // number of its first tile plus 1, 0 without a shadow
 #endif
 };
 
 Lamp lamp_of(LightData light) {
+    vec4 position = light.position;
+    uint distribution = 0u;
+    if (may_be(LIGHT_KIND_DISTRIBUTION)) {
+        distribution = uint(max(position.w - 1.0, 0.0));
+        position.w = min(position.w, 1.0);
+    }
 #ifdef SHADOWS
     uint code = uint(light.cone.z);
-    return Lamp(light.position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
-                light.axis.xyz, light.cone.xy, light.axis.w, float(code & 3u), code >> 2);
+    return Lamp(position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
+                light.axis.xyz, light.cone.xy, light.axis.w, float(code & 3u), distribution, code >> 2);
 #else
-    return Lamp(light.position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
-                light.axis.xyz, light.cone.xy, light.axis.w, light.cone.z);
+    return Lamp(position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
+                light.axis.xyz, light.cone.xy, light.axis.w, light.cone.z, distribution);
 #endif
 }
 
@@ -109,8 +117,9 @@ struct LightTerms {
 };
 
 // The half vector H is never made: with |L + V|² = 2 + 2 L·V, N·H = (N·L + N·V) / |L + V| and
-// V·H = |L + V| / 2. That saves a software device a third of the loop.
-LightTerms light_terms(Lamp lamp, LitPoint p) {
+// V·H = |L + V| / 2. That saves a software device a third of the loop. `lamp` comes out with the colour that it sends to
+// this point.
+LightTerms light_terms(inout Lamp lamp, LitPoint p) {
     vec3 to_light = lamp.position.xyz - p.world * (may_be(LIGHT_KIND_DIRECTIONAL) ? lamp.position.w : 1.0);
     float d2 = dot(to_light, to_light);
     float inverse = inversesqrt(max(d2, 1e-12));
@@ -118,6 +127,11 @@ LightTerms light_terms(Lamp lamp, LitPoint p) {
     float att = attenuation(lamp, d2, inverse, l);
     float nl = clamp(dot(p.n, l), 0.0, 1.0);
     bool contributes = att > 0.0 && nl > 0.0;
+    if (may_be(LIGHT_KIND_DISTRIBUTION)) {
+        for (bool once = contributes && lamp.distribution > 0u; once; once = false)
+            lamp.colour *= light_distribution(lamp.distribution, -l, pixel_on_surface(p.world, p.nv) * inverse);
+        lamp.luminance = luminance(lamp.colour);
+    }
 #ifdef SHADOWS
     att *= unshadowed(lamp.shadow, p.world, p.n, -to_light, nl, p.turn, contributes);
 #endif

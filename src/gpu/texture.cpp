@@ -176,7 +176,7 @@ void Texture::finish(VkCommandBuffer commands, VkImageLayout from, uint32_t leve
         level_barrier(image_, 0, from, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                       VK_ACCESS_2_TRANSFER_READ_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
     done.subresourceRange.levelCount = levels;
-    done.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    done.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
     submit(commands, done);
 }
 

@@ -33,7 +33,7 @@ private:
     void copy_level(const Uploader& uploader, const Uploader::Staging& staging, uint32_t level, VkExtent2D size) const;
     void make(const Context& context, MemoryPool& pool, const std::string& name, VkFormat format, uint32_t width,
               uint32_t height, uint32_t levels);
-    /// For the fragment shader.
+    /// For fragment and compute shaders.
     void finish(VkCommandBuffer commands, VkImageLayout from, uint32_t levels) const;
     void fill(Uploader& uploader, const TextureImage& image, TextureEncoding encoding, uint32_t levels) const;
     UniqueImage image_;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <prelight/light_distribution.hpp>
 #include <reference/light_tree.hpp>
 
 namespace prelight::reference {
@@ -26,6 +27,7 @@ double attenuation(Falloff falloff, double distance, double range) {
 } // namespace
 
 LightTree::LightTree(const World& world, glm::dvec3 origin) {
+    LightDistribution::Pictures pictures;
     for (const PlacedLight& placed : world.lights) {
         const Light& light = placed.light;
         const double cos_outer = std::cos(static_cast<double>(light.outer_cone));
@@ -34,12 +36,15 @@ LightTree::LightTree(const World& world, glm::dvec3 origin) {
                            .falloff = light.falloff,
                            .position = placed.position - origin,
                            .direction = glm::normalize(placed.direction),
-                           .radiance = glm::dvec3(light.colour) * double(light.intensity),
+                           .radiance = glm::dvec3(light.colour) * largest_intensity(light),
                            .range = light.range,
                            .cos_outer = cos_outer,
                            .cone_scale = 1 / std::max(1e-3, cos_inner - cos_outer),
                            .shininess = light.shininess,
-                           .casts_shadow = light.casts_shadow});
+                           .casts_shadow = light.casts_shadow,
+                           .distribution = {}});
+        if (light.cookie != no_cookie || light.profile)
+            lights_.back().distribution.emplace(world, placed, pictures);
         const auto index = static_cast<uint32_t>(lights_.size() - 1);
         if (light.kind == LightKind::directional || std::isinf(light.range))
             unbounded_.push_back(index);
@@ -110,7 +115,7 @@ void LightTree::reach(glm::dvec3 point, std::vector<uint32_t>& found) const {
     }
 }
 
-Incident LightTree::incident(uint32_t index, glm::dvec3 point) const {
+Incident LightTree::incident(uint32_t index, glm::dvec3 point, double pixel) const {
     const Prepared& light = lights_[index];
     if (light.kind == LightKind::directional)
         return {-light.direction, light.radiance, std::numeric_limits<double>::infinity(),
@@ -126,7 +131,10 @@ Incident LightTree::incident(uint32_t index, glm::dvec3 point) const {
             (glm::dot(-to_light, light.direction) - light.cos_outer) * light.cone_scale, 0.0, 1.0);
         factor *= cone * cone;
     }
-    return {to_light, light.radiance * factor, distance, light.shininess, light.casts_shadow};
+    glm::dvec3 radiance = light.radiance * factor;
+    if (light.distribution)
+        radiance *= light.distribution->factor(-to_light, pixel / distance);
+    return {to_light, radiance, distance, light.shininess, light.casts_shadow};
 }
 
 } // namespace prelight::reference

@@ -1,6 +1,8 @@
 #pragma once
 #include <glm/vec3.hpp>
+#include <optional>
 #include <prelight/scene.hpp>
+#include <reference/light_distribution.hpp>
 #include <vector>
 
 namespace prelight::reference {
@@ -8,7 +10,7 @@ namespace prelight::reference {
 /// What one light gives to one point, before the surface has a say.
 struct Incident {
     glm::dvec3 to_light{0}; ///< unit, from the point towards the light
-    glm::dvec3 radiance{0}; ///< attenuation × colour × intensity, > 0 in some channel
+    glm::dvec3 radiance{0}; ///< attenuation × colour × intensity × what the light sends this way
     double distance = 0;    ///< metres; infinity for a directional light
     double shininess = 1;
     bool casts_shadow = true;
@@ -26,8 +28,9 @@ public:
     void reach(glm::dvec3 point, std::vector<uint32_t>& found) const;
 
     /// Light `index` (of World::lights) seen from `point`; radiance is 0 where it does not reach.
-    /// Falloffs: light.hpp; the spot's cone: KHR_lights_punctual.
-    Incident incident(uint32_t index, glm::dvec3 point) const;
+    /// Falloffs: light.hpp; the spot's cone: KHR_lights_punctual; cookies and profiles: docs/cookies.md.
+    /// `pixel`: metres that a pixel covers there, which picks the level of a cookie.
+    Incident incident(uint32_t index, glm::dvec3 point, double pixel = 0) const;
 
 private:
     struct Sphere {
@@ -48,6 +51,7 @@ private:
         glm::dvec3 position, direction, radiance; ///< radiance: colour × intensity
         double range, cos_outer, cone_scale, shininess;
         bool casts_shadow;
+        std::optional<LightDistribution> distribution;
     };
     std::vector<Prepared> lights_;
     std::vector<uint32_t> unbounded_;

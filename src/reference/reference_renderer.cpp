@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
+#include <prelight/light_distribution.hpp>
 #include <reference/reference_renderer.hpp>
 #include <reference/reference_views.hpp>
 #include <reference/trace.hpp>
@@ -89,6 +90,7 @@ public:
     }
 
     void set_world(const World& world) override {
+        check_lights(*world.scene, world.lights);
         world_ = &world;
         stats_.lights = world.lights.size();
         stats_.triangles = world.triangles;
@@ -100,6 +102,7 @@ public:
     void set_lights(std::span<const PlacedLight> lights) override {
         if (!world_)
             throw Error("renderer: set_world() comes before set_lights()");
+        check_lights(*world_->scene, lights);
         relit_ = *world_;
         relit_.lights.assign(lights.begin(), lights.end());
         world_ = &relit_;

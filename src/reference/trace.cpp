@@ -36,6 +36,11 @@ public:
         return {offset, -placed_.axes[2], camera.znear, camera.zfar};
     }
 
+    /// Metres that a pixel covers across the view at this depth.
+    double pixel(double depth) const {
+        return 2 * half_height_ / height_ * (placed_.camera.kind == ProjectionKind::perspective ? depth : 1);
+    }
+
 private:
     const PlacedCamera& placed_;
     double width_, height_, half_width_ = 1, half_height_ = 1;
@@ -87,45 +92,46 @@ public:
 
 private:
     void trace_pixel(uint32_t x, uint32_t y, std::vector<uint32_t>& reached) {
-        const size_t pixel = size_t(y) * picture.linear.width + x;
+        const size_t at = size_t(y) * picture.linear.width + x;
         const Ray ray = lens_.ray(x, y);
         Hit hit;
         const bool found = scene_.closest(ray, hit);
-        picture.mask_outcome[pixel] = hit.mask_outcome;
+        picture.mask_outcome[at] = hit.mask_outcome;
         if (!found)
             return;
         const Draw& draw = scene_.draw(hit.draw);
         Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
         if (form_.specular_antialiasing)
-            antialias_specular(surface, normal_at(hit, x ^ 1, y), normal_at(hit, x, y ^ 1));
-        picture.instance[pixel] = draw.instance;
-        picture.primitive[pixel] = draw.primitive_index;
-        picture.position[pixel] = origin_ + hit.position;
-        picture.previous_position[pixel] = origin_ + previous_position(draw, hit);
-        picture.normal[pixel] = surface.normal;
-        picture.geometric_normal[pixel] = hit.geometric_normal;
-        picture.depth[pixel] = hit.distance;
+            antialias_specular(surface, normal_at(hit, pixel.x ^ 1, pixel.y), normal_at(hit, pixel.x, pixel.y ^ 1));
+        picture.instance[at] = draw.instance;
+        picture.primitive[at] = draw.primitive_index;
+        picture.position[at] = origin_ + hit.position;
+        picture.previous_position[at] = origin_ + previous_position(draw, hit);
+        picture.normal[at] = surface.normal;
+        picture.geometric_normal[at] = hit.geometric_normal;
+        picture.depth[at] = hit.distance;
 
         Lighting lighting(form_, surface, factor_, environment_.there() ? &environment_ : nullptr);
         if (!surface.unlit) {
+            const double pixel = lens_.pixel(hit.distance) / std::max(std::abs(glm::dot(surface.normal, surface.view)), 0.1);
             lights_.reach(surface.position, reached);
             for (const uint32_t index : reached) {
-                const Incident light = lights_.incident(index, surface.position);
+                const Incident light = lights_.incident(index, surface.position, pixel);
                 if (lighting.cosine(light) <= 0 || light.radiance == glm::dvec3(0))
                     continue;
                 if (form_.shadows && light.casts_shadow && shadowed(hit, light))
-                    picture.shadow_mask[pixel] += (index + uint64_t(1)) * 0x9e3779b97f4a7c15u;
+                    picture.shadow_mask[at] += (index + uint64_t(1)) * 0x9e3779b97f4a7c15u;
                 else
                     lighting.add(light);
             }
         }
         if (buffers_) {
-            buffers_->albedo.pixels[pixel] = glm::vec3(surface.base_colour);
-            buffers_->diffuse_light.pixels[pixel] = glm::vec3(lighting.sums().diffuse);
-            buffers_->specular_light.pixels[pixel] = glm::vec3(lighting.sums().specular);
-            buffers_->light_count[pixel] = lighting.sums().contributing;
+            buffers_->albedo.pixels[at] = glm::vec3(surface.base_colour);
+            buffers_->diffuse_light.pixels[at] = glm::vec3(lighting.sums().diffuse);
+            buffers_->specular_light.pixels[at] = glm::vec3(lighting.sums().specular);
+            buffers_->light_count[at] = lighting.sums().contributing;
         }
-        picture.linear.pixels[pixel] = glm::vec3(lighting.radiance(ambient_) * factor_);
+        picture.linear.pixels[at] = glm::vec3(lighting.radiance(ambient_) * factor_);
     }
 
     /// The normal that the triangle, its plane going on beyond its edges, has under another pixel.

@@ -102,8 +102,8 @@ void DeviceRenderer::set_world(const World& world) {
 void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     if (!world_)
         throw Error("renderer: set_world() comes before set_lights()");
-    if (lights.size() > frame_->light_capacity())
-        queue_->drain(); // their buffers are made anew
+    if (!frame_->fit(lights))
+        queue_->drain(); // their buffers or maps are made anew
     if (frame_->set_lights(lights) && graph_)
         return;
     drop_graph();

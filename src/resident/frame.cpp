@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <memory>
 #include <prelight/error.hpp>
+#include <prelight/light_distribution.hpp>
 #include <shared/bindings.h>
 #include <timing/clocks.hpp>
 #include <utility>
@@ -37,6 +39,7 @@ uint32_t kinds_of(std::span<const PlacedLight> lights) {
         kinds |= light.kind == LightKind::spot ? LIGHT_KIND_SPOT : 0;
         kinds |= light.kind == LightKind::directional ? LIGHT_KIND_DIRECTIONAL : 0;
         kinds |= light.falloff != Falloff::gltf ? LIGHT_KIND_SEED_FALLOFF : 0;
+        kinds |= has_distribution(light) ? LIGHT_KIND_DISTRIBUTION : 0;
     }
     return kinds;
 }
@@ -52,8 +55,14 @@ void place(PlacedLight& target, const PlacedLight& light) {
     target.light.shininess = light.light.shininess;
     target.light.falloff = light.light.falloff;
     target.light.casts_shadow = light.light.casts_shadow;
+    target.light.cookie = light.light.cookie;
+    if (target.light.profile != light.light.profile)
+        target.light.profile = light.light.profile;
+    target.light.profile_candela = light.light.profile_candela;
+    target.light.size = light.light.size;
     target.position = light.position;
     target.direction = light.direction;
+    target.up = light.up;
 }
 
 } // namespace
@@ -69,7 +78,34 @@ Frame::Frame(const gpu::Context& context, const World& world, const FrameSetting
     make_draw_buffers();
     if (settings_.shadows.on)
         make_shadows();
+    check_lights(*world.scene, placed_);
+    make_distributions();
     make_light_buffers(placed_.size());
+}
+
+void Frame::make_distributions() {
+    std::vector<PlacedLight> with_one;
+    std::copy_if(placed_.begin(), placed_.end(), std::back_inserter(with_one),
+                 [](const PlacedLight& placed) { return has_distribution(placed.light); });
+    for (const Light& light : world_.scene->lights) // may come in later
+        if (has_distribution(light)) {
+            check_light(*world_.scene, light, fmt::format("{}: light {}", world_.scene->name, light.name));
+            with_one.push_back({light, glm::dvec3(0)});
+        }
+    DistributionMaps maps(*world_.scene, with_one, context_.limits().maxImageDimension2D);
+    std::unique_ptr<UploadedMaps> made;
+    if (!maps.empty()) {
+        made = std::make_unique<UploadedMaps>(context_);
+        gpu::Uploader uploader(context_);
+        made->picture.emplace(context_, made->pool, uploader, "light distributions", std::vector{maps.picture()});
+        made->levels = gpu::make_device_buffer(context_, "light distribution levels", std::as_bytes(maps.levels()),
+                                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        made->sampler = gpu::make_sampler(context_, {.wrap_s = Wrap::clamp_to_edge, .wrap_t = Wrap::clamp_to_edge},
+                                          gpu::TextureFilter::bilinear);
+        uploader.finish();
+    }
+    distribution_maps_.emplace(std::move(maps));
+    uploaded_maps_ = std::move(made);
 }
 
 void Frame::make_draw_buffers() {
@@ -148,6 +184,8 @@ void Frame::make_light_buffers(size_t lights) {
         slot.lights = make_upload(context_, "lights", lights, sizeof(shared::LightData), storage);
         slot.order = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
         slot.bounds = make_upload(context_, "light bounds", bounded, sizeof(shared::LightScreenBounds), storage);
+        if (uploaded_maps_)
+            slot.distributions = make_upload(context_, "light distributions", lights, sizeof(shared::DistributionData), storage);
         if (shadows_) // as if all were point lights, for each may become one
             slot.shadows = make_upload(context_, "shadow tiles", 6 * lights, sizeof(shared::ShadowData), storage);
     }
@@ -157,6 +195,14 @@ void Frame::make_light_buffers(size_t lights) {
                         gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle())});
+    for (uint32_t s = 0; s < gpu::frames_in_flight; ++s) {
+        // Every binding is written, with whatever is there where no shader looks.
+        const UploadedMaps* maps = uploaded_maps_.get();
+        sets[s].push_back(gpu::Binding::storage(FRAME_DISTRIBUTIONS, maps ? made[s].distributions.handle() : made[s].bounds.handle()));
+        sets[s].push_back(gpu::Binding::storage(FRAME_DISTRIBUTION_LEVELS, maps ? maps->levels.handle() : made[s].bounds.handle()));
+        sets[s].push_back(gpu::Binding::texture(FRAME_DISTRIBUTION_MAPS, maps ? maps->picture->view() : materials_.environment->view(),
+                                                maps ? VkSampler(maps->sampler) : VkSampler(materials_.environment_sampler)));
+    }
     for (uint32_t s = 0; shadows_ && s < gpu::frames_in_flight; ++s) {
         sets[s].push_back(gpu::Binding::storage(FRAME_SHADOWS, made[s].shadows.handle()));
         sets[s].push_back(gpu::Binding::sampler_only(FRAME_SHADOW_SAMPLER, shadow_sampler_));
@@ -169,20 +215,34 @@ void Frame::make_light_buffers(size_t lights) {
         slots_[s].order = std::move(made[s].order);
         slots_[s].bounds = std::move(made[s].bounds);
         slots_[s].shadows = std::move(made[s].shadows);
+        slots_[s].distributions = std::move(made[s].distributions);
     }
     capacity_ = lights;
 }
 
+bool Frame::hold_maps_of(std::span<const PlacedLight> lights) const {
+    return std::all_of(lights.begin(), lights.end(),
+                       [&](const PlacedLight& light) { return !has_distribution(light.light) || distribution_maps_->hold(light.light); });
+}
+
+bool Frame::fit(std::span<const PlacedLight> lights) const {
+    check_lights(*world_.scene, lights);
+    return lights.size() <= capacity_ && hold_maps_of(lights);
+}
+
 bool Frame::set_lights(std::span<const PlacedLight> lights) {
     const double start = thread_ms();
-    const bool fits = lights.size() <= capacity_;
-    if (!fits) { // with some room, so that adding one at a time is cheap
-        const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
-        make_light_buffers(std::max(lights.size(), std::min(capacity_ + capacity_ / 4 + 16, most)));
-    }
+    const bool fits = fit(lights), known_maps = hold_maps_of(lights);
     placed_.resize(lights.size());
     for (size_t i = 0; i < lights.size(); ++i)
         place(placed_[i], lights[i]);
+    if (!known_maps)
+        make_distributions();
+    if (!fits) { // with some room, so that adding one at a time is cheap
+        const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
+        const bool grows = lights.size() > capacity_;
+        make_light_buffers(grows ? std::max(lights.size(), std::min(capacity_ + capacity_ / 4 + 16, most)) : capacity_);
+    }
     const uint32_t known = std::exchange(kinds_, kinds_of(placed_));
     const bool as_before = fits && (kinds_ & ~known) == 0;
     set_lights_ms_ += thread_ms() - start;
@@ -207,6 +267,8 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     shared::LightData* lights = target.lights.mapped<shared::LightData>();
     for (size_t i = 0; i < placed_.size(); ++i)
         lights[i] = light_data(placed_[i], camera.position, settings_.exposure);
+    if (kinds_ & LIGHT_KIND_DISTRIBUTION)
+        write_distributions();
     const double lights_end = thread_ms();
     const std::span trimmed(trimmed_[slot].mapped<uint32_t>(), trimmed_[slot].size() / sizeof(uint32_t));
     find_visible(visible_, geometry_, world_, next, eye_, context_.limits().subPixelPrecisionBits, settings_.draws,
@@ -225,6 +287,18 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     times_ = {.lights = std::exchange(set_lights_ms_, 0.0) + lights_end - start,
               .culling = thread_ms() - objects_end,
               .objects = objects_end - lights_end};
+}
+
+void Frame::write_distributions() {
+    const Slot& target = slots_[slot_];
+    shared::DistributionData* records = target.distributions.mapped<shared::DistributionData>();
+    uint32_t number = 0;
+    for (size_t i = 0; i < placed_.size(); ++i) {
+        if (!has_distribution(placed_[i].light))
+            continue;
+        records[number++] = distribution_maps_->record(placed_[i]);
+        target.lights.mapped<shared::LightData>()[i].position.w = 1 + static_cast<float>(number);
+    }
 }
 
 void Frame::update_shadows(const PlacedCamera& camera) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "device_trimming.hpp"
+#include "distribution_maps.hpp"
 #include "light_reach.hpp"
 #include "lights.hpp"
 #include "scene.hpp"
@@ -37,9 +38,11 @@ public:
     /// Throws Error when the world does not fit the device; no light is ever dropped.
     Frame(const gpu::Context& context, const World& world, const FrameSettings& settings);
     /// Takes other lights in place of the world's. False when what draws them must be built anew: their
-    /// buffers grew, or a kind or falloff came in that shaders leave out. The device must be idle when
-    /// they are more than light_capacity().
+    /// buffers grew, or a kind or falloff came in that shaders leave out. The device must be idle when they do not fit().
     bool set_lights(std::span<const PlacedLight> lights);
+    /// They are no more than light_capacity(), and their cookies and profiles are on the device. Throws Error as
+    /// check_lights() does.
+    bool fit(std::span<const PlacedLight> lights) const;
     /// Writes constants, lights and objects for one picture into the slot's buffers, which no frame on
     /// its way may use; set() is the slot's from then on.
     void update(const PlacedCamera& camera, uint32_t slot = 0);
@@ -94,6 +97,10 @@ public:
 private:
     void make_draw_buffers();
     void make_shadows();
+    /// Uploads the cookies and profiles of placed_ and of the scene's other lights.
+    void make_distributions();
+    bool hold_maps_of(std::span<const PlacedLight> lights) const;
+    void write_distributions();
     void update_shadows(const PlacedCamera& camera);
     /// Buffers for `lights` lights, and set 0 over all buffers.
     void make_light_buffers(size_t lights);
@@ -107,7 +114,7 @@ private:
     Geometry geometry_;
     /// What the host writes for one frame.
     struct Slot {
-        gpu::Buffer constants, lights, order, bounds, shadows;
+        gpu::Buffer constants, lights, order, bounds, shadows, distributions;
         gpu::Buffer commands; ///< what find_visible() writes
     };
     gpu::PerFrame<Slot> slots_;
@@ -123,6 +130,16 @@ private:
     std::optional<ShadowPlan> shadows_;
     gpu::Buffer caster_rows_;
     gpu::UniqueSampler shadow_sampler_; ///< compares
+    std::optional<DistributionMaps> distribution_maps_;
+    /// The maps on the device; none where no light has one.
+    struct UploadedMaps {
+        explicit UploadedMaps(const gpu::Context& context) : pool(context) {}
+        gpu::MemoryPool pool;
+        std::optional<gpu::Texture> picture;
+        gpu::Buffer levels;
+        gpu::UniqueSampler sampler;
+    };
+    std::unique_ptr<UploadedMaps> uploaded_maps_;
     glm::dvec3 eye_{0};
     glm::mat4 clip_from_world_{1};
     UpdateTimes times_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <prelight/light_distribution.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::resident {
@@ -36,7 +37,7 @@ bool reaches(const PlacedLight& light, const Draw& draw) {
 
 double strength(const PlacedLight& placed, const Draw& draw) {
     const Light& light = placed.light;
-    const double luminance = glm::dot(glm::dvec3(light.colour), {0.2126, 0.7152, 0.0722}) * double(light.intensity);
+    const double luminance = glm::dot(glm::dvec3(light.colour), {0.2126, 0.7152, 0.0722}) * largest_intensity(light);
     if (light.kind == LightKind::directional)
         return luminance;
     const double d = distance_to(placed, draw), x = d / double(light.range);

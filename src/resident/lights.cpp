@@ -2,6 +2,7 @@
 #include "lights.hpp"
 #include <algorithm>
 #include <cmath>
+#include <prelight/light_distribution.hpp>
 
 namespace prelight::resident {
 namespace {
@@ -109,7 +110,7 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
     const bool directional = light.kind == LightKind::directional;
     shared::LightData data{};
     data.position = directional ? glm::vec4(-placed.direction, 0) : glm::vec4(placed.position - camera, 1);
-    const glm::dvec3 colour = glm::dvec3(light.colour) * (double(light.intensity) * exposure);
+    const glm::dvec3 colour = glm::dvec3(light.colour) * (largest_intensity(light) * exposure);
     data.colour = glm::vec4(colour, has_volume(light) ? 1.0 / light.range : 0.0);
     data.axis = glm::vec4(placed.direction, light.shininess);
     double scale = 0, offset = 1;

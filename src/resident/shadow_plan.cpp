@@ -9,8 +9,8 @@ namespace prelight::resident {
 namespace {
 
 constexpr uint32_t longest_side = 4096;
-/// What contact hardening takes lights to be: spheres of 6 cm; directional ones are the sun, 0.53° wide.
-constexpr double light_radius = 0.03, sun_radius = 0.00463;
+/// What contact hardening takes directional lights to be: the sun, 0.53° wide. Others have a size of their own.
+constexpr double sun_radius = 0.00463;
 
 uint32_t power_of_two(double texels, uint32_t most) {
     return std::min(std::bit_ceil(static_cast<uint32_t>(std::clamp(texels, 1.0, double(longest_side)))), most);
@@ -125,7 +125,7 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
     out.texel = glm::vec4(view.texel, view.texel_per_w, 1.0 / atlas_.size().x, 1.0 / atlas_.size().y);
     const bool directional = light.kind == LightKind::directional;
     out.ends = directional ? glm::vec4(cascade_ends(camera, world_)) : glm::vec4(0);
-    out.source = glm::vec4(view.depth_range, view.near, directional ? sun_radius : light_radius, shadow_kind(light));
+    out.source = glm::vec4(view.depth_range, view.near, directional ? sun_radius : double(light.size), shadow_kind(light));
     return out;
 }
 

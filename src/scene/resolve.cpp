@@ -143,7 +143,8 @@ private:
             add_camera(scene_.cameras[*node.camera], index);
         if (node.light)
             world_.lights.push_back({scene_.lights[*node.light], glm::dvec3(world[3]),
-                                     unit_or(-glm::dvec3(world[2]), {0, 0, -1})});
+                                     unit_or(-glm::dvec3(world[2]), {0, 0, -1}),
+                                     unit_or(glm::dvec3(world[1]), {0, 1, 0})});
     }
 
     void add_camera(const Camera& camera, uint32_t node) {

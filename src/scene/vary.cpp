@@ -12,6 +12,7 @@ void rotate_lights(std::span<PlacedLight> lights, glm::dvec3 centre, double angl
     for (PlacedLight& light : lights) {
         light.position = centre + turned(light.position - centre);
         light.direction = turned(light.direction);
+        light.up = turned(light.up);
     }
 }
 

@@ -77,6 +77,17 @@ GltfBuilder with_animation() {
     return b;
 }
 
+GltfBuilder with_cookie() {
+    GltfBuilder b = GltfBuilder::triangle();
+    b.add_image(png(2, 1, solid(2, 1, {9, 99, 200, 255})));
+    b.json["textures"] = Json::array({{{"source", 0}}});
+    const std::string ies = "TILT=NONE\n1 1 1 2 1 1 2 0 0 0 1 1 0\n0 90\n0\n400 100\n";
+    b.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array(
+        {{{"type", "point"}, {"extras", {{"prelight", {{"cookie", {{"texture", {{"index", 0}}}}}, {"size", 0.1}, {"ies", {{"bufferView", b.add_view({ies.begin(), ies.end()})}}}}}}}}});
+    b.json["nodes"][0]["extensions"]["KHR_lights_punctual"] = {{"light", 0}};
+    return b;
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -105,5 +116,10 @@ int main(int count, char** arguments) {
     write("animation.glb", with_animation().glb());
     write("draco-joints.glb", draco_grid(true, nullptr, true).glb());
     write("meshopt-joints.glb", meshopt_grid(true).glb());
+    write("cookie.glb", with_cookie().glb());
+    std::filesystem::create_directories(folder / "ies");
+    for (const auto& [name, text] : {std::pair("ies/quarter.ies", "IESNA91\n[TEST] 1\nTILT=NONE\n1 -1 2 3 2 1 2 0 0 0\n1 1 9\n0 45 90\n0 90\n1 2 3\n4 5 6\n"),
+                                     {"ies/tilt.ies", "TILT=INCLUDE\n1 2 0 90 1 .9\n1 1 1 2 1 1 1 0 0 0 1 1 0 0 180 0 7 8"}})
+        write(name, Bytes(text, text + std::strlen(text)));
     return 0;
 }

@@ -297,6 +297,29 @@ TEST(Shadows, S1_AShortBudgetLowersResolution) {
 }
 
 // One texel: one light with one tile may have it, all others go without and keep their light.
+// [S2] Penumbrae are as wide as the light's size makes them.
+TEST(Shadows, S2_ContactTakesALightForAsLargeAsItIs) {
+    ShadowGarden garden;
+    garden.world.lights = {garden.world.lights[1]};
+    garden.world.ambient = glm::vec3(0);
+    const auto half_lit = [&](float size) {
+        garden.world.lights[0].light.size = size;
+        Shot shot = garden.shot();
+        shot.width = 200, shot.height = 112;
+        const Image open = (shot.settings = {}, render_linear(test_device(), shot));
+        shot.settings = {{"shadows", "on"}, {"shadow-filter", "contact"}};
+        const Image image = render_linear(test_device(), shot);
+        size_t count = 0;
+        for (size_t i = 0; i < image.pixels.size(); ++i)
+            count += open.pixels[i].g > 0.01f && image.pixels[i].g > 0.1f * open.pixels[i].g && image.pixels[i].g < 0.9f * open.pixels[i].g;
+        return count;
+    };
+    const size_t small = half_lit(0.002f), usual = half_lit(0.03f), large = half_lit(0.3f);
+    EXPECT_GT(usual, small * 11 / 10) << small;
+    EXPECT_GT(large, usual * 3 / 2) << usual;
+    expect_validation_clean(test_device());
+}
+
 TEST(Shadows, S1_ABudgetOfOneTexel) {
     const ShadowGarden garden;
     Shot shot = garden.shot();

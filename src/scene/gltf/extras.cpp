@@ -1,7 +1,9 @@
 #include <cmath>
 #include <fmt/format.h>
+#include <prelight/light_distribution.hpp>
 #include <scene/environment_codes.hpp>
 #include <scene/gltf/extras.hpp>
+#include <scene/gltf/light_distributions.hpp>
 
 namespace prelight::gltf {
 namespace {
@@ -40,6 +42,7 @@ void read_light(const Item& own, Light& light) {
     if (!(light.shininess > 0))
         own.fail("shininess is not above 0");
     light.casts_shadow = own.flag("castsShadow", true);
+    light.size = own.real("size", light.size);
 }
 
 } // namespace
@@ -51,14 +54,18 @@ std::optional<Item> own_extras(const Item& item) {
     return Item(item.file(), item.label() + " extras", *extras).object("prelight");
 }
 
-void read_extras(const Document& document, Textures& textures, Scene& scene) {
+void read_extras(Document& document, Buffers& buffers, Textures& textures, Scene& scene) {
     if (const auto own = own_extras(document.root())) {
         read_ambient(*own, scene);
         read_environment(document, *own, textures, scene);
     }
+    LightDistributions distributions(document, buffers, textures);
     for (size_t i = 0; i < scene.lights.size(); ++i)
-        if (const auto own = own_extras(document.item(Table::lights, i)))
+        if (const auto own = own_extras(document.item(Table::lights, i))) {
             read_light(*own, scene.lights[i]);
+            distributions.read(*own, scene.lights[i]);
+            check_light(scene, scene.lights[i], fmt::format("{}: {}", document.file(), document.label(Table::lights, i)));
+        }
 }
 
 } // namespace prelight::gltf

@@ -4,9 +4,9 @@
 namespace prelight::gltf {
 
 /// Takes over what `save_glb` keeps in `extras.prelight` (schema in scene/write/parts.hpp): ambient
-/// light, environment, falloff and shininess of lights. After read_lights. Extras of other programs are skipped;
-/// wrong values below `prelight` are errors.
-void read_extras(const Document& document, Textures& textures, Scene& scene);
+/// light, environment, falloff, shininess, cookies and profiles of lights. After read_lights. Extras of other programs are
+/// skipped; wrong values below `prelight` are errors.
+void read_extras(Document& document, Buffers& buffers, Textures& textures, Scene& scene);
 
 /// The `extras.prelight` object of `item`, if there is one. Extras may be any JSON value; only an object can
 /// hold ours.

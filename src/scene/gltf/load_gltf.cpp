@@ -22,7 +22,7 @@ Scene read_scene(gltf::Document&& document) {
     gltf::read_meshes(document, buffers, accessors, scene);
     gltf::read_cameras(document, scene);
     gltf::read_lights(document, scene);
-    gltf::read_extras(document, textures, scene);
+    gltf::read_extras(document, buffers, textures, scene);
     gltf::read_nodes(document, accessors, scene);
     gltf::read_scenes(document, scene);
     gltf::read_skins(document, accessors, scene);

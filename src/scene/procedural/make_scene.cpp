@@ -4,6 +4,7 @@
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 #include <scene/procedural/city.hpp>
+#include <scene/procedural/cookies.hpp>
 #include <scene/procedural/lights.hpp>
 #include <scene/procedural/materials.hpp>
 #include <scene/procedural/motion.hpp>
@@ -30,6 +31,8 @@ constexpr auto entries = std::to_array<Entry>({
      make_motion_scene},
     {{"shadows", "thin walls, poles, a fence, columns far away: sun, point light, narrow and wide spot", 4},
      make_shadows_scene},
+    {{"cookies", "a room whose lights throw pictures and have measured profiles: window, lantern, dice, wall lamps", 7},
+     make_cookies_scene},
     {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
 });
 

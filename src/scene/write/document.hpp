@@ -29,6 +29,7 @@ public:
     Json root = Json::object();
     std::vector<std::byte> binary;
 
+    const std::string& name() const { return file; }
     /// Throws Error "FILE: OBJECT: REASON".
     [[noreturn]] void fail(std::string_view object, std::string_view reason) const;
 

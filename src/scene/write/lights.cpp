@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <map>
 #include <numbers>
+#include <prelight/light_distribution.hpp>
 #include <scene/write/parts.hpp>
 
 namespace prelight::write {
@@ -36,9 +39,40 @@ void set_extras(Json& entry, const Light& light) {
         entry["extras"]["prelight"]["shininess"] = number(light.shininess);
     if (!light.casts_shadow)
         entry["extras"]["prelight"]["castsShadow"] = false;
+    if (light.size != Light().size)
+        entry["extras"]["prelight"]["size"] = number(light.size);
 }
 
-void check(const Light& light, size_t index, const Document& document) {
+/// Pictures as textures, profiles as they were read in the binary chunk; each once.
+class Distributions {
+public:
+    explicit Distributions(Document& document) : document_(document) {}
+
+    void write(Json& entry, const Light& light) {
+        if (light.cookie != no_cookie) {
+            const auto [texture, is_new] = textures_.try_emplace(light.cookie);
+            if (is_new)
+                texture->second = document_.add("textures", {{"source", light.cookie}});
+            entry["extras"]["prelight"]["cookie"] = {{"texture", {{"index", texture->second}}}};
+        }
+        if (!light.profile)
+            return;
+        const auto [view, is_new] = views_.try_emplace(light.profile.get());
+        if (is_new)
+            view->second = document_.add_view(std::as_bytes(std::span(light.profile->text)), ViewKind::other);
+        entry["extras"]["prelight"]["ies"] = {{"bufferView", view->second}};
+        if (light.profile_candela)
+            entry["extras"]["prelight"]["ies"]["candela"] = true;
+    }
+
+private:
+    Document& document_;
+    std::map<uint32_t, uint32_t> textures_;
+    std::map<const LightProfile*, uint32_t> views_;
+};
+
+void check(const Scene& scene, const Light& light, size_t index, const Document& document) {
+    check_light(scene, light, fmt::format("{}: {}", document.name(), label("light", index, light.name)));
     const float sum = light.colour.r + light.colour.g + light.colour.b + light.intensity +
                       light.inner_cone + light.outer_cone + light.shininess;
     const bool positive = std::min({light.colour.r, light.colour.g, light.colour.b}) >= 0 &&
@@ -58,9 +92,10 @@ void add_lights(const Scene& scene, Document& document) {
         return;
     document.use("KHR_lights_punctual");
     Json& lights = document.root["extensions"]["KHR_lights_punctual"]["lights"];
+    Distributions distributions(document);
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
-        check(light, i, document);
+        check(scene, light, i, document);
         Json entry = Json::object();
         set_name(entry, light.name);
         entry["type"] = light.kind == LightKind::directional ? "directional"
@@ -72,6 +107,7 @@ void add_lights(const Scene& scene, Document& document) {
         if (light.kind == LightKind::spot)
             set_cone(entry, light);
         set_extras(entry, light);
+        distributions.write(entry, light);
         lights.push_back(std::move(entry));
     }
 }

@@ -8,10 +8,15 @@
 // reader gives the same scene back; other programs skip it. The schema, all members optional:
 //
 //   root.extras.prelight.ambient      [r, g, b]  uniform environment radiance, linear; absent: 0 0
-//   0 light.extras.prelight.falloff     "linear" | "quadratic"; absent: KHR_lights_punctual's own
+//   light.extras.prelight.falloff     "linear" | "quadratic"; absent: KHR_lights_punctual's own
 //   root.extras.prelight.environment  {source: image}  equirectangular, RGBA is RGBE; absent: ambient
 //   light.extras.prelight.shininess   number > 0, [phong] light shininess; absent: 1
 //   light.extras.prelight.castsShadow bool; absent: true
+//   light.extras.prelight.size        number > 0, radius in metres; absent: 0.03
+//   light.extras.prelight.cookie      {texture: textureInfo}  what it throws; of the textureInfo only `index` counts, and of
+//                                     that texture the image, whose colours are sRGB
+//   light.extras.prelight.ies         URI of an IES file (LM-63), or {uri: …} or {bufferView: …}, with candela: true where
+//                                     `intensity` is a factor on the file's candela; else it is that of their maximum
 //
 //   material.extras.prelight.material    name of a built-in material (`prelight materials`); absent: the renderer's
 //                                        own, or a file that is named elsewhere
