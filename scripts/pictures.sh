@@ -97,6 +97,14 @@ awk '/^```/ { if (inside) exit; inside = /glsl/; next } inside' docs/materials.m
     --material skin="$work/toon.glsl" --material "normal map=$work/toon.glsl" -o "$work/materials-toon.png"
 keep materials-toon
 
+# Decals.
+for camera in front close; do
+    "$prelight" render decals --camera $camera --time 1 --size 960x540 -o "$work/decals-$camera.png"
+done
+mv "$work/decals-front.png" "$work/decals.png"
+keep decals
+shrink decals-close
+
 too_large=$(find "$out" -name '*.png' -size +400k)
 if [ -n "$too_large" ]; then
     printf 'pictures: larger than 400 KiB:\n%s\n' "$too_large" >&2

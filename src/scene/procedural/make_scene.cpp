@@ -4,6 +4,7 @@
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 #include <scene/procedural/city.hpp>
+#include <scene/procedural/decals.hpp>
 #include <scene/procedural/lights.hpp>
 #include <scene/procedural/materials.hpp>
 #include <scene/procedural/motion.hpp>
@@ -31,6 +32,7 @@ constexpr auto entries = std::to_array<Entry>({
     {{"shadows", "thin walls, poles, a fence, columns far away: sun, point light, narrow and wide spot", 4},
      make_shadows_scene},
     {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
+    {{"decals", "cracks, paint, bolts, a puddle and a burn on brick walls and a floor, lights that go round", 8}, make_decals_scene},
 });
 
 } // namespace
