@@ -105,7 +105,7 @@ mv "$work/decals-front.png" "$work/decals.png"
 keep decals
 shrink decals-close
 
-# Sparks.
+# Sparks, and fake indirect light.
 for time in 1 1.8; do
     "$prelight" render city-sparks --time $time --size 960x540 -o "$work/sparks-$time.png"
     convert "$work/sparks-$time.png" -crop 560x330+180+210 +repage -strip -dither FloydSteinberg -colors 256 \
@@ -113,6 +113,10 @@ for time in 1 1.8; do
 done
 mv "$work/small-1.png" "$out/city-sparks.png"
 mv "$work/small-1.8.png" "$out/city-sparks-later.png"
+"$prelight" render bounce --set shadows=on --size 960x540 -o "$work/bounce.png"
+"$prelight" render bounce --set shadows=on --lights 1 --size 960x540 -o "$work/bounce-without.png"
+shrink bounce
+shrink bounce-without
 
 too_large=$(find "$out" -name '*.png' -size +400k)
 if [ -n "$too_large" ]; then

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
+#include <scene/procedural/bounce.hpp>
 #include <scene/procedural/city.hpp>
 #include <scene/procedural/decals.hpp>
 #include <scene/procedural/lights.hpp>
@@ -34,6 +35,7 @@ constexpr auto entries = std::to_array<Entry>({
      make_shadows_scene},
     {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
     {{"decals", "cracks, paint, bolts, a puddle and a burn on brick walls and a floor, lights that go round", 8}, make_decals_scene},
+    {{"bounce", "a room with a sunlit patch, and small lights on it in place of its indirect light", 65}, make_bounce_scene},
 });
 
 } // namespace
