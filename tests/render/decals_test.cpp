@@ -126,12 +126,31 @@ TEST(DecalSettings, EveryEncodingDepthAndFormAgrees) {
         SCOPED_TRACE(settings.begin()->first + "=" + settings.begin()->second);
         Shot shot = garden.shot();
         shot.settings = settings;
+        shot.width = 240, shot.height = 135;
         expect_agrees(shot);
     }
     Shot phong = garden.shot();
     phong.shading = Shading::phong;
     phong.exposure = -2;
     expect_agrees(phong);
+}
+
+TEST(DecalSettings, AUsersOwnMaterialIsCompiledForThemToo) {
+    const auto built_in = find_material_shader("skin");
+    const auto own = parse_material_shader("own.glsl", "own.glsl", built_in->source);
+    const auto picture = [](const char* renderer, const auto& shader) {
+        DecalGarden garden;
+        garden.add_lights(3, 5, 6);
+        for (size_t m = 1; m < 6; ++m)
+            garden.scene.materials[m].shader = shader;
+        Shot shot = garden.shot();
+        shot.renderer = renderer;
+        shot.width = 96, shot.height = 54;
+        return render_linear(test_device(), shot);
+    };
+    for (const char* renderer : {"light-prepass", "deferred", "multipass", "z-prepass"})
+        EXPECT_TRUE(picture(renderer, built_in).pixels == picture(renderer, own).pixels) << renderer;
+    expect_validation_clean(test_device());
 }
 
 TEST(DecalSettings, SharedByAllThatLeavesOutGeometry) {
