@@ -107,6 +107,27 @@ awk '/^```/ { if (inside) exit; inside = /glsl/; next } inside' docs/materials.m
     --material skin="$work/toon.glsl" --material "normal map=$work/toon.glsl" -o "$work/materials-toon.png"
 keep materials-toon
 
+# Decals.
+for camera in front close; do
+    "$prelight" render decals --camera $camera --time 1 --size 960x540 -o "$work/decals-$camera.png"
+done
+mv "$work/decals-front.png" "$work/decals.png"
+keep decals
+shrink decals-close
+
+# Sparks, and fake indirect light.
+for time in 1 1.8; do
+    "$prelight" render city-sparks --time $time --size 960x540 -o "$work/sparks-$time.png"
+    convert "$work/sparks-$time.png" -crop 560x330+180+210 +repage -strip -dither FloydSteinberg -colors 256 \
+        -define png:compression-level=9 "PNG8:$work/small-$time.png"
+done
+mv "$work/small-1.png" "$out/city-sparks.png"
+mv "$work/small-1.8.png" "$out/city-sparks-later.png"
+"$prelight" render bounce --set shadows=on --size 960x540 -o "$work/bounce.png"
+"$prelight" render bounce --set shadows=on --lights 1 --size 960x540 -o "$work/bounce-without.png"
+shrink bounce
+shrink bounce-without
+
 too_large=$(find "$out" -name '*.png' -size +400k)
 if [ -n "$too_large" ]; then
     printf 'pictures: larger than 400 KiB:\n%s\n' "$too_large" >&2

@@ -29,7 +29,7 @@ layout(location = DEPTH_TARGET) out vec4 out_depth;
 
 void main() {
     Point p = point();
-    Surface s = surface(p);
+    Surface s = surface_under_decals(p);
 #ifndef NO_NORMAL_TARGET
     float roughness = antialiased_roughness(p, s);
 #endif

@@ -8,7 +8,7 @@ layout(location = 0) out vec4 out_colour;
 
 void main() {
     Point p = point();
-    Surface s = surface(p);
+    Surface s = surface_under_decals(p);
     if (is_masked(s))
         discard;
     vec3 colour = material_output == MATERIAL_OUTPUT_ALBEDO ? s.base : base_light(p, s);

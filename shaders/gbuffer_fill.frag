@@ -30,7 +30,7 @@ vec2 motion() {
 
 void main() {
     Point p = point();
-    Surface s = surface(p);
+    Surface s = surface_under_decals(p);
     float roughness = antialiased_roughness(p, s);
     if (is_masked(s))
         discard;

@@ -40,7 +40,7 @@ Light light_of(LightTexels texels, Point p, Surface s) {
 
 void main() {
     Point p = point();
-    Surface s = surface(p);
+    Surface s = surface_under_decals(p);
     if (material_output == MATERIAL_OUTPUT_ALBEDO) {
         out_colour = vec4(s.base, 1.0);
         return;

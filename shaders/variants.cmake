@@ -59,6 +59,19 @@ list(FILTER shadowed INCLUDE REGEX "^(light|light_list|light_loop|forward|forwar
 list(TRANSFORM shadowed REPLACE "^([^|.]*)(\\.[a-z]+)" "\\1+shadows\\2")
 list(TRANSFORM shadowed APPEND " -DSHADOWS")
 
+# The same again for objects that decals reach: they read the decal buffer.
+set(decorated
+    "depth_normal.frag|depth_normal.frag|"
+    "gbuffer_fill.frag|gbuffer_fill.frag|"
+    "forward_base.frag|forward_base.frag|"
+    "forward.frag|forward.frag|"
+    "forward_grid.frag|forward_grid.frag|"
+    ${PRELIGHT_SHADER_VARIANTS} ${shadowed})
+set(decorated_stages "^(depth_normal(\\+roughness)?|material[^|/]*|gbuffer_fill|forward(_grid)?(\\+shadows)?|forward_base)\\.frag")
+list(FILTER decorated INCLUDE REGEX "${decorated_stages}")
+list(TRANSFORM decorated REPLACE "^([^|]*)\\.frag" "\\1+decals.frag")
+list(TRANSFORM decorated REPLACE "^([^|]*\\|[^|]*\\|[^|]*)" "\\1 -DDECALS")
+
 # The same again for materials without textures, whose triangles need neither texture coordinates nor
 # tangents.
 set(untextured
@@ -67,7 +80,7 @@ set(untextured
 list(FILTER untextured INCLUDE REGEX "^(depth_normal|material_)")
 list(TRANSFORM untextured REPLACE "^([^|]*)\\.frag" "\\1+untextured.frag")
 list(TRANSFORM untextured REPLACE "^([^|]*\\|[^|]*\\|[^|]*)" "\\1 -DNO_TEXTURES")
-list(APPEND PRELIGHT_SHADER_VARIANTS ${untextured} ${shadowed})
+list(APPEND PRELIGHT_SHADER_VARIANTS ${untextured} ${shadowed} ${decorated})
 
 # The vertex shaders that go with all of these: passes::SurfaceDraws picks them.
 foreach(world "" "+noworld")
@@ -103,6 +116,11 @@ set(PRELIGHT_MATERIAL_STAGES
     "forward+shadows.frag|forward.frag|-DSHADOWS"
     "forward_grid.frag|forward_grid.frag|"
     "forward_grid+shadows.frag|forward_grid.frag|-DSHADOWS")
+set(decorated ${PRELIGHT_MATERIAL_STAGES})
+list(FILTER decorated INCLUDE REGEX "${decorated_stages}")
+list(TRANSFORM decorated REPLACE "^([^|]*)\\.frag" "\\1+decals.frag")
+list(TRANSFORM decorated APPEND " -DDECALS")
+list(APPEND PRELIGHT_MATERIAL_STAGES ${decorated})
 list(TRANSFORM PRELIGHT_MATERIAL_STAGES APPEND " -DOWN_MATERIAL")
 file(GLOB materials CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/materials
      ${CMAKE_CURRENT_LIST_DIR}/materials/*.glsl)

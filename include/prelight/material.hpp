@@ -53,6 +53,7 @@ struct Material {
     float alpha_cutoff = 0.5f;     ///< mask: a surface with alpha < cutoff is not there
     bool double_sided = false;
     bool unlit = false;            ///< KHR_materials_unlit: colour = base colour, no light
+    bool receives_decals = true;   ///< decals (decal.hpp) lie on it
     TextureRef base_colour_texture;
     TextureRef metallic_roughness_texture; ///< G roughness, B metallic
     TextureRef normal_texture;             ///< tangent space, +Y up

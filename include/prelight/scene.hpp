@@ -9,6 +9,8 @@
 #include <optional>
 #include <prelight/animation.hpp>
 #include <prelight/camera.hpp>
+#include <prelight/decal.hpp>
+#include <prelight/emitter.hpp>
 #include <prelight/image.hpp>
 #include <prelight/light.hpp>
 #include <prelight/material.hpp>
@@ -86,6 +88,9 @@ struct Node {
     std::optional<Trs> trs{};
     std::optional<uint32_t> skin{};       ///< the mesh follows these joints and not this node
     std::vector<float> weights{};         ///< of the mesh's morph targets; empty: Mesh::weights
+    std::optional<uint32_t> decal{};      ///< index into Scene::decals; the node is its box
+    std::optional<uint32_t> emitter{};    ///< index into Scene::emitters
+    bool receives_decals = true;          ///< decals lie on its mesh
 };
 
 /// One of the file's scenes: a name and its root nodes.
@@ -106,6 +111,8 @@ struct Scene {
     uint32_t default_scene = 0;
     std::vector<Animation> animations{};
     std::vector<Skin> skins{};
+    std::vector<Decal> decals{};
+    std::vector<Emitter> emitters{};
     glm::vec3 ambient{0};                 ///< uniform environment radiance, linear RGB
     std::shared_ptr<const Environment> environment{}; ///< what materials reflect; null: `ambient`
     std::vector<std::string> warnings;    ///< what the loader left out or changed, one line each
@@ -121,6 +128,7 @@ struct Instance {
     std::optional<uint32_t> deformed{};
     /// `transform` at the moment's previous state; absent: the same.
     std::optional<glm::dmat4> previous_transform{};
+    bool receives_decals = true; ///< as its node and, primitive by primitive, its material say
 };
 
 struct PlacedLight {
@@ -137,8 +145,9 @@ struct PlacedLight {
 struct World {
     const Scene* scene = nullptr;   ///< meshes, materials, images; must outlive the World
     std::vector<Instance> instances;
-    std::vector<Mesh> deformed{};   ///< meshes as morph targets and skins shape them at the moment
-    std::vector<PlacedLight> lights;
+    std::vector<Mesh> deformed{};   ///< meshes as morph targets and skins shape them at the moment, and particles
+    std::vector<PlacedLight> lights; ///< of the nodes, then of the emitters' particles
+    std::vector<PlacedDecal> decals{}; ///< by Decal::order: later ones lie over earlier ones
     std::vector<PlacedCamera> cameras;
     glm::vec3 ambient{0};           ///< uniform environment radiance
     glm::dvec3 bounds_min{0};       ///< of all triangles' vertices
@@ -161,6 +170,7 @@ struct World {
 /// the "previous" members of instances, vertices and cameras tell where things were one interval
 /// earlier. `animation`: only this one of Scene::animations; absent: all, and where several change
 /// the same property of a node, the first in the file's order.
+/// Particles of emitters are as they are at the moment's time, without one at time 0.
 /// Throws Error: no triangles, a world transform that is not finite, an animation or skin that does
 /// not fit its node.
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {},

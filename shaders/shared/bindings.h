@@ -55,6 +55,11 @@
 #define INPUT_TRIM_COUNTS 29
 // shadows, of the shaders that are compiled with SHADOWS
 #define INPUT_SHADOW_ATLAS 24
+// the decal buffer, of the shaders that are compiled with DECALS
+#define INPUT_DECAL_COLOUR 40
+#define INPUT_DECAL_NORMAL 41
+#define INPUT_DECAL_ROUGHNESS 42
+#define INPUT_DECAL_METALLIC 43
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -130,6 +135,7 @@
 #define CONSTANT_TRIM_AGAIN 62
 #define CONSTANT_SHADOW_FILTER 51
 #define CONSTANT_SPECULAR_ANTIALIASING 70
+#define CONSTANT_DECAL_LEVEL 80
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -141,6 +147,7 @@
 #define FEATURE_UNLIT 64u
 #define FEATURE_ENVIRONMENT 128u
 #define FEATURE_OWN_TEXTURE 256u  // times 2 for each slot
+#define FEATURE_DECALS 65536u     // of an object, not of its material: decals reach it
 
 // Kinds of lights that a frame may hold; shaders leave out what the others need.
 #define LIGHT_KIND_SPOT 1u

@@ -24,7 +24,7 @@ struct ForwardSurface {
 ForwardSurface forward_surface() {
     ForwardSurface s;
     s.at = point();
-    s.surface = surface(s.at);
+    s.surface = surface_under_decals(s.at);
     s.reflectance = reflectance(s.surface.base, s.surface.metallic);
     s.point = lit_point(true, in_world, s.surface.normal, s.at.to_viewer, max(antialiased_roughness(s.at, s.surface), 0.089), gl_FragCoord.xy);
     s.schlick_nv = schlick_weight(s.point.nv);

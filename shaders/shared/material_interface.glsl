@@ -55,4 +55,18 @@ bool has_texture(int slot) { return has(FEATURE_OWN_TEXTURE << slot); }
 vec2 texture_place(Point p, int slot) { return coordinates(p, MATERIAL_OWN_TEXTURE + slot); }
 
 #include "material.glsl"
+
+// The surface as light sees it: the material's, under decals where there are any.
+#ifdef DECALS
+#include "shared/decals.glsl"
+#endif
+vec3 bare_normal; // the surface's own, for anti-aliasing: decals come pixel by pixel
+Surface surface_under_decals(inout Point p) {
+    Surface s = surface(p);
+    bare_normal = s.normal;
+#ifdef DECALS
+    apply_decals(s);
+#endif
+    return s;
+}
 #endif

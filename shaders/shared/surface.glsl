@@ -3,16 +3,8 @@
 #ifndef PRELIGHT_SURFACE_GLSL
 #define PRELIGHT_SURFACE_GLSL
 #include "shared/frame.glsl"
+#include "shared/material_set.glsl"
 #include "shared/reflectance.glsl"
-
-layout(constant_id = CONSTANT_MATERIAL_FEATURES) const uint material_features = 0u;
-
-layout(set = SET_MATERIAL, binding = MATERIAL_CONSTANTS, std140) uniform MaterialBlock { MaterialConstants material; };
-layout(set = SET_MATERIAL, binding = MATERIAL_BASE_COLOUR) uniform sampler2D base_colour_map;
-layout(set = SET_MATERIAL, binding = MATERIAL_METALLIC_ROUGHNESS) uniform sampler2D metallic_roughness_map;
-layout(set = SET_MATERIAL, binding = MATERIAL_NORMAL) uniform sampler2D normal_map;
-layout(set = SET_MATERIAL, binding = MATERIAL_OCCLUSION) uniform sampler2D occlusion_map;
-layout(set = SET_MATERIAL, binding = MATERIAL_EMISSIVE) uniform sampler2D emissive_map;
 
 // What is left out here is left out in surface_vertex.glsl too: a software device carries each output
 // through every triangle, read or not.
@@ -31,8 +23,6 @@ layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_texcoords;
 #endif
 layout(location = 4) in vec4 in_colour;
-
-bool has(uint feature) { return (material_features & feature) != 0u; }
 
 // A point of an object under a pixel.
 struct Point {
@@ -67,10 +57,8 @@ Point point() {
 
 // Coordinates of the texture at a MATERIAL_… binding (KHR_texture_transform).
 vec2 coordinates(Point p, int binding) {
-    vec4 m = material.uv_linear[binding - 1];
     vec4 o = material.uv_offset[binding - 1];
-    vec2 uv = o.z > 0.5 ? p.texcoords.zw : p.texcoords.xy;
-    return m.xy * uv.x + m.zw * uv.y + o.xy;
+    return transformed(binding, o.z > 0.5 ? p.texcoords.zw : p.texcoords.xy) + o.xy;
 }
 
 vec4 base_colour(Point p) {

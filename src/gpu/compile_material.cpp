@@ -129,7 +129,8 @@ void check_material_shader(const MaterialShader& shader) {
     if (shader.file.empty())
         return; // was compiled with this build
     for (const gpu::Stage& stage : gpu::material_stages())
-        gpu::compile_material(shader, stage.name);
+        if (stage.name.find("+decals") == std::string_view::npos) // the same code of the file's, once more
+            gpu::compile_material(shader, stage.name);
 }
 
 } // namespace prelight

@@ -50,9 +50,13 @@ VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
 
 std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipelineDesc& desc) {
     VkPipelineColorBlendAttachmentState state{};
-    state.blendEnable = desc.blend == Blend::add;
+    state.blendEnable = desc.blend != Blend::none;
     state.srcColorBlendFactor = state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
     state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    if (desc.blend == Blend::over) {
+        state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+        state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    }
     state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
     state.colorWriteMask = desc.fragment.empty() ? 0 : 0xf;
     return std::vector<VkPipelineColorBlendAttachmentState>(desc.colour_formats.size(), state);

@@ -11,7 +11,11 @@ struct VertexAttribute {
     uint32_t offset = 0;
 };
 
-enum class Blend { none, add };
+enum class Blend {
+    none,
+    add,
+    over, ///< colour that is multiplied by its alpha, over what is there; the target's alpha is multiplied by 1 − alpha
+};
 enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only, overwrite };
 
 /// What a draw does to stencil: [V4]. Marks count the faces of a closed volume around a pixel's surface,

@@ -7,12 +7,13 @@
 namespace prelight::passes {
 namespace {
 
-SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth) {
+SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth, const DecalBuffer& decals) {
     return {.name = "forward base",
             .fragment = "forward_base.frag",
             .constants = {{CONSTANT_MATERIAL_OUTPUT, output}},
             .depth = depth,
-            .keeps_alpha_mask = depth == gpu::DepthTest::write_nearer};
+            .keeps_alpha_mask = depth == gpu::DepthTest::write_nearer,
+            .decals = bool(decals)};
 }
 
 SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs& inputs, StepKind kind) {
@@ -30,6 +31,7 @@ SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs
     add_shadow_constants(desc.constants, frame);
     desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;
     desc.push_bytes = sizeof(shared::ForwardBatch);
+    desc.decals = bool(inputs.decals);
     return desc;
 }
 
@@ -41,7 +43,7 @@ public:
         for (const StepKind kind : inputs.kinds)
             of(kind).emplace(frame, interface,
                              kind == StepKind::base
-                                 ? base_desc(MATERIAL_OUTPUT_SHADED, gpu::DepthTest::write_nearer)
+                                 ? base_desc(MATERIAL_OUTPUT_SHADED, gpu::DepthTest::write_nearer, inputs.decals)
                                  : lights_desc(frame, inputs, kind));
     }
 
@@ -83,16 +85,19 @@ void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const 
         pass.storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
     declare_surfaces(graph, pass, frame, base ? gpu::DepthTest::write_nearer : gpu::DepthTest::equal);
     declare_shadows(pass, inputs.shadows);
+    declare_decals(pass, inputs.decals);
     auto draws = std::make_shared<std::optional<ForwardDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
 }
 
-graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
+graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
+                                   const DecalBuffer& decals) {
     const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
     graph::Pass& pass = graph.pass("albedo");
     pass.colour(target, graph::Load::clear).depth_test(depth);
-    draw_surfaces(graph, pass, frame, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal));
+    declare_decals(pass, decals);
+    draw_surfaces(graph, pass, frame, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal, decals));
     return target;
 }
 

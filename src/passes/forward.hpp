@@ -1,4 +1,5 @@
 #pragma once
+#include "decals.hpp"
 #include "forward_plan.hpp"
 #include "light_model.hpp"
 #include "shadow_maps.hpp"
@@ -21,6 +22,7 @@ struct ForwardInputs {
     std::function<ForwardPlan(const resident::LightReach&)> plan;
     LightModel model;
     Shadows shadows;                    ///< not of passes that count lights
+    DecalBuffer decals = {};
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; bound with lights
     bool count_pairs = false;
     bool counts_lights = false; ///< instead of light: 1 for each in R, and in G where it contributes
@@ -33,6 +35,7 @@ void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const 
 void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);
 
 /// The base colour of what is seen, for --view albedo.
-graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth);
+graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
+                                   const DecalBuffer& decals);
 
 } // namespace prelight::passes

@@ -12,7 +12,8 @@ void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
                             .constants = inputs.model.constants(),
                             .depth = gpu::DepthTest::equal, // exact: vertex_position() is invariant
                             .keeps_alpha_mask = false,
-                            .push_bytes = sizeof(shared::LightListConstants)};
+                            .push_bytes = sizeof(shared::LightListConstants),
+                            .decals = bool(inputs.decals)};
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
@@ -28,6 +29,7 @@ void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     declare_light_lists(pass, lists);
     declare_surfaces(graph, pass, frame, desc.depth);
     declare_shadows(pass, inputs.shadows);
+    declare_decals(pass, inputs.decals);
     auto draws = std::make_shared<std::optional<SurfaceDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, desc); });
     pass.record([=, &frame](const graph::PassContext& context) {

@@ -19,6 +19,7 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
     (pass.*sample)(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse);
     (pass.*sample)(INPUT_SPECULAR_LIGHT, inputs.light.specular);
+    declare_decals(pass, inputs.decals);
     gpu::Constants constants = inputs.model.constants();
     constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
     for (const auto& constant : display_constants(display, graph.desc(target).format))
@@ -38,7 +39,8 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
                    .keeps_alpha_mask = false,
                    .world = at_nv,
                    .normal = at_nv,
-                   .untextured_variant = true});
+                   .untextured_variant = true,
+                   .decals = bool(inputs.decals)});
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #pragma once
+#include "decals.hpp"
 #include "lighting.hpp"
 #include "tonemap.hpp"
 
@@ -8,6 +9,7 @@ struct MaterialInputs {
     graph::ImageId depth;
     LightBuffer light;
     LightModel model;
+    DecalBuffer decals = {};
 };
 
 /// Stage 3: every object once more with its own material, depth test EQUAL, light from the light

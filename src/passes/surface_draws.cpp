@@ -67,10 +67,11 @@ std::string variant_of(const std::string& shader, const std::string& variant) {
 
 SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface,
                            const Desc& desc)
-    : frame_(frame), features_kept_(desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
-                                    : desc.keeps_alpha_mask ? ~0u
-                                                            : ~FEATURE_ALPHA_MASK),
-      depth_only_(desc.depth_only), motion_(desc.motion), later_(is_later(desc.depth)), counts_(frame.visible_pixels() && !later_),
+    : frame_(frame), features_kept_((desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
+                                     : desc.keeps_alpha_mask ? ~0u
+                                                             : ~FEATURE_ALPHA_MASK) &
+                                    (desc.decals ? ~0u : ~FEATURE_DECALS)),
+      depth_only_(desc.depth_only), motion_(desc.motion), only_decals_(desc.only_decals), later_(is_later(desc.depth)), counts_(frame.visible_pixels() && !later_),
       skips_(frame.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
@@ -84,7 +85,7 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
     pipeline.sets = {frame.layout(), interface.inputs, frame.materials().layout};
     for (const resident::Draw& draw : frame.geometry().draws) {
         const Key chosen = key(draw);
-        if (pipelines_.contains(chosen))
+        if (left_out(draw) || pipelines_.contains(chosen))
             continue;
         set_shaders(pipeline, desc, chosen);
         pipelines_.emplace(chosen, gpu::GraphicsPipeline(frame.context(), pipeline));
@@ -94,20 +95,26 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
 void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& desc, Key key) const {
     const auto [shader, features] = key;
     const bool own = shader > 0; // wants to know all of a point
+    const bool decals = (features & FEATURE_DECALS) != 0;
     const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
     const LeftOut left_out{!own && !desc.world, !own && !desc.normal,
-                           !own && desc.untextured_variant && !has_textures(features)};
+                           !own && !decals && desc.untextured_variant && !has_textures(features)};
     pipeline.vertex = !shaded   ? "depth_only.vert"
                       : motion_ ? "surface+motion.vert"
                                 : variant_of("surface.vert", left_out.name());
-    pipeline.fragment = !shaded ? "" : left_out.textures ? variant_of(desc.fragment, "+untextured") : desc.fragment;
+    pipeline.fragment = !shaded            ? ""
+                        : left_out.textures ? variant_of(desc.fragment, "+untextured")
+                        : decals            ? variant_of(desc.fragment, "+decals")
+                                            : desc.fragment;
     pipeline.fragment_code = {};
     pipeline.name = desc.name;
     if (own) {
         const resident::MaterialShaders& shaders = frame_.materials().shaders;
         pipeline.name += " " + shaders.name(shader);
         if (shaded) {
-            const std::string& stage = desc.own_fragment.empty() ? desc.fragment : desc.own_fragment;
+            std::string stage = desc.own_fragment.empty() ? desc.fragment : desc.own_fragment;
+            if (decals)
+                stage = variant_of(stage, "+decals");
             pipeline.fragment = shaders.name(shader) + "/" + stage;
             pipeline.fragment_code = shaders.code(shader, stage);
         }
@@ -118,13 +125,17 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
 }
 
+bool SurfaceDraws::left_out(const resident::Draw& draw) const {
+    return only_decals_ && !(draw.features & FEATURE_DECALS);
+}
+
 SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {
     if (draw.shader == 0)
         return {0, draw.features & features_kept_};
     // Whatever it makes of a surface may decide whether it is there; what has no mask is depth and no more.
     if (depth_only_ && !(draw.features & FEATURE_ALPHA_MASK))
         return {0, 0};
-    return {draw.shader, draw.features & (features_kept_ | ~FEATURE_ALPHA_MASK)};
+    return {draw.shader, draw.features & (features_kept_ | ~(FEATURE_ALPHA_MASK | FEATURE_DECALS))};
 }
 
 void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
@@ -193,6 +204,10 @@ void SurfaceDraws::record(const graph::PassContext& pass, std::span<const std::b
     for (size_t first = 0; first < batches.size();) {
         const resident::DrawBatch& batch = batches[first];
         const resident::Draw& draw = geometry.draws[batch.draw];
+        if (left_out(draw)) {
+            ++first;
+            continue;
+        }
         const Source from = source(batch.trimmed, batch.device_trimmed);
         bind_state(pass, bound, draw, from.indices);
         if (!push.empty() && bound.pipeline != bound.pushed)
@@ -201,7 +216,8 @@ void SurfaceDraws::record(const graph::PassContext& pass, std::span<const std::b
         if (alone || !(from.device || frame_.draw_options().indirect)) {
             draw_batch(pass, from, first);
         } else {
-            while (end < batches.size() && source(batches[end].trimmed, batches[end].device_trimmed) == from &&
+            while (end < batches.size() && !left_out(geometry.draws[batches[end].draw]) &&
+                   source(batches[end].trimmed, batches[end].device_trimmed) == from &&
                    same_state(geometry.draws[batches[end].draw], draw))
                 ++end;
             draw_indirect(pass, from.commands, first, end);

@@ -25,6 +25,8 @@ public:
         bool normal = true;              ///< and its normal: not compiled with NO_NORMAL
         bool untextured_variant = false; ///< there is a "…+untextured.frag" for materials without textures
         bool depth_only = false;         ///< materials without mask get positions and no shader
+        bool decals = false;             ///< objects that decals reach are drawn with "…+decals.frag": declare_decals()
+        bool only_decals = false;        ///< and no others
     };
     /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
     /// record into a pass in turn.
@@ -50,6 +52,7 @@ private:
     /// What chooses a pipeline: the material's shader, and its FEATURE_… bits.
     using Key = std::pair<uint32_t, uint32_t>;
     Key key(const resident::Draw& draw) const;
+    bool left_out(const resident::Draw& draw) const;
     void set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& desc, Key key) const;
     bool same_state(const resident::Draw& a, const resident::Draw& b) const;
     /// Where a draw's indices and its command stand.
@@ -66,6 +69,7 @@ private:
     uint32_t features_kept_;
     bool depth_only_;
     bool motion_;
+    bool only_decals_;
     bool later_, counts_, skips_; ///< [G1]: the pass counts pixels, or leaves out what has none
     std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };

@@ -179,12 +179,16 @@ glm::dvec3 shading_normal(const RayScene& scene, const Textures& textures, const
     return bent_normal(read, *draw.material, frame, hit.back);
 }
 
-void antialias_specular(Surface& surface, glm::dvec3 across, glm::dvec3 down) {
-    across -= surface.normal;
-    down -= surface.normal;
+double normal_spread(glm::dvec3 normal, glm::dvec3 across, glm::dvec3 down) {
+    across -= normal;
+    down -= normal;
     const double spread = 0.5 * (glm::dot(across, across) + glm::dot(down, down));
-    const double alpha2 = std::pow(surface.environment_roughness, 4) + (spread < 0.18 ? spread : 0.18); // no number: 0.18
-    surface.roughness = std::max(std::pow(std::min(alpha2, 1.0), 0.25), roughness_min);
+    return spread < 0.18 ? spread : 0.18; // what is no number, too
+}
+
+void antialias_specular(Surface& surface, double spread) {
+    const double alpha2 = std::min(std::pow(surface.environment_roughness, 4) + spread, 1.0);
+    surface.roughness = std::max(std::pow(alpha2, 0.25), roughness_min);
 }
 
 Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,

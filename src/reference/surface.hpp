@@ -29,9 +29,11 @@ struct Surface {
 /// The shading normal that `evaluate_surface` finds there.
 glm::dvec3 shading_normal(const RayScene& scene, const Textures& textures, const Hit& hit, glm::dvec3 view);
 
-/// Makes lamps see a rougher surface, by the normals beside it in its row and column of a quad of pixels:
+/// What α² grows by where normals beside it in the row and column of a quad of pixels are these:
 /// ReferenceForm::specular_antialiasing.
-void antialias_specular(Surface& surface, glm::dvec3 across, glm::dvec3 down);
+double normal_spread(glm::dvec3 normal, glm::dvec3 across, glm::dvec3 down);
+/// Lets lamps see a surface that is as much rougher.
+void antialias_specular(Surface& surface, double spread);
 
 /// Reads the material at a hit. `view` points towards the viewer.
 /// Throws Error for a material whose shader is a user's file: this knows built-in ones alone.

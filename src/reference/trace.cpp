@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <parallel/parallel_for.hpp>
+#include <optional>
 #include <prelight/error.hpp>
+#include <reference/decals.hpp>
 #include <reference/light_tree.hpp>
 #include <reference/lighting.hpp>
 #include <reference/ray_scene.hpp>
@@ -63,9 +65,11 @@ public:
     Tracer(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
            double exposure, const ReferenceForm& form, ReferenceBuffers* buffers)
         : form_(form), textures_(*world.scene, form.bilinear_level0),
-          scene_(world, camera.position, textures_), lights_(world, camera.position),
+          world_(world), scene_(world, camera.position, textures_), lights_(world, camera.position),
           environment_(world.scene->environment.get()), lens_(camera, width, height), origin_(camera.position), ambient_(world.ambient),
           factor_(std::exp2(exposure)), buffers_(buffers) {
+        if (!world.decals.empty())
+            decals_.emplace(world, camera.position, textures_);
         const size_t pixels = size_t(width) * height;
         picture.linear = Image(width, height);
         picture.instance.assign(pixels, no_instance);
@@ -101,8 +105,13 @@ private:
             return;
         const Draw& draw = scene_.draw(hit.draw);
         Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
+        const double spread = form_.specular_antialiasing
+                                  ? normal_spread(surface.normal, normal_at(hit, x ^ 1, y), normal_at(hit, x, y ^ 1))
+                                  : 0; // of the surface itself
+        if (decals_ && world_.instances[draw.instance].receives_decals && draw.material->receives_decals)
+            decals_->cover(surface);
         if (form_.specular_antialiasing)
-            antialias_specular(surface, normal_at(hit, pixel.x ^ 1, pixel.y), normal_at(hit, pixel.x, pixel.y ^ 1));
+            antialias_specular(surface, spread);
         picture.instance[at] = draw.instance;
         picture.primitive[at] = draw.primitive_index;
         picture.position[at] = origin_ + hit.position;
@@ -147,7 +156,9 @@ private:
 
     ReferenceForm form_;
     Textures textures_;
+    const World& world_;
     RayScene scene_;
+    std::optional<Decals> decals_; ///< absent: the world has none
     LightTree lights_;
     EnvironmentLight environment_;
     Lens lens_;

@@ -4,6 +4,7 @@
 #include "draw_settings.hpp"
 #include "light_culling_choice.hpp"
 #include "shadow_settings.hpp"
+#include <passes/decals.hpp>
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/view.hpp>
@@ -45,6 +46,7 @@ private:
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto gbuffer = passes::gbuffer_pass(graph, frame, format());
+        passes::decal_geometry_pass(graph, frame, gbuffer, passes::decal_pass(graph, frame, gbuffer.surface));
         const passes::LightingInputs lighting{.surface = gbuffer.surface,
                                         .material = gbuffer.motion,
                                         .albedo = gbuffer.albedo,

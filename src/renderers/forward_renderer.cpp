@@ -25,6 +25,7 @@ resident::FrameSettings ForwardRenderer::frame_settings() const {
 
 passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId depth, graph::ImageId colour) {
     passes::ForwardInputs inputs{.name = name, .depth = depth, .colour = colour, .kinds = {}, .plan = {}, .model = model_};
+    inputs.decals = decals_;
     inputs.pair_counters = &pair_counters();
     inputs.count_pairs = options().count_pairs;
     inputs.draws = &draws_;
@@ -40,7 +41,7 @@ void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const re
     if (wants("depth"))
         show("depth", passes::ViewKind::depth, depth);
     if (wants("albedo"))
-        show("albedo", passes::ViewKind::colour, passes::forward_albedo_pass(graph, frame, depth));
+        show("albedo", passes::ViewKind::colour, passes::forward_albedo_pass(graph, frame, depth, decals_));
     if (wants("light-count")) {
         passes::ForwardInputs counts{.name = "light-count",
                                      .depth = depth,
@@ -50,6 +51,7 @@ void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const re
                                          return passes::plan_by_objects(reach, FORWARD_MOST_LIGHTS, false);
                                      },
                                      .model = model_};
+        counts.decals = decals_;
         counts.pair_counters = &pair_counters();
         counts.counts_lights = true;
         light_count_pass(graph, frame, counts);

@@ -24,6 +24,8 @@ protected:
     void add_views(Views& views, graph::FrameGraph& graph, const resident::Frame& frame,
                    graph::ImageId depth) const;
 
+    passes::DecalBuffer decals_; ///< of the graph that is built: what shading() and add_views() draw with
+
 private:
     passes::LightModel model_;
     resident::ObjectLights order_;

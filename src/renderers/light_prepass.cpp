@@ -7,6 +7,7 @@
 #include "light_prepass_presets.hpp"
 #include <passes/light_list_compute.hpp>
 #include "shadow_settings.hpp"
+#include <passes/decals.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/materials.hpp>
 #include <passes/view.hpp>
@@ -45,6 +46,8 @@ private:
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto surface = passes::depth_normal_pass(graph, frame, surface_format(settings()));
+        const auto decals = passes::decal_pass(graph, frame, surface);
+        passes::decal_normal_pass(graph, frame, surface, decals);
         const auto list_shading = passes::list_shading(settings().get("list-shading"));
         const auto light = passes::make_light_buffer(graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading));
         const passes::LightingInputs lighting{.surface = surface,
@@ -58,7 +61,7 @@ private:
                                         .list_contents = passes::list_contents(settings().get("light-lists")),
                                         .write_once = settings().is("light-writes", "once")};
         passes::light_pass(graph, frame, "light", lighting);
-        const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_};
+        const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_, .decals = decals};
         Views views = picture_views(graph, frame, [&](passes::Display display) {
             return passes::material_pass(graph, frame, materials, display);
         });

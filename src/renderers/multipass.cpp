@@ -20,6 +20,7 @@ private:
         const bool per_object = settings().is("ambient", "per-object"); // [M1]
         const auto per_pass = static_cast<uint32_t>(settings().number("lights-per-pass")); // [M2]
         const auto plan = settings().is("order", "lights") ? passes::plan_by_lights : passes::plan_by_objects;
+        decals_ = passes::decals_of_own(graph, frame);
         const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
         const auto linear = passes::picture_image(graph, frame, {});
 

@@ -36,7 +36,7 @@ private:
     }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
-        const auto depth = passes::depth_only_pass(graph, frame); // [Z1]
+        const auto depth = depth_pass(graph, frame);
         Views views;
         if (grid_) // [Z3]
             views = picture_views(graph, frame, [&](passes::Display display) {
@@ -46,6 +46,16 @@ private:
             views = linear_views(graph, frame, draw_by_plan(graph, frame, depth));
         add_views(views, graph, frame, depth);
         return views;
+    }
+
+    /// [Z1]; where there are decals, with the normals that they look at.
+    graph::ImageId depth_pass(graph::FrameGraph& graph, const resident::Frame& frame) {
+        decals_ = {};
+        if (frame.decals().empty())
+            return passes::depth_only_pass(graph, frame);
+        const passes::SurfaceBuffers surface = passes::depth_normal_pass(graph, frame, {});
+        decals_ = passes::decal_pass(graph, frame, surface);
+        return surface.depth;
     }
 
     graph::ImageId draw_by_grid(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,

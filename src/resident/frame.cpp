@@ -70,7 +70,8 @@ void place(PlacedLight& target, const PlacedLight& light) {
 Frame::Frame(const gpu::Context& context, const World& world, const FrameSettings& settings)
     : context_(context), world_(world), settings_(settings), placed_(world.lights), kinds_(kinds_of(placed_)),
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)),
-      geometry_(upload_geometry(context, world, settings.motion, settings.draws.trims_on_device(), materials_.shaders)) {
+      decals_(decal_boxes(world)),
+      geometry_(upload_geometry(context, world, settings.motion, settings.draws.trims_on_device(), materials_.shaders, decals_)) {
     for (Slot& slot : slots_) {
         slot.constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
                                      VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);

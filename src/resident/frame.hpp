@@ -1,4 +1,5 @@
 #pragma once
+#include "decals.hpp"
 #include "device_trimming.hpp"
 #include "distribution_maps.hpp"
 #include "light_reach.hpp"
@@ -54,6 +55,8 @@ public:
     const World& world() const { return world_; }
     const Geometry& geometry() const { return geometry_; }
     const Materials& materials() const { return materials_; }
+    /// Of the world's decals, in the order in which they lie over each other.
+    std::span<const DecalBox> decals() const { return decals_; }
     /// All lights, by the index that shaders know them by.
     std::span<const PlacedLight> placed_lights() const { return placed_; }
     const LightGroups& lights() const { return groups_; }
@@ -85,6 +88,7 @@ public:
     /// World relative to eye() → clip space, of the last update().
     const glm::mat4& clip_from_world() const { return clip_from_world_; }
     LightCulling culling() const { return settings_.culling; }
+    gpu::TextureFilter texture_filter() const { return settings_.texture_filter; }
     const VolumeOptions& volumes() const { return settings_.volumes; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
     VkDescriptorSetLayout layout() const { return layout_; }
@@ -111,6 +115,7 @@ private:
     uint32_t kinds_ = 0; ///< of placed_, found when they come: every frame may bring 65,536
     size_t capacity_ = 0; ///< lights that the buffers hold
     Materials materials_;
+    std::vector<DecalBox> decals_;
     Geometry geometry_;
     /// What the host writes for one frame.
     struct Slot {

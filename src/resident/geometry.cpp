@@ -1,3 +1,4 @@
+#include "decals.hpp"
 #include "scene.hpp"
 #include <algorithm>
 #include <cmath>
@@ -6,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <prelight/error.hpp>
+#include <shared/bindings.h>
 #include <tuple>
 
 namespace prelight::resident {
@@ -100,7 +102,7 @@ private:
 } // namespace
 
 Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
-                         const MaterialShaders& shaders) {
+                         const MaterialShaders& shaders, std::span<const DecalBox> decals) {
     Vertices vertices(motion);
     std::map<const Mesh*, std::vector<Placement>> placements; // of the meshes that are shown
     Geometry geometry;
@@ -122,6 +124,8 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
                      instance.mirrored,
                      material.double_sided, &primitive});
             bound(draw, place, instance.transform);
+            if (instance.receives_decals && material.receives_decals && reaches_any(decals, draw.low, draw.high))
+                draw.features |= FEATURE_DECALS;
         }
     }
     if (vertices.positions.size() > 0x7fffffffu || vertices.indices.size() > 0xffffffffu)

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <prelight/scene.hpp>
+#include <span>
 #include <vector>
 
 namespace prelight::resident {
@@ -17,7 +18,7 @@ struct Draw {
     int32_t vertex_offset = 0;
     uint32_t object = 0;    ///< index into World::instances
     uint32_t material = 0;
-    uint32_t features = 0;  ///< FEATURE_… bits of its material
+    uint32_t features = 0;  ///< FEATURE_… bits of its material, and FEATURE_DECALS where decals reach it
     uint32_t shader = 0;    ///< of its material: index into Materials::shaders
     bool mirrored = false;
     bool double_sided = false;
@@ -71,12 +72,14 @@ struct Materials {
     gpu::DescriptorSets sets; ///< by material index
 };
 
+struct DecalBox;
 /// FEATURE_… bits of a material.
 uint32_t features_of(const Scene& scene, const Material& material);
 
-/// `motion`: with previous positions; `trims`: the device reads positions and indices to trim them.
+/// `motion`: with previous positions; `trims`: the device reads positions and indices to trim them; `decals`: what may
+/// reach objects.
 Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
-                         const MaterialShaders& shaders);
+                         const MaterialShaders& shaders, std::span<const DecalBox> decals);
 /// `exposure`: factor on emissive light. Throws Error naming an image that the device cannot hold.
 Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter,
                            double exposure);

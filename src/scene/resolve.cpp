@@ -7,6 +7,7 @@
 #include <prelight/scene.hpp>
 #include <map>
 #include <scene/deform.hpp>
+#include <scene/emit.hpp>
 #include <scene/enclosure.hpp>
 #include <scene/finite.hpp>
 #include <scene/node_tree.hpp>
@@ -98,6 +99,10 @@ public:
           now_(scene, scene_index, moment ? Pose(scene, moment->time, animation) : Pose(scene)) {
         if (moment && moment->interval != 0)
             before_.emplace(scene, scene_index, Pose(scene, moment->time - moment->interval, animation));
+        if (moment) {
+            time_ = moment->time;
+            interval_ = moment->interval;
+        }
         world_.scene = &scene;
         world_.ambient = scene.ambient;
         for (const Mesh& mesh : scene.meshes)
@@ -122,6 +127,9 @@ public:
         if (!bounds_.finite())
             throw Error(fmt::format("{}: scene {}: a vertex's world position is not finite",
                                     scene_.name, scene_index_));
+        world_.lights.insert(world_.lights.end(), particle_lights_.begin(), particle_lights_.end());
+        std::stable_sort(world_.decals.begin(), world_.decals.end(),
+                         [](const PlacedDecal& a, const PlacedDecal& b) { return a.decal.order < b.decal.order; });
         world_.bounds_min = bounds_.min;
         world_.bounds_max = bounds_.max;
         add_defaults();
@@ -145,6 +153,10 @@ private:
             world_.lights.push_back({scene_.lights[*node.light], glm::dvec3(world[3]),
                                      unit_or(-glm::dvec3(world[2]), {0, 0, -1}),
                                      unit_or(glm::dvec3(world[1]), {0, 1, 0})});
+        if (node.emitter)
+            add_particles(scene_.emitters[*node.emitter], index);
+        if (node.decal && unit_determinant(world) != 0) // what is flat holds nothing
+            world_.decals.push_back({scene_.decals[*node.decal], world});
     }
 
     void add_camera(const Camera& camera, uint32_t node) {
@@ -163,7 +175,7 @@ private:
         const bool skinned = node.skin && has_joints(mesh);
         const Shape shape = shape_of(now_, node, index, skinned);
         const Shape previous = before_ ? shape_of(*before_, node, index, skinned) : shape;
-        Instance instance{.mesh = *node.mesh, .node = index};
+        Instance instance{.mesh = *node.mesh, .node = index, .receives_decals = node.receives_decals};
         glm::dvec3 origin(0);
         if (!is_plain(mesh, shape) || !is_plain(mesh, previous))
             std::tie(instance.deformed, origin) = deformed(node, index, shape, previous);
@@ -248,6 +260,28 @@ private:
         }
     }
 
+    /// Lights and shapes of an emitter's particles.
+    void add_particles(const Emitter& emitter, uint32_t node) {
+        if (uint64_t(6) * emitter.count > max_deformed_vertices - deformed_vertices_)
+            throw Error(fmt::format("{}: node {}: the scene's emitters have more particles than fit", scene_.name, node));
+        deformed_vertices_ += uint64_t(6) * emitter.count;
+        Emission emission = emit(emitter, now_.world(node), time_, before_ ? std::optional(before_->world(node)) : std::nullopt,
+                                 interval_, fmt::format("{}: node {}", scene_.name, node));
+        particle_lights_.insert(particle_lights_.end(), emission.lights.begin(), emission.lights.end());
+        if (!emission.shapes)
+            return;
+        Instance instance{.node = node, .deformed = static_cast<uint32_t>(world_.deformed.size()), .receives_decals = false};
+        instance.transform[3] = glm::dvec4(emission.origin, 1);
+        for (const glm::vec3& position : emission.shapes->positions)
+            add_point(instance.transform, glm::dvec3(position));
+        world_.triangles += emission.shapes->indices.size() / 3;
+        world_.instances.push_back(instance);
+        Mesh& mesh = world_.deformed.emplace_back();
+        mesh.name = "particles";
+        mesh.primitives.push_back(std::move(*emission.shapes));
+        deformed_boxes_.push_back(facts_of(mesh).box);
+    }
+
     void add_point(const glm::dmat4& transform, glm::dvec3 p) {
         bounds_.add(glm::dvec3(transform * glm::dvec4(p, 1)));
     }
@@ -276,6 +310,8 @@ private:
     std::map<std::tuple<uint32_t, std::optional<uint32_t>, std::vector<double>, std::vector<double>>,
              std::pair<uint32_t, glm::dvec3>>
         made_;
+    double time_ = 0, interval_ = 0; ///< of the moment, seconds
+    std::vector<PlacedLight> particle_lights_;
     std::vector<Bounds> deformed_boxes_; ///< beside World::deformed, object space
     World world_;
     Bounds bounds_;

@@ -249,6 +249,8 @@ TEST_F(RoundTrip, BuiltinScenes) {
         const Scene b = back(a);
         expect_same_frame(a, b);
         EXPECT_TRUE(b.warnings.empty());
+        EXPECT_EQ(a.decals.size(), b.decals.size());
+        EXPECT_EQ(a.emitters.size(), b.emitters.size());
         ASSERT_EQ(a.meshes.size(), b.meshes.size());
         for (size_t i = 0; i < a.meshes.size(); ++i) {
             ASSERT_EQ(a.meshes[i].primitives.size(), b.meshes[i].primitives.size());

@@ -20,6 +20,7 @@ constexpr std::array beginnings{
     Beginning{"cluster", PassKind::lists},       Beginning{"tile", PassKind::lists},
     Beginning{"light-", PassKind::light},        Beginning{"light ", PassKind::light},
     Beginning{"depth", PassKind::geometry},      Beginning{"normal", PassKind::geometry},
+    Beginning{"decal", PassKind::geometry},      // they make the surface what light meets
     Beginning{"geometry", PassKind::geometry},   Beginning{"material", PassKind::material},
     Beginning{"shadow", PassKind::light},        // as much as the light needs it
     Beginning{"resolve", PassKind::display},     Beginning{"tonemap", PassKind::display},

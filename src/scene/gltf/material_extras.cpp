@@ -54,6 +54,7 @@ void read_material_extras(Textures& textures, const Item& item, Material& materi
     const auto own = own_extras(item);
     if (!own)
         return;
+    material.receives_decals = own->flag("receivesDecals", true);
     bool there = false;
     const simdjson::dom::object parameters = members(*own, "parameters", there);
     if (there)

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <scene/animate.hpp>
 #include <scene/finite.hpp>
+#include <scene/gltf/node_extras.hpp>
 #include <scene/gltf/nodes.hpp>
 #include <scene/gltf/primitives.hpp>
 
@@ -125,6 +126,7 @@ void read_nodes(Document& document, Accessors& accessors, Scene& scene) {
             document.charge(item.label(), 1, sizeof(Instance));
             document.charge(item.label(), morph_targets(scene.meshes[*node.mesh]), 4 * sizeof(double));
         }
+        read_node_extras(document, item, node, scene);
         if (const auto instancing = item.extension("EXT_mesh_gpu_instancing");
             instancing && node.mesh)
             node.instances = read_instances(document, accessors, *instancing);

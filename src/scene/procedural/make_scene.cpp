@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
+#include <scene/procedural/bounce.hpp>
 #include <scene/procedural/city.hpp>
 #include <scene/procedural/cookies.hpp>
+#include <scene/procedural/decals.hpp>
 #include <scene/procedural/lights.hpp>
 #include <scene/procedural/materials.hpp>
 #include <scene/procedural/motion.hpp>
@@ -24,6 +26,7 @@ struct Entry {
 /// A new built-in scene is one line here.
 constexpr auto entries = std::to_array<Entry>({
     {{"city", "a wet street at night: facades, cars, neon, lamps, string lights", 1024}, make_city},
+    {{"city-sparks", "the same street with sparks of welding, each a moving light: 8 in 9 of the lights", 9216}, make_city_sparks},
     {{"spheres", "shininess x metalness grid of spheres", 8}, make_spheres_scene},
     {{"lights", "yardstick for speed: 144 spheres, 121 columns, small point lights", 1024},
      make_lights_scene},
@@ -34,6 +37,8 @@ constexpr auto entries = std::to_array<Entry>({
     {{"cookies", "a room whose lights throw pictures and have measured profiles: window, lantern, dice, wall lamps", 7},
      make_cookies_scene},
     {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
+    {{"decals", "cracks, paint, bolts, a puddle and a burn on brick walls and a floor, lights that go round", 8}, make_decals_scene},
+    {{"bounce", "a room with a sunlit patch, and small lights on it in place of its indirect light", 65}, make_bounce_scene},
 });
 
 } // namespace

@@ -124,6 +124,8 @@ private:
         Json own = Json::object();
         if (material.shader && material.shader->file.empty())
             own["material"] = material.shader->name;
+        if (!material.receives_decals)
+            own["receivesDecals"] = false;
         for (const auto& [name, value] : material.parameters) {
             const MaterialParameter* declared = material.shader ? material.shader->find_parameter(name) : nullptr;
             const uint32_t components = declared ? declared->components : 4;

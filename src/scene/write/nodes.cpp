@@ -1,7 +1,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <scene/finite.hpp>
-#include <scene/write/parts.hpp>
+#include <scene/write/node_extras.hpp>
 #include <scene/write/transform.hpp>
 
 namespace prelight::write {
@@ -78,6 +78,7 @@ public:
             entry["camera"] = *node.camera;
         if (node.light)
             entry["extensions"]["KHR_lights_punctual"] = {{"light", *node.light}};
+        set_node_extras(entry, scene_, node, object_, document_);
         if (node.mesh && meshes_.at(*node.mesh)) {
             entry["mesh"] = *meshes_[*node.mesh];
             if (node.skin)

@@ -22,6 +22,13 @@
 //                                        own, or a file that is named elsewhere
 //   material.extras.prelight.parameters  {NAME: number or [numbers]}, as that material declares them
 //   material.extras.prelight.textures    {NAME: textureInfo}, likewise
+//   material.extras.prelight.receivesDecals  bool; absent: true
+//
+//   node.extras.prelight.receivesDecals  bool; absent: true
+//   node.extras.prelight.decal    {material, opacity, order, fade: [from, to], channels: ["colour", "normal", "roughness"]}
+//   node.extras.prelight.emitter  {count, seed, lifetime: [from, to], speed: [from, to], cone, radius, gravity, drag, ground,
+//                                  bounce, slip, colours: [[r, g, b], …], intensity, range, size, streak, material, castsShadow}
+//                                 members as in prelight/decal.hpp and prelight/emitter.hpp, all but the materials optional
 //
 // (`light` is an element of root.extensions.KHR_lights_punctual.lights.)
 namespace prelight::write {

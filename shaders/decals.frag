@@ -1,0 +1,84 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Between the first and the second stage: what one decal makes of the surface under a pixel, blended over what
+// earlier decals made of it. Alpha of the first two targets
+// is how much of the surface itself is left.
+#include "shared/decal.h"
+#include "shared/gbuffer.glsl"
+#include "shared/material_set.glsl"
+
+layout(constant_id = CONSTANT_DECAL_LEVEL) const bool level_in_shader = false;
+layout(early_fragment_tests) in;
+layout(push_constant) uniform DecalBlock { DecalConstants decal; };
+layout(location = 0) out vec4 out_colour;   // base colour
+layout(location = 1) out vec4 out_normal;   // world space
+layout(location = 2) out vec4 out_roughness; // r: roughness; g: nothing is added, so that it becomes what is left
+layout(location = 3) out vec4 out_metallic;  // r
+
+// How the place changes from this pixel to the next one to the right or below: to the neighbour on the side where it
+// changes less, for the other may show something else. What derivatives between pixels give there would be a seam.
+vec3 step_along(ivec2 pixel, ivec2 along, vec3 world) {
+    ivec2 last = ivec2(frame.size.xy) - 1;
+    vec3 after, before;
+    bool there_after = read_position(min(pixel + along, last), after);
+    bool there_before = read_position(max(pixel - along, ivec2(0)), before);
+    after -= world;
+    before = world - before;
+    // At the picture's edge one of them is 0.
+    float a = there_after ? dot(after, after) : 0.0, b = there_before ? dot(before, before) : 0.0;
+    return a > 0.0 && (a <= b || b == 0.0) ? after : b > 0.0 ? before : vec3(0.0);
+}
+
+vec3 in_box(vec4 v) { return vec3(dot(decal.box_row[0], v), dot(decal.box_row[1], v), dot(decal.box_row[2], v)); }
+
+vec2 ddx, ddy; // of the picture's place
+
+vec4 look_up(sampler2D map, int binding, vec2 uv) {
+    vec2 place = transformed(binding, uv) + material.uv_offset[binding - 1].xy;
+    vec2 right = transformed(binding, ddx), down = transformed(binding, ddy);
+    if (!level_in_shader)
+        return textureGrad(map, place, right, down);
+    // Between the levels that the longer and the shorter step ask for.
+    vec2 size = vec2(textureSize(map, 0)), r = right * size, d = down * size;
+    return textureLod(map, place, 0.25 * log2(max(dot(r, r) * dot(d, d), 1e-12)));
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 world;
+    bool surface = read_position(pixel, world);
+    vec3 place = in_box(vec4(world, 1.0));
+    vec3 n = read_normal(pixel);
+    vec3 right = vec3(decal.world_row[0].x, decal.world_row[1].x, decal.world_row[2].x);
+    vec3 up = vec3(decal.world_row[0].y, decal.world_row[1].y, decal.world_row[2].y);
+    vec3 axis = normalize(vec3(decal.world_row[0].z, decal.world_row[1].z, decal.world_row[2].z));
+    float t = clamp(dot(n, axis) * decal.fade.x + decal.fade.y, 0.0, 1.0);
+    if (!surface || any(greaterThan(abs(place), vec3(0.5))) || t <= 0.0)
+        discard;
+
+    vec2 uv = vec2(place.x + 0.5, 0.5 - place.y);
+    ddx = in_box(vec4(step_along(pixel, ivec2(1, 0), world), 0.0)).xy * vec2(1.0, -1.0);
+    ddy = in_box(vec4(step_along(pixel, ivec2(0, 1), world), 0.0)).xy * vec2(1.0, -1.0);
+
+    vec4 base = material.base_colour;
+    if (has(FEATURE_BASE_COLOUR_TEXTURE))
+        base *= look_up(base_colour_map, MATERIAL_BASE_COLOUR, uv);
+    vec2 factors = material.factors.xy;
+    if (has(FEATURE_METALLIC_ROUGHNESS_TEXTURE))
+        factors *= look_up(metallic_roughness_map, MATERIAL_METALLIC_ROUGHNESS, uv).bg;
+    vec3 mapped = n;
+    if (has(FEATURE_NORMAL_TEXTURE)) {
+        vec3 texel = look_up(normal_map, MATERIAL_NORMAL, uv).xyz * 2.0 - 1.0;
+        texel.xy *= material.factors.z;
+        // The frame of the surface's own normal. Where n is the X axis, or they meet, the fade has left nothing.
+        vec3 tangent = normalize(right - n * dot(n, right));
+        vec3 bitangent = normalize(up - n * dot(n, up) - tangent * dot(tangent, up));
+        mapped = normalize(tangent * texel.x + bitangent * texel.y + n * texel.z);
+    }
+    // Blended by their alphas, whether the target has one or not.
+    vec3 cover = decal.opacity.xyz * (base.a * t * t * (3.0 - 2.0 * t));
+    out_colour = vec4(base.rgb, 1.0) * cover.x;
+    out_normal = vec4(mapped, 1.0) * cover.y;
+    out_roughness = vec4(factors.y, 0.0, 0.0, 1.0) * cover.z;
+    out_metallic = vec4(factors.x, 0.0, 0.0, 1.0) * cover.x;
+}
