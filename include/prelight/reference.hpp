@@ -18,6 +18,7 @@ struct ReferenceForm {
     bool reflection_vector = false;   ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
     bool ambient_as_light = false;    ///< ambient enters the diffuse sum (full-screen light) [V1]
     bool shadows = false;             ///< shadow rays for every light that casts one
+    double occlusion_radius = 0;      ///< metres: ambient light is occluded by what is nearer; 0: by nothing
     bool bilinear_level0 = true;      ///< textures: bilinear on level 0, whatever the sampler says
     /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.

@@ -1,6 +1,8 @@
 #include "gbuffer.hpp"
 #include "fullscreen.hpp"
 #include "surface_draws.hpp"
+#include <fmt/format.h>
+#include <prelight/error.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -45,12 +47,32 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     pass.depth_write(out.surface.depth);
     for (const graph::ImageId target : {out.light, out.surface.normal, out.motion, out.albedo})
         pass.colour(target, graph::Load::clear);
+    if (format.ambient_apart) {
+        if (frame.context().limits().maxColorAttachments < 6)
+            throw Error(fmt::format("{}: ambient light apart needs 6 colour attachments, and the device has {}", frame.context().name(),
+                                    frame.context().limits().maxColorAttachments));
+        out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+        out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+        pass.colour(out.ambient, graph::Load::clear).colour(out.mirrored, graph::Load::clear);
+    }
     draw_surfaces(graph, pass, frame,
                   {.name = "geometry",
-                   .fragment = "gbuffer_fill.frag",
+                   .fragment = format.ambient_apart ? "gbuffer_fill+occlusion.frag" : "gbuffer_fill.frag",
                    .constants = out.surface.format.constants(),
                    .motion = true});
     return out;
+}
+
+void ambient_light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer, graph::ImageId visibility) {
+    graph::Pass& pass = graph.pass("ambient light");
+    pass.colour(gbuffer.light, graph::Load::keep)
+        .blends()
+        .sample(INPUT_DEPTH, gbuffer.surface.depth_source)
+        .sample(INPUT_NORMAL, gbuffer.surface.normal)
+        .sample(INPUT_OCCLUSION, visibility)
+        .sample(INPUT_AMBIENT_LIGHT, gbuffer.ambient)
+        .sample(INPUT_MIRRORED_LIGHT, gbuffer.mirrored);
+    draw_fullscreen(pass, frame, "ambient_light.frag", gbuffer.surface.format.constants(), gpu::Blend::add);
 }
 
 graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,

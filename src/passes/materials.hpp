@@ -1,6 +1,7 @@
 #pragma once
 #include "lighting.hpp"
 #include "tonemap.hpp"
+#include <optional>
 
 namespace prelight::passes {
 
@@ -8,6 +9,7 @@ struct MaterialInputs {
     graph::ImageId depth;
     LightBuffer light;
     LightModel model;
+    std::optional<graph::ImageId> visibility = {}; ///< ambient_occlusion_passes()'; none: ambient light is not occluded
 };
 
 /// Stage 3: every object once more with its own material, depth test EQUAL, light from the light

@@ -8,6 +8,7 @@
 #include <reference/ray_scene.hpp>
 #include <reference/surface.hpp>
 #include <reference/trace.hpp>
+#include <reference/visibility.hpp>
 
 namespace prelight::reference {
 namespace {
@@ -72,9 +73,13 @@ public:
         picture.depth.assign(pixels, std::numeric_limits<double>::infinity());
         picture.shadow_mask.assign(pixels, 0);
         picture.mask_outcome.assign(pixels, 0);
-        if (buffers)
-            *buffers = {Image(width, height), Image(width, height), Image(width, height),
-                        std::vector<uint32_t>(pixels, 0)};
+        if (!buffers)
+            return;
+        buffers->albedo = buffers->diffuse_light = buffers->specular_light = Image(width, height);
+        buffers->light_count.assign(pixels, 0);
+        buffers->visibility = buffers->visibility_radius > 0 ? Image(width, height) : Image();
+        for (glm::vec3& one : buffers->visibility.pixels)
+            one = glm::vec3(1);
     }
 
     void trace_row(uint32_t y) {
@@ -92,11 +97,20 @@ private:
         Hit hit;
         const bool found = scene_.closest(ray, hit);
         picture.mask_outcome[pixel] = hit.mask_outcome;
-        if (!found)
+        if (!found) {
+            if (environment_.is_background())
+                picture.linear.pixels[pixel] = glm::vec3(environment_.radiance(glm::normalize(ray.direction)) * factor_);
             return;
+        }
         const Draw& draw = scene_.draw(hit.draw);
-        const Surface surface =
-            evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
+        Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
+        if (form_.occlusion_radius > 0)
+            surface.visibility = ray_visibility(scene_, hit, surface.normal, form_.occlusion_radius);
+        if (buffers_ && buffers_->visibility_radius > 0)
+            buffers_->visibility.pixels[pixel] =
+                glm::vec3(form_.occlusion_radius == buffers_->visibility_radius
+                              ? surface.visibility
+                              : ray_visibility(scene_, hit, surface.normal, buffers_->visibility_radius));
         picture.instance[pixel] = draw.instance;
         picture.primitive[pixel] = draw.primitive_index;
         picture.position[pixel] = origin_ + hit.position;

@@ -67,6 +67,8 @@ ReferenceForm form_of(const Shot& shot) {
     form.reflection_vector = is(shot, "specular-vector", "reflection");
     form.ambient_as_light = is(shot, "ambient", "light");
     form.shadows = is(shot, "shadows", "on");
+    if (shot.settings.contains("ssao") && !is(shot, "ssao", "off"))
+        form.occlusion_radius = shot.settings.contains("ssao-radius") ? std::stod(shot.settings.at("ssao-radius")) : 1;
     form.own_shaders = shot.renderer == "deferred"    ? ReferenceForm::OwnShaders::no_lamps
                        : shot.renderer == "multipass" ? ReferenceForm::OwnShaders::each_light
                                                       : ReferenceForm::OwnShaders::sums;

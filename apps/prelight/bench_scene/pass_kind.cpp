@@ -22,6 +22,7 @@ constexpr std::array beginnings{
     Beginning{"depth", PassKind::geometry},      Beginning{"normal", PassKind::geometry},
     Beginning{"geometry", PassKind::geometry},   Beginning{"material", PassKind::material},
     Beginning{"shadow", PassKind::light},        // as much as the light needs it
+    Beginning{"background", PassKind::display},
     Beginning{"resolve", PassKind::display},     Beginning{"tonemap", PassKind::display},
 };
 
