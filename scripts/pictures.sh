@@ -127,6 +127,17 @@ mv "$work/small-1.8.png" "$out/city-sparks-later.png"
 "$prelight" render bounce --set shadows=on --lights 1 --size 960x540 -o "$work/bounce-without.png"
 shrink bounce
 shrink bounce-without
+# A sky that ImageMagick paints: roughness from left to right, metalness from bottom to top, and no lamp.
+convert \( -size 1024x256 gradient:'#2f5fb0-#dfe8f2' \) \( -size 1024x256 gradient:'#6a5f50-#2e2a25' \) -append \
+    -fill white -draw 'circle 660,130 676,130' -blur 0x2 -depth 8 "$work/sky.png"
+"$prelight" render spheres --lights 1 --environment "$work/sky.png" --size 640x360 --exposure 0.5 -o "$work/environment.png"
+keep environment
+
+# Ambient occlusion of the city from depth and normals, and below it by rays.
+"$prelight" render city --lights 1 --size 640x360 --set ssao=half -o "$work/unused.png" --view ambient-occlusion="$work/ssao-half.png"
+"$prelight" render city --lights 1 --size 640x360 --renderer reference -o "$work/unused.png" --view ambient-occlusion="$work/ssao-rays.png"
+convert "$work/ssao-half.png" "$work/ssao-rays.png" -append "$work/ssao.png"
+keep ssao
 
 too_large=$(find "$out" -name '*.png' -size +400k)
 if [ -n "$too_large" ]; then

@@ -15,6 +15,10 @@ layout(location = 0) out vec4 out_light;
 layout(location = 1) out vec4 out_normal;
 layout(location = 2) out vec4 out_motion;
 layout(location = 3) out vec4 out_albedo;
+#ifdef OCCLUSION  // ambient light waits for its occlusion: ambient_light.frag
+layout(location = 4) out vec4 out_ambient;
+layout(location = 5) out vec4 out_mirrored; // alpha: the roughness that it was mirrored with
+#endif
 
 // Pixels from the picture's middle. A point behind the camera has no place there: it is very far out.
 vec2 on_picture(mat4 clip_from_world, vec3 world) {
@@ -41,6 +45,14 @@ void main() {
     out_normal = texels.normal;
     out_motion = texels.motion;
     out_albedo = texels.albedo;
-    vec3 stored = min(base_light(p, s) / frame.light_buffer.x, vec3(frame.ambient.w));
+#ifdef OCCLUSION
+    BaseLight base = base_light_in_parts(p, s);
+    vec3 own = base.own;
+    out_ambient = vec4(clamp(base.ambient, 0.0, 65504.0), 1.0);
+    out_mirrored = vec4(clamp(base.mirrored, 0.0, 65504.0), s.roughness);
+#else
+    vec3 own = base_light(p, s);
+#endif
+    vec3 stored = min(own / frame.light_buffer.x, vec3(frame.ambient.w));
     out_light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
 }

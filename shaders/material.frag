@@ -14,6 +14,9 @@
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
 layout(constant_id = CONSTANT_MATERIAL_OUTPUT) const int material_output = MATERIAL_OUTPUT_SHADED;
 layout(constant_id = CONSTANT_AMBIENT_AS_LIGHT) const bool ambient_as_light = false;
+#ifdef OCCLUSION
+layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform texture2D visibility_buffer;
+#endif
 layout(location = 0) out vec4 out_colour;
 
 // A material with a shininess of its own raises the lights' sum to it [L5].
@@ -28,6 +31,13 @@ Light light_of(LightTexels texels, Point p, Surface s) {
     light.luminance = luminance(light.diffuse);
     light.specular = specular_sum(texels, s.roughness);
     light.ambient = ambient_as_light ? vec3(0.0) : frame.ambient.rgb * s.occlusion;
+    light.mirrored = light.ambient;
+    light.reflectance = vec2(1.0, 0.0);
+    light.openness = 1.0;
+    add_environment(light, p, s);
+#ifdef OCCLUSION
+    occlude(light, p, s, texelFetch(visibility_buffer, ivec2(gl_FragCoord.xy), 0).r);
+#endif
     light.grazing_diffuse = mean_grazing(texels.diffuse);
     light.grazing_specular = mean_grazing(texels.specular);
 #ifndef ONLY_WEIGHTED

@@ -7,6 +7,7 @@ set(PRELIGHT_SHADER_VARIANTS
     "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
     "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
     "surface+motion.vert|surface.vert|-DMOTION"
+    "gbuffer_fill+occlusion.frag|gbuffer_fill.frag|-DOCCLUSION"
     # Casters of shadows: push constants that say where the light is.
     "depth_only+shadow.vert|depth_only.vert|-DSHADOW_TILE"
     "surface+shadow.vert|surface.vert|-DSHADOW_TILE -DNO_WORLD -DNO_NORMAL"
@@ -67,7 +68,7 @@ set(decorated
     "forward.frag|forward.frag|"
     "forward_grid.frag|forward_grid.frag|"
     ${PRELIGHT_SHADER_VARIANTS} ${shadowed})
-set(decorated_stages "^(depth_normal(\\+roughness)?|material[^|/]*|gbuffer_fill|forward(_grid)?(\\+shadows)?|forward_base)\\.frag")
+set(decorated_stages "^(depth_normal(\\+roughness)?|material[^|/]*|gbuffer_fill(\\+occlusion)?|forward(_grid)?(\\+shadows)?|forward_base)\\.frag")
 list(FILTER decorated INCLUDE REGEX "${decorated_stages}")
 list(TRANSFORM decorated REPLACE "^([^|]*)\\.frag" "\\1+decals.frag")
 list(TRANSFORM decorated REPLACE "^([^|]*\\|[^|]*\\|[^|]*)" "\\1 -DDECALS")
@@ -110,7 +111,12 @@ set(PRELIGHT_MATERIAL_STAGES
     "material.frag|material.frag|"
     "material+bits.frag|material.frag|-DLIGHT_BITS"
     "material+pair.frag|material.frag|-DLIGHT_PAIR"
+    # With what nearby surfaces let through of ambient light.
+    "material+occlusion.frag|material.frag|-DOCCLUSION"
+    "material+bits+occlusion.frag|material.frag|-DLIGHT_BITS -DOCCLUSION"
+    "material+pair+occlusion.frag|material.frag|-DLIGHT_PAIR -DOCCLUSION"
     "gbuffer_fill.frag|gbuffer_fill.frag|"
+    "gbuffer_fill+occlusion.frag|gbuffer_fill.frag|-DOCCLUSION"
     "forward_base.frag|forward_base.frag|"
     "forward.frag|forward.frag|"
     "forward+shadows.frag|forward.frag|-DSHADOWS"

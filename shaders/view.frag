@@ -67,6 +67,8 @@ void main() {
         Reflectance r;
         bool takes_light = stored_reflectance(value, value, r);
         colour = surface && takes_light ? srgb_encode(r.f0) : vec3(0.0);
+    } else if (view == VIEW_OCCLUSION) {
+        colour = vec3(value.r);
     } else if (view == VIEW_COUNT) {
         colour = heat(value.g);
     } else {

@@ -56,6 +56,7 @@ void BenchArguments::add(CLI::App& app) {
     option("--shading", shading_, "MODEL", "Scene: ggx (default) or phong");
     option("--time", time_, "SECONDS", "Scene: moment of its animations (default: at rest)");
     option("--animation", animation_, "NAME|INDEX", "Scene: only this animation, at --time or else at 0 s");
+    add_environment_options(option, environment_);
     sub.add_flag("--count-pairs", count_pairs_,
                  "Scene: light x pixel pairs are always counted, in a frame that is not timed");
     option("-o,--output", output_, "PAGE", "report: the page to write, .html");
@@ -82,7 +83,12 @@ void BenchArguments::check_kind(Kind kind) const {
                              {"--light-counts", !light_counts_.empty(), scene}, {"--limit", limit_, scene},
                              {"--baseline", !baseline_.empty(), scene}, {"--set", !settings_.empty(), scene},
                              {"--shading", !shading_.empty(), scene}, {"--time", !time_.empty(), scene},
-                             {"--animation", !animation_.empty(), scene}, {"--count-pairs", count_pairs_, scene},
+                             {"--animation", !animation_.empty(), scene},
+                             {"--environment", !environment_.file.empty(), scene},
+                             {"--environment-intensity", !environment_.intensity.empty(), scene},
+                             {"--environment-rotation", !environment_.rotation.empty(), scene},
+                             {"--background", !environment_.background.empty(), scene},
+                             {"--count-pairs", count_pairs_, scene},
                              {"--scene", !table_scene_.empty(), table}, {"--frames", !frames_.empty(), both},
                              {"--json", !json_.empty(), both}, {"--camera", !camera_.empty(), both},
                              {"--size", !size_.empty(), both}, {"--lights", !lights_.empty(), both},
@@ -113,6 +119,7 @@ void BenchArguments::take_scene(BenchCommand& command) const {
         throw UsageError("--lights: goes without --light-counts only");
     command.moment = parse_moment(time_, animation_);
     command.animation = animation_;
+    command.environment = parse_environment(environment_);
     command.limit = limit_;
     command.baseline = baseline_;
 }

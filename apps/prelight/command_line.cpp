@@ -25,6 +25,7 @@ constexpr const char* render_footer = R"(Examples:
   prelight render city -o city.png --view normal=normal.png --view depth=depth.png
   prelight render fox.glb --animation Run --time 0.4 -o fox.png
   prelight render city --view diffuse-light -o light.png
+  prelight render helmet.glb --environment sky.hdr --environment-rotation 90 -o helmet.png
   prelight render helmet.glb --material Visor=toon.glsl -o helmet.png --watch
   prelight render city --renderer reference --size 320x180 -o truth.exr
 A name ending in .exr receives exposed scene-linear values, without tone mapping.
@@ -43,11 +44,13 @@ struct RenderText {
     std::string size = "1280x720", shading = "ggx", tonemap = "pbr-neutral", output, stats;
     std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0", time;
     std::vector<std::string> settings, views, materials;
+    EnvironmentText environment;
 };
 
 struct CompareText {
     std::string size = "960x540", shading = "ggx", output, lights, time, seed = "1", frames = "5";
     std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
+    EnvironmentText environment;
 };
 
 struct MakeText {
@@ -81,6 +84,7 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
            "Write this buffer in place of the picture; with =FILE.png, beside it; repeatable");
     option("--material", text.materials, "NAME=FILE",
            "Shade the glTF material NAME with a GLSL file of your own; repeatable (docs/materials.md)");
+    add_environment_options(option, text.environment);
     option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
     option("--shading", text.shading, "MODEL", "ggx (default) or phong");
     option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
@@ -113,6 +117,7 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
     option("--frame-limit", text.frame_limit, "SECONDS",
            "A slower frame ends a variant's line in the chart (default 1)");
     option("--frames", text.frames, "N", "Frames of each variant to time, interleaved (default 5)");
+    add_environment_options(option, text.environment);
     option("--size", text.size, "WxH", "Picture size in pixels (default 960x540)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
@@ -160,6 +165,7 @@ void finish(RenderCommand& command, const RenderText& text) {
         const auto [name, file] = parse_pair("--material", material);
         command.materials.emplace_back(name, file);
     }
+    command.environment = parse_environment(text.environment);
     command.output = text.output;
     command.stats = text.stats;
     take_views(command, text.views);
@@ -178,6 +184,7 @@ void finish(CompareCommand& command, const CompareText& text) {
         command.lights = parse_count("--lights", text.lights, 1);
     if (!text.renderers.empty())
         command.variants = parse_variants("--renderers", text.renderers);
+    command.environment = parse_environment(text.environment);
     command.light_counts = parse_light_counts("--light-counts", text.light_counts);
     command.frame_limit = parse_number("--frame-limit", text.frame_limit, 0, 1e6);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "environment_choice.hpp"
 #include "variant.hpp"
 
 #include <cstdint>
@@ -38,6 +39,7 @@ struct RenderCommand {
     std::filesystem::path stats; ///< empty: none
     /// `--material NAME=FILE`, in the order given.
     std::vector<std::pair<std::string, std::filesystem::path>> materials;
+    EnvironmentChoice environment;
 };
 
 /// `prelight compare`
@@ -56,6 +58,7 @@ struct CompareCommand {
     std::vector<Variant> variants;      ///< empty: the standard ones
     std::vector<uint32_t> light_counts; ///< rising; may be empty
     double frame_limit = 1; ///< seconds; a slower frame ends a variant's series of light counts
+    EnvironmentChoice environment;
 };
 
 /// `prelight make`
@@ -102,6 +105,7 @@ struct BenchCommand {
     std::string animation;              ///< name or index; empty: all
     bool limit = false;
     std::filesystem::path baseline; ///< empty: none
+    EnvironmentChoice environment;
 
     // Of Kind::report.
     std::vector<std::filesystem::path> files;

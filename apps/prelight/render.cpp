@@ -35,7 +35,7 @@ void check_before_work(const RenderCommand& command, const RendererInfo& info) {
             std::ranges::find(info.views, view) == info.views.end())
             throw UsageError(
                 fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
-    if (command.watch && !names_file(command.scene) && command.materials.empty())
+    if (command.watch && !names_file(command.scene) && command.materials.empty() && command.environment.file.empty())
         throw UsageError(fmt::format("--watch: {} is not a file that could change", command.scene));
     check_writable(command.output);
     for (const ViewFile& more : command.more_views)
@@ -96,6 +96,8 @@ std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
         files.emplace_back(command.scene);
     for (const auto& [name, file] : command.materials)
         files.push_back(file);
+    if (!command.environment.file.empty())
+        files.push_back(command.environment.file);
     return files;
 }
 
@@ -113,7 +115,10 @@ void run(const RenderCommand& command) {
     if (names_builtin(command.scene))
         built_in = std::async(std::launch::async, [&] { return make_builtin(command.scene, command.lights, command.seed); });
     OwnMaterials materials(command.materials);
-    const SceneEdit edit = [&](Scene& scene) { materials.assign(scene); };
+    const SceneEdit edit = [&, environment = environment_edit(command.environment)](Scene& scene) {
+        materials.assign(scene);
+        environment(scene);
+    };
     Session session;
     if (!info.needs_device && (command.validate || command.device != "auto"))
         throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",

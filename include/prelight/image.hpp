@@ -32,6 +32,9 @@ void save_exr(const Image& linear, const std::filesystem::path& path);
 Image load_png(const std::filesystem::path& path);
 /// Reads the RGB channels of an OpenEXR file. Throws Error.
 Image load_exr(const std::filesystem::path& path);
+/// Reads a Radiance picture (RGBE, flat or run-length encoded, rows from the top); what its header says of exposure is
+/// divided out. Throws Error.
+Image load_hdr(const std::filesystem::path& path);
 
 /// sRGB transfer function (IEC 61966-2-1), linear 0 … 1 → encoded 0 … 1; inputs are clamped.
 float srgb_encode(float linear);

@@ -22,6 +22,7 @@ struct ReferenceForm {
     /// triangle that the pixel's own ray hits: α² + min(½(|∂n/∂x|² + |∂n/∂y|²), 0.18). Differences within the
     /// pixel's row and column (Tokuyoshi and Kaplanyan 2019).
     bool specular_antialiasing = false;
+    double occlusion_radius = 0;      ///< metres: ambient light is occluded by what is nearer; 0: by nothing
     bool bilinear_level0 = true;      ///< textures: bilinear on level 0, whatever the sampler says
     /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.

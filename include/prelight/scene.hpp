@@ -33,6 +33,9 @@ struct Environment {
     /// Equirectangular, twice as wide as high; radiance, linear Rec. 709. The middle is seen along −Z, the
     /// top row lies towards +Y, left of the middle towards −X.
     Image image{};
+    float intensity = 1;    ///< factor on the image's radiance, ≥ 0 and finite
+    double rotation = 0;    ///< radians about +Y, counter-clockwise seen from above: π/2 puts the middle along −X
+    bool background = true; ///< seen where nothing is drawn
 };
 
 /// Four of the joints that move each vertex. A vertex's place is the sum over all sets of weight ×
@@ -114,7 +117,8 @@ struct Scene {
     std::vector<Decal> decals{};
     std::vector<Emitter> emitters{};
     glm::vec3 ambient{0};                 ///< uniform environment radiance, linear RGB
-    std::shared_ptr<const Environment> environment{}; ///< what materials reflect; null: `ambient`
+    /// Light from all around, in place of `ambient`, which it makes unused; null: `ambient`.
+    std::shared_ptr<const Environment> environment{};
     std::vector<std::string> warnings;    ///< what the loader left out or changed, one line each
 };
 
@@ -149,7 +153,7 @@ struct World {
     std::vector<PlacedLight> lights; ///< of the nodes, then of the emitters' particles
     std::vector<PlacedDecal> decals{}; ///< by Decal::order: later ones lie over earlier ones
     std::vector<PlacedCamera> cameras;
-    glm::vec3 ambient{0};           ///< uniform environment radiance
+    glm::vec3 ambient{0};           ///< uniform environment radiance; unused where the scene has an environment
     glm::dvec3 bounds_min{0};       ///< of all triangles' vertices
     glm::dvec3 bounds_max{0};
     uint64_t triangles = 0;
@@ -162,8 +166,8 @@ struct World {
 
 /// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
 /// camera gets one named "framed" that shows its bounds from (1, 0.6, 1.4) with 0.87 rad or, when the
-/// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One without lights
-/// and without ambient gets the documented key light (directional, 3 lux, from the upper left behind
+/// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One without lights,
+/// without ambient and without environment gets the documented key light (directional, 3 lux, from the upper left behind
 /// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25.
 /// Without a `moment` nodes and morph weights are as the file gives them (skins are in the pose of
 /// their joints) and nothing has moved. With one they are as the animations put them at its time, and

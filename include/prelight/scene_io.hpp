@@ -17,6 +17,10 @@ Scene load_gltf(const std::filesystem::path& path);
 /// The file appears under a temporary name and is renamed when whole. Throws Error.
 void save_glb(const Scene& scene, const std::filesystem::path& path);
 
+/// Reads a picture of all directions: Radiance .hdr, OpenEXR or (sRGB-encoded, 8 bits) PNG, told apart by the name's
+/// ending. Throws Error "FILE: REASON": not twice as wide as high, wider than 16,384, a value negative or not finite.
+Environment load_environment(const std::filesystem::path& path);
+
 struct BuiltinScene {
     std::string_view name;
     std::string_view description;

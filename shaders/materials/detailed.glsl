@@ -39,5 +39,5 @@ vec3 shade(Point p, Surface s, Light light) {
     vec3 f0 = mix(vec3(0.04), s.base, s.metallic);
     vec3 diffuse = diffuse_colour * (1.0 - f0 - (1.0 - f0) * light.grazing_diffuse) * light.diffuse;
     vec3 specular = (f0 + (1.0 - f0) * light.grazing_specular) * light.specular;
-    return diffuse + specular + light.ambient * (diffuse_colour + f0) + s.emissive;
+    return diffuse + specular + ambient_on(light, diffuse_colour, f0) + s.emissive;
 }

@@ -15,5 +15,5 @@ vec3 shade(Point p, Surface s, Light light) {
     vec3 diffuse = diffuse_colour * (1.0 - f0 - (1.0 - f0) * light.grazing_diffuse) * light.diffuse;
     vec3 specular = (f0 + (1.0 - f0) * light.grazing_specular) * light.specular;
     vec3 source = mix(exposed(vec3(1.0)), light.diffuse + light.ambient, lit);
-    return diffuse + specular + light.ambient * (diffuse_colour + f0) + rim * edge * rim_colour * source + s.emissive;
+    return diffuse + specular + ambient_on(light, diffuse_colour, f0) + rim * edge * rim_colour * source + s.emissive;
 }

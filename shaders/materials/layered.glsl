@@ -20,14 +20,25 @@ float coat_strength(Point p) {
     return has_texture(2) ? clearcoat * texture(clearcoat_map, texture_place(p, 2)).r : clearcoat;
 }
 
+float coat_roughness(Point p) {
+    return has_texture(3) ? clearcoat_roughness * texture(clearcoat_roughness_map, texture_place(p, 3)).g : clearcoat_roughness;
+}
+
 // Lights see one roughness: the coat's, as far as there is a coat.
 Surface surface(Point p) {
     Surface s = gltf_surface(p);
-    float coat_roughness = clearcoat_roughness;
-    if (has_texture(3))
-        coat_roughness *= texture(clearcoat_roughness_map, texture_place(p, 3)).g;
-    s.roughness = mix(s.roughness, coat_roughness, coat_strength(p));
+    s.roughness = mix(s.roughness, coat_roughness(p), coat_strength(p));
     return s;
+}
+
+// The environment on body and coat, each with its own roughness; `sheen`: what the cloth takes.
+vec3 environment_on_layers(Point p, Surface s, Light light, vec3 diffuse_colour, vec3 f0, float f90, vec3 sheen) {
+    float body_roughness = metallic_roughness(p).y, coat_rough = coat_roughness(p), nv = facing(p, s);
+    vec2 scale = environment_reflectance(body_roughness, nv), coat_scale = environment_reflectance(coat_rough, nv);
+    vec3 body = diffuse_colour * light.ambient + (f0 * scale.x + f90 * scale.y) * light.openness * environment_radiance(mirror_direction(p, s, body_roughness), body_roughness);
+    vec3 dressed = body * (1.0 - max(sheen.r, max(sheen.g, sheen.b))) + sheen * light.ambient;
+    float coat = coat_strength(p) * (0.04 * coat_scale.x + coat_scale.y);
+    return dressed * (1.0 - coat) + coat * light.openness * environment_radiance(mirror_direction(p, s, coat_rough), coat_rough);
 }
 
 vec3 shade(Point p, Surface s, Light light) {
@@ -47,13 +58,15 @@ vec3 shade(Point p, Surface s, Light light) {
     vec3 f0 = mix(min(r * r * tint, vec3(1.0)) * weight, s.base, s.metallic);
     float f90 = mix(weight, 1.0, s.metallic);
     vec3 diffuse_colour = s.base * (1.0 - s.metallic);
+    vec3 ambient = has(FEATURE_ENVIRONMENT) ? vec3(0.0) : light.ambient;
     vec3 body = diffuse_colour * (1.0 - f0 - (f90 - f0) * light.grazing_diffuse) * light.diffuse +
-                (f0 + (f90 - f0) * light.grazing_specular) * light.specular + light.ambient * (diffuse_colour + f0) + s.emissive;
+                (f0 + (f90 - f0) * light.grazing_specular) * light.specular + ambient * (diffuse_colour + f0) + s.emissive;
 
     float nv = clamp(dot(s.normal, p.to_viewer), 0.0, 1.0);
     vec3 sheen = cloth_colour * pow(max(1.0 - nv, 0.0001), 1.0 + 3.0 * (1.0 - cloth_roughness));
-    vec3 dressed = body * (1.0 - max(sheen.r, max(sheen.g, sheen.b))) + sheen * (light.diffuse + light.ambient);
+    vec3 dressed = body * (1.0 - max(sheen.r, max(sheen.g, sheen.b))) + sheen * (light.diffuse + ambient);
 
     float strength = coat_strength(p), coat = strength * (0.04 + 0.96 * light.grazing_specular);
-    return dressed * (1.0 - coat) + coat * light.specular + 0.04 * strength * light.ambient;
+    vec3 colour = dressed * (1.0 - coat) + coat * light.specular + 0.04 * strength * ambient;
+    return has(FEATURE_ENVIRONMENT) ? colour + environment_on_layers(p, s, light, diffuse_colour, f0, f90, sheen) : colour;
 }

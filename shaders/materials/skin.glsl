@@ -13,5 +13,5 @@ vec3 shade(Point p, Surface s, Light light) {
     float subsurface = max(smoothstep(-roll_off, 1.0, lit) - smoothstep(0.0, 1.0, lit), 0.0);
     subsurface *= mix(smoothstep(0.0, max(roll_off, 0.001), lit), 1.0, glow);
     float fresnel = 0.04 + 0.96 * light.grazing_specular;
-    return s.base * (light.diffuse + light.ambient) + subsurface * subsurface_colour + fresnel * light.specular + s.emissive;
+    return s.base * (light.diffuse + light.ambient) + subsurface * subsurface_colour + fresnel * light.specular + environment_on(light, vec3(0.04)) + s.emissive;
 }

@@ -60,6 +60,10 @@
 #define INPUT_DECAL_NORMAL 41
 #define INPUT_DECAL_ROUGHNESS 42
 #define INPUT_DECAL_METALLIC 43
+// ambient occlusion, of what is compiled with OCCLUSION
+#define INPUT_OCCLUSION 32
+#define INPUT_AMBIENT_LIGHT 33
+#define INPUT_MIRRORED_LIGHT 34
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -79,6 +83,8 @@
 #define MATERIAL_ENVIRONMENT 12
 #define MATERIAL_PARAMETERS 13
 #define MATERIAL_ENVIRONMENT_LIGHT 14
+#define MATERIAL_SKY 17  // the environment as it came, for the background
+#define MATERIAL_REFLECTANCE 18  // of a mirror, by N·V and roughness
 #define MATERIAL_TEXTURES 11  // of the standard and a shader's own: what MaterialConstants knows of
 
 #define VERTEX_POSITION 0
@@ -135,7 +141,10 @@
 #define CONSTANT_TRIM_AGAIN 62
 #define CONSTANT_SHADOW_FILTER 51
 #define CONSTANT_SPECULAR_ANTIALIASING 70
-#define CONSTANT_DECAL_LEVEL 80
+#define CONSTANT_DECAL_LEVEL 83
+#define CONSTANT_OCCLUSION_RADIUS 80
+#define CONSTANT_OCCLUSION_SCALE 81
+#define CONSTANT_OCCLUSION_AXIS 82
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -233,5 +242,6 @@
 #define VIEW_SPECULAR 9
 #define VIEW_MOTION 10
 #define VIEW_SECOND_LIGHT 11  // the other half of a pair
+#define VIEW_OCCLUSION 16
 
 #endif

@@ -49,8 +49,10 @@ void add_lamp(inout LampSums sums, ForwardSurface s, LightData light, out bool c
     sums.grazing_specular += lamp.luminance * terms.specular * grazing;
 }
 
-vec3 shade_lamps(ForwardSurface s, LampSums sums, vec3 ambient) {
+vec3 shade_lamps(ForwardSurface s, LampSums sums, vec3 ambient, bool with_base) {
     Light light = light_without_lamps(ambient, s.schlick_nv);
+    if (with_base)
+        add_environment(light, s.at, s.surface);
     light.irradiance = sums.irradiance;
     light.diffuse = sums.irradiance / lambert_divisor;
     light.luminance = luminance(light.diffuse);
@@ -66,8 +68,8 @@ vec3 shade_lamps(ForwardSurface s, LampSums sums, vec3 ambient) {
 vec3 forward_colour(ForwardSurface s, LampSums sums, bool with_base, float limit) {
     if (with_base)
         return has(FEATURE_UNLIT) ? base_light(s.at, s.surface)
-                                  : min(shade_lamps(s, sums, frame.ambient.rgb * s.surface.occlusion), vec3(limit + 32752.0));
-    return clamp(shade_lamps(s, sums, vec3(0.0)) - shade_lamps(s, no_lamps(), vec3(0.0)), vec3(-limit), vec3(limit));
+                                  : min(shade_lamps(s, sums, frame.ambient.rgb * s.surface.occlusion, true), vec3(limit + 32752.0));
+    return clamp(shade_lamps(s, sums, vec3(0.0), false) - shade_lamps(s, no_lamps(), vec3(0.0), false), vec3(-limit), vec3(limit));
 }
 #else
 struct LampSums {

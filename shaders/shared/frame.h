@@ -73,7 +73,8 @@ struct MaterialConstants {
 // What of the world's environment map no pixel needs to look up.
 struct EnvironmentConstants {
     vec4 irradiance[9];  // rgb: spherical harmonics of what a white Lambert surface sends on; exposed
-    vec4 levels;         // x: the roughest mip level of MATERIAL_ENVIRONMENT; y: factor (exposure)
+    vec4 levels;         // x: rows of a map in level 0 of MATERIAL_ENVIRONMENT; y: factor (exposure × intensity);
+                         // z: turns that the map is rotated by, added to its u
 };
 
 SHARED_END

@@ -19,12 +19,18 @@ const float lambert_divisor = shading == SHADING_GGX ? 3.14159265 : 1.0;
 struct Light {
     vec3 diffuse;     // what a white Lambert surface sends on: Σ N·L colour attenuation / lambert_divisor
     vec3 specular;    // what a mirror-coloured surface sends on: Σ … (N·H)^n, or N·L D V without Fresnel
-    vec3 ambient;     // radiance from everywhere, occlusion applied
+    vec3 ambient;     // radiance from everywhere, occlusion applied; of an environment what a white Lambert
+                      // surface sends on
     float luminance;  // of `diffuse`
     vec3 irradiance;  // Σ N·L colour attenuation
     // Mean (1 − V·H)⁵ of the lamps, weighted by their luminance in either sum: Schlick's Fresnel term is
     // F0 + (1 − F0) times it. (1 − N·V)⁵ where V·H of each lamp is not known.
     float grazing_diffuse, grazing_specular;
+    // What a mirror of this roughness shows of the environment, occlusion applied; and what of it a surface sends
+    // on: F0 · reflectance.x + reflectance.y. Without an environment `ambient`, and 1 and 0.
+    vec3 mirrored;
+    vec2 reflectance;
+    float openness;  // what occlusion leaves of mirrored light
 };
 
 // (1 − N·V)⁵
@@ -35,8 +41,10 @@ float grazing_at_viewer(Point p, Surface s) {
 
 // Light that no lamp sends.
 Light light_without_lamps(vec3 ambient, float grazing) {
-    return Light(vec3(0.0), vec3(0.0), ambient, 0.0, vec3(0.0), grazing, grazing);
+    return Light(vec3(0.0), vec3(0.0), ambient, 0.0, vec3(0.0), grazing, grazing, ambient, vec2(1.0, 0.0), 1.0);
 }
+
+#include "shared/environment.glsl"
 
 // A radiance of the scene as a picture of this exposure has it: what shade() gives is exposed.
 vec3 exposed(vec3 radiance) { return radiance * frame.light_buffer.y; }

@@ -140,12 +140,12 @@ void decal_geometry_pass(graph::FrameGraph& graph, const resident::Frame& frame,
         return;
     graph::Pass& pass = graph.pass("decal-geometry");
     pass.depth_test(gbuffer.surface.depth);
-    for (const graph::ImageId target : {gbuffer.light, gbuffer.surface.normal, gbuffer.motion, gbuffer.albedo})
+    for (const graph::ImageId target : gbuffer.targets())
         pass.colour(target, graph::Load::keep);
     declare_decals(pass, decals);
     draw_surfaces(graph, pass, frame,
                   {.name = pass.name(),
-                   .fragment = "gbuffer_fill.frag",
+                   .fragment = gbuffer.fragment(),
                    .constants = gbuffer.surface.format.constants(),
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,

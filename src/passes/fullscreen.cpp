@@ -4,7 +4,7 @@
 namespace prelight::passes {
 
 void draw_fullscreen(graph::Pass& pass, const resident::Frame& frame, const std::string& fragment,
-                     const gpu::Constants& constants) {
+                     const gpu::Constants& constants, gpu::Blend blend) {
     auto pipeline = std::make_shared<gpu::GraphicsPipeline>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) {
         gpu::GraphicsPipelineDesc desc;
@@ -12,6 +12,7 @@ void draw_fullscreen(graph::Pass& pass, const resident::Frame& frame, const std:
         desc.vertex = "fullscreen.vert";
         desc.fragment = fragment;
         desc.constants = constants;
+        desc.blend = blend;
         desc.colour_formats = interface.colour_formats;
         desc.sets = {frame.layout(), interface.inputs};
         *pipeline = gpu::GraphicsPipeline(frame.context(), desc);

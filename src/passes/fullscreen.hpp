@@ -7,6 +7,6 @@ namespace prelight::passes {
 
 /// Gives `pass` a full-screen triangle with this fragment shader.
 void draw_fullscreen(graph::Pass& pass, const resident::Frame& frame, const std::string& fragment,
-                     const gpu::Constants& constants);
+                     const gpu::Constants& constants, gpu::Blend blend = gpu::Blend::none);
 
 } // namespace prelight::passes

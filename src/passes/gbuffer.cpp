@@ -1,6 +1,8 @@
 #include "gbuffer.hpp"
 #include "fullscreen.hpp"
 #include "surface_draws.hpp"
+#include <fmt/format.h>
+#include <prelight/error.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -30,6 +32,13 @@ void make_wide(graph::FrameGraph& graph, VkExtent2D extent, bool stencil, GBuffe
 
 } // namespace
 
+std::vector<graph::ImageId> GBuffer::targets() const {
+    std::vector<graph::ImageId> all{light, surface.normal, motion, albedo};
+    if (ambient_apart)
+        all.insert(all.end(), {ambient, mirrored});
+    return all;
+}
+
 GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBufferFormat& format) {
     GBuffer out{};
     out.surface.format.gbuffer = format.layout;
@@ -41,16 +50,36 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
     out.light = graph.image("accumulated light", {light, frame.extent()});
 
+    out.ambient_apart = format.ambient_apart;
+    if (format.ambient_apart) {
+        if (frame.context().limits().maxColorAttachments < 6)
+            throw Error(fmt::format("{}: ambient light apart needs 6 colour attachments, and the device has {}", frame.context().name(),
+                                    frame.context().limits().maxColorAttachments));
+        out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+        out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+    }
     graph::Pass& pass = graph.pass("geometry");
     pass.depth_write(out.surface.depth);
-    for (const graph::ImageId target : {out.light, out.surface.normal, out.motion, out.albedo})
+    for (const graph::ImageId target : out.targets())
         pass.colour(target, graph::Load::clear);
     draw_surfaces(graph, pass, frame,
                   {.name = "geometry",
-                   .fragment = "gbuffer_fill.frag",
+                   .fragment = out.fragment(),
                    .constants = out.surface.format.constants(),
                    .motion = true});
     return out;
+}
+
+void ambient_light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer, graph::ImageId visibility) {
+    graph::Pass& pass = graph.pass("ambient light");
+    pass.colour(gbuffer.light, graph::Load::keep)
+        .blends()
+        .sample(INPUT_DEPTH, gbuffer.surface.depth_source)
+        .sample(INPUT_NORMAL, gbuffer.surface.normal)
+        .sample(INPUT_OCCLUSION, visibility)
+        .sample(INPUT_AMBIENT_LIGHT, gbuffer.ambient)
+        .sample(INPUT_MIRRORED_LIGHT, gbuffer.mirrored);
+    draw_fullscreen(pass, frame, "ambient_light.frag", gbuffer.surface.format.constants(), gpu::Blend::add);
 }
 
 graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,

@@ -10,6 +10,11 @@ struct GBuffer {
     graph::ImageId light;     ///< RT0: light so far, divided by FrameSettings::light_scale
     graph::ImageId motion;    ///< RT2; shaders/shared/motion_encoding.h
     graph::ImageId albedo;    ///< RT3
+    bool ambient_apart = false;           ///< as in GBufferFormat
+    graph::ImageId ambient{}, mirrored{}; ///< RT4 and RT5, only where ambient_apart
+    /// The geometry pass's targets and its shader.
+    std::vector<graph::ImageId> targets() const;
+    const char* fragment() const { return ambient_apart ? "gbuffer_fill+occlusion.frag" : "gbuffer_fill.frag"; }
     LightTarget light_target() const { return {"+deferred", {light}, graph::Load::keep}; }
 };
 
@@ -19,12 +24,16 @@ struct GBufferFormat {
     bool position_from_ray = true;
     bool stencil = false;                       ///< killzone2 has it always
     bool specular_antialiasing = false;         ///< as in SurfaceFormat
+    bool ambient_apart = false;                 ///< ambient light waits in targets of its own for ambient_light_pass()
 };
 
 /// The geometry pass: every object once, into four targets and depth. Ambient and emissive light, and
 /// the colour of unlit surfaces, stand in RT0 afterwards; lights are added to it. Motion needs
 /// FrameSettings::motion.
 GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBufferFormat& format);
+
+/// Adds to RT0 the ambient light that the geometry pass laid aside, where `visibility` (ambient_occlusion_passes()) lets it through.
+void ambient_light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer, graph::ImageId visibility);
 
 /// RT0 → scene-linear and exposed, or with `display` the finished picture. Where bytes have clipped RGB, its intensity channel gives back
 /// the luminance, up to eight times as much.

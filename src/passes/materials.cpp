@@ -26,20 +26,25 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
         constants.push_back(constant);
     const bool ggx = inputs.model.shading == Shading::ggx;
     const bool at_nv = ggx && inputs.model.fresnel != FresnelModel::weighted; // wants the normal once more
+    const bool occluded = inputs.visibility.has_value();
+    if (occluded)
+        pass.sample(INPUT_OCCLUSION, *inputs.visibility);
+    const bool all_of_a_point = frame.environment() || occluded; // normal and viewer
+    const std::string texels = is_light_pair(graph, inputs.light.diffuse) ? "+pair" : bits ? "+bits" : "";
+    const std::string own = "material" + texels + (occluded ? "+occlusion" : "") + ".frag";
     const std::string shader = !ggx    ? "material_blinn_phong"
                                : at_nv ? "material_metallic_roughness"
                                        : "material_metallic_roughness+weighted";
-    const std::string texels = is_light_pair(graph, inputs.light.diffuse) ? "+pair" : bits ? "+bits" : "";
     draw_surfaces(graph, pass, frame,
                   {.name = "material",
-                   .fragment = shader + texels + ".frag",
-                   .own_fragment = "material" + texels + ".frag",
+                   .fragment = all_of_a_point ? (ggx ? "metallic_roughness/" : "blinn_phong/") + own : shader + texels + ".frag",
+                   .own_fragment = own,
                    .constants = constants,
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,
-                   .world = at_nv,
-                   .normal = at_nv,
-                   .untextured_variant = true,
+                   .world = at_nv || all_of_a_point,
+                   .normal = at_nv || all_of_a_point,
+                   .untextured_variant = !all_of_a_point,
                    .decals = bool(inputs.decals)});
 }
 

@@ -2,6 +2,7 @@
 #include "decals.hpp"
 #include "lighting.hpp"
 #include "tonemap.hpp"
+#include <optional>
 
 namespace prelight::passes {
 
@@ -10,6 +11,7 @@ struct MaterialInputs {
     LightBuffer light;
     LightModel model;
     DecalBuffer decals = {};
+    std::optional<graph::ImageId> visibility = {}; ///< ambient_occlusion_passes()'; none: ambient light is not occluded
 };
 
 /// Stage 3: every object once more with its own material, depth test EQUAL, light from the light

@@ -10,6 +10,7 @@ enum class ViewKind {
     specular, ///< of a G-buffer: the target that holds it
     motion,   ///< of a G-buffer: RT2
     second_light, ///< the other half of a pair in one image
+    occlusion = VIEW_OCCLUSION, ///< visibility as grey
 };
 
 /// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.

@@ -55,7 +55,7 @@ void Lighting::add(const Incident& light) {
     if (surface_.shaded && form_.own_shaders == ReferenceForm::OwnShaders::each_light) {
         Lighting one(form_, surface_, exposure_, environment_);
         one.add_one(light, nl);
-        each_ += one.own_shader(one.sums_, glm::dvec3(0)) - own_shader({}, glm::dvec3(0));
+        each_ += one.own_shader(one.sums_, glm::dvec3(0), true, false) - own_shader({}, glm::dvec3(0), true, false);
     }
     add_one(light, nl);
 }
@@ -146,19 +146,22 @@ glm::dvec3 Lighting::phong_specular(const LightSums& sums) const {
     return glm::dvec3(weight > 0 ? raised(channel4 / weight) * weight : 0);
 }
 
-glm::dvec3 Lighting::own_shader(const LightSums& sums, glm::dvec3 ambient, bool lamps) const {
+glm::dvec3 Lighting::own_shader(const LightSums& sums, glm::dvec3 ambient, bool lamps, bool around) const {
+    const EnvironmentLight* environment = around ? environment_ : nullptr;
     const bool ggx = form_.shading == Shading::ggx;
     const double at_viewer = fifth_power(1 - clamped_dot(surface_.normal, surface_.view));
+    const double facing = clamped_dot(surface_.normal, surface_.view);
     const double e = luminance(sums.diffuse), s = luminance(sums.specular);
     const bool by_lamps = lamps && ggx && (form_.fresnel == ReferenceForm::Fresnel::weighted || form_.fresnel == ReferenceForm::Fresnel::full);
     return shade_own({.surface = surface_,
                       .diffuse = sums.diffuse / (ggx ? pi : 1.0),
                       .specular = ggx ? sums.specular : phong_specular(sums),
-                      .ambient = ambient * surface_.occlusion,
+                      .ambient = (environment ? environment->lambert(surface_.normal) : ambient) * surface_.occlusion * surface_.visibility,
                       .grazing_diffuse = !by_lamps ? at_viewer : e > 0 ? sums.diffuse_fresnel / e : 0,
                       .grazing_specular = !by_lamps ? at_viewer : s > 0 ? sums.specular_fresnel / s : 0,
                       .exposure = exposure_,
-                      .environment = environment_});
+                      .environment = environment,
+                      .openness = surface_.occlusion * mirror_visibility(facing, surface_.visibility, surface_.environment_roughness)});
 }
 
 glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
@@ -167,27 +170,39 @@ glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
     if (!surface_.shaded)
         return standard(ambient, true);
     using Own = ReferenceForm::OwnShaders;
-    if (form_.own_shaders == Own::sums && !form_.ambient_as_light)
-        return own_shader(sums_, ambient);
+    const bool as_light = form_.ambient_as_light && !environment_; // an environment is no light
+    if (form_.own_shaders == Own::sums && !as_light)
+        return own_shader(sums_, ambient, true, true);
     if (form_.own_shaders == Own::sums) {
         sums_.diffuse += form_.shading == Shading::ggx ? pi * ambient : ambient;
-        return own_shader(sums_, glm::dvec3(0));
+        return own_shader(sums_, glm::dvec3(0), true, false);
     }
     const glm::dvec3 lamps = form_.own_shaders == Own::each_light ? each_ : standard(glm::dvec3(0), false);
-    return lamps + own_shader({}, ambient, false);
+    return lamps + own_shader({}, ambient, false, true);
+}
+
+glm::dvec3 Lighting::ambient_term(glm::dvec3 ambient) const {
+    if (!environment_)
+        return ambient * surface_.occlusion * surface_.visibility * (diffuse_colour_ + material_f0_);
+    const double nv = glm::dot(surface_.normal, surface_.view), facing = std::clamp(nv, 0.0, 1.0);
+    const double roughness = surface_.environment_roughness;
+    const glm::dvec3 mirrored = environment_->mirrored(mirror_direction(surface_.normal, surface_.view, roughness), roughness) *
+                                mirror_visibility(facing, surface_.visibility, roughness);
+    const glm::dvec3 share = environment_share(material_f0_, 1, roughness, facing);
+    return surface_.occlusion * (diffuse_colour_ * environment_->lambert(surface_.normal) * surface_.visibility + share * mirrored);
 }
 
 glm::dvec3 Lighting::standard(glm::dvec3 ambient, bool with_base) {
     const bool ggx = form_.shading == Shading::ggx;
     glm::dvec3 result = with_base ? surface_.emissive : glm::dvec3(0);
-    if (form_.ambient_as_light) {
+    if (form_.ambient_as_light && !environment_) {
         // Uniform radiance gives irradiance π·L; it comes from everywhere, so it has no half vector
         // and adds nothing to the Fresnel sums.
         const glm::dvec3 irradiance = ggx ? pi * ambient : ambient;
         sums_.diffuse += irradiance;
         sums_.full += diffuse_colour_ / pi * (1.0 - f0_) * irradiance;
-    } else {
-        result += ambient * surface_.occlusion * (diffuse_colour_ + material_f0_);
+    } else if (with_base) {
+        result += ambient_term(ambient);
     }
     if (ggx)
         return result + compose_ggx();

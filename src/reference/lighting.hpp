@@ -23,14 +23,14 @@ class Lighting {
 public:
     /// `exposure`: the factor that a picture's radiance is multiplied by; only specular=bent depends
     /// on it, for its base is what the light buffer holds.
-    /// `environment`: what materials reflect; null: none.
+    /// `environment`: in place of ambient radiance; null: none.
     Lighting(const ReferenceForm& form, const Surface& surface, double exposure = 1,
              const EnvironmentLight* environment = nullptr);
 
     /// N·L; a light with N·L ≤ 0 or without radiance gives nothing and need not be added.
     double cosine(const Incident& light) const;
     void add(const Incident& light);
-    /// Radiance towards the viewer, not exposed. `ambient`: the environment's radiance.
+    /// Radiance towards the viewer, not exposed. `ambient`: radiance from everywhere, where there is no environment.
     glm::dvec3 radiance(glm::dvec3 ambient);
     const LightSums& sums() const { return sums_; }
 
@@ -41,8 +41,11 @@ private:
     glm::dvec3 compose_ggx() const;
     /// What a shader of the material's own makes of sums of lamps, and of ambient radiance.
     /// `lamps`: false for what is drawn where no lamp is looked at.
-    glm::dvec3 own_shader(const LightSums& sums, glm::dvec3 ambient, bool lamps = true) const;
+    /// `around`: with the environment.
+    glm::dvec3 own_shader(const LightSums& sums, glm::dvec3 ambient, bool lamps, bool around) const;
     glm::dvec3 standard(glm::dvec3 ambient, bool with_base);
+    /// What metallic-roughness and Blinn-Phong make of ambient light.
+    glm::dvec3 ambient_term(glm::dvec3 ambient) const;
     glm::dvec3 phong_specular(const LightSums& sums) const;
 
     ReferenceForm form_;

@@ -47,14 +47,34 @@ glm::dvec3 lamps_on(const OwnLight& light, const Colours& c) {
     return c.diffuse * (1.0 - at_diffuse) * light.diffuse + at_specular * light.specular;
 }
 
+/// What a mirror of this roughness shows, with occlusion.
+glm::dvec3 mirrored(const OwnLight& light, double roughness) {
+    const Surface& s = light.surface;
+    return light.environment->mirrored(mirror_direction(s.normal, s.view, roughness), roughness) * light.openness;
+}
+
+/// The environment's reflection by a surface of this roughness; nothing without one.
+glm::dvec3 environment_on(const OwnLight& light, glm::dvec3 f0, double roughness, double f90 = 1) {
+    if (!light.environment)
+        return glm::dvec3(0);
+    return environment_share(f0, f90, roughness, std::clamp(facing(light.surface), 0.0, 1.0)) * mirrored(light, roughness);
+}
+
+/// Ambient light: the environment, or what comes from everywhere.
+glm::dvec3 ambient_on(const OwnLight& light, const Colours& c) {
+    if (!light.environment)
+        return light.ambient * (c.diffuse + c.f0);
+    return light.ambient * c.diffuse + environment_on(light, c.f0, light.surface.environment_roughness);
+}
+
 glm::dvec3 metallic_roughness(const OwnLight& light) {
     const Colours c = colours_of(light.surface);
-    return lamps_on(light, c) + light.ambient * (c.diffuse + c.f0) + light.surface.emissive;
+    return lamps_on(light, c) + ambient_on(light, c) + light.surface.emissive;
 }
 
 glm::dvec3 blinn_phong(const OwnLight& light) {
     const Colours c = colours_of(light.surface);
-    return c.diffuse * (light.diffuse + light.ambient) + c.f0 * (light.specular + light.ambient) + light.surface.emissive;
+    return c.diffuse * light.diffuse + c.f0 * light.specular + ambient_on(light, c) + light.surface.emissive;
 }
 
 glm::dvec3 skin(const OwnLight& light) {
@@ -65,7 +85,8 @@ glm::dvec3 skin(const OwnLight& light) {
     amount *= glow + (1 - glow) * hermite(0, std::max(roll_off, 0.001), lit);
     const glm::dvec3 under = amount * glm::dvec3(parameter(m, "subsurface_colour")) / light.exposure;
     return light.surface.base_colour * (light.diffuse + light.ambient) + under +
-           (0.04 + 0.96 * light.grazing_specular) * light.specular + light.surface.emissive;
+           (0.04 + 0.96 * light.grazing_specular) * light.specular +
+           environment_on(light, glm::dvec3(0.04), light.surface.environment_roughness) + light.surface.emissive;
 }
 
 glm::dvec3 minnaert(const OwnLight& light) {
@@ -75,24 +96,14 @@ glm::dvec3 minnaert(const OwnLight& light) {
     return light.surface.base_colour * (factor * light.diffuse + light.ambient) + light.surface.emissive;
 }
 
-/// Karis' fit to the integral of D V F over a uniform environment (2014).
-glm::dvec3 reflectance(glm::dvec3 f0, double roughness, double nv) {
-    const double x = 1 - roughness, y = 0.0425 - 0.0275 * roughness;
-    const double a = std::min(x * x, std::exp2(-9.28 * nv)) * x + y;
-    return f0 * (-1.04 * a + 1.04 - 0.572 * roughness) + (1.04 * a + 0.022 * roughness - 0.04);
-}
-
 glm::dvec3 reflection(const OwnLight& light) {
     const Surface& s = light.surface;
     const Colours c = colours_of(s);
+    const double roughness = s.environment_roughness;
+    const glm::dvec3 shown = light.environment ? mirrored(light, roughness) : light.ambient * s.occlusion;
     const double nv = std::clamp(facing(s), 0.0, 1.0);
-    const glm::dvec3 mirrored = light.environment
-                                    ? light.environment->mirrored(2 * facing(s) * s.normal - s.view, s.environment_roughness)
-                                    : light.ambient;
-    const double strength = parameter(*s.shaded, "strength").x * s.occlusion;
-    const glm::dvec3 around = light.environment ? light.environment->lambert(s.normal) * s.occlusion : light.ambient;
-    return lamps_on(light, c) + c.diffuse * around + strength * reflectance(c.f0, s.environment_roughness, nv) * mirrored +
-           s.emissive;
+    const glm::dvec3 share = light.environment ? environment_share(c.f0, 1, roughness, nv) : uniform_share(c.f0, roughness, nv);
+    return lamps_on(light, c) + c.diffuse * light.ambient + parameter(*s.shaded, "strength").x * share * shown + s.emissive;
 }
 
 glm::dvec3 fresnel_rim(const OwnLight& light) {
@@ -113,15 +124,23 @@ glm::dvec3 layered(const OwnLight& light) {
     const double f90 = layers.specular + (1 - layers.specular) * s.metallic;
     const auto fresnel = [&](double grazing) { return f0 + (f90 - f0) * grazing; };
     const glm::dvec3 colour = s.base_colour * (1 - s.metallic);
+    const glm::dvec3 ambient = light.environment ? glm::dvec3(0) : light.ambient;
     const glm::dvec3 body = colour * (1.0 - fresnel(light.grazing_diffuse)) * light.diffuse +
-                            fresnel(light.grazing_specular) * light.specular + light.ambient * (colour + f0) + s.emissive;
+                            fresnel(light.grazing_specular) * light.specular + ambient * (colour + f0) + s.emissive;
     const double nv = std::clamp(facing(s), 0.0, 1.0);
     const double cloth = std::pow(std::max(1 - nv, 0.0001), 1 + 3 * (1 - layers.sheen_roughness));
     const glm::dvec3 sheen = layers.sheen_colour * cloth;
     const double strongest = std::max({sheen.r, sheen.g, sheen.b});
-    const glm::dvec3 dressed = body * (1 - strongest) + sheen * (light.diffuse + light.ambient);
+    const glm::dvec3 dressed = body * (1 - strongest) + sheen * (light.diffuse + ambient);
     const double coat = layers.clearcoat * (0.04 + 0.96 * light.grazing_specular);
-    return dressed * (1 - coat) + coat * light.specular + 0.04 * layers.clearcoat * light.ambient;
+    const glm::dvec3 out = dressed * (1 - coat) + coat * light.specular + 0.04 * layers.clearcoat * ambient;
+    if (!light.environment)
+        return out;
+    // Body and coat mirror it each with a roughness of its own.
+    const glm::dvec3 around = (colour * light.ambient + environment_on(light, f0, layers.body_roughness, f90)) * (1 - strongest) +
+                              sheen * light.ambient;
+    const glm::dvec3 on_coat = layers.clearcoat * environment_share(glm::dvec3(0.04), 1, layers.coat_roughness, nv);
+    return out + around * (1.0 - on_coat) + on_coat * mirrored(light, layers.coat_roughness);
 }
 
 } // namespace

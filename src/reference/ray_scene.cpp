@@ -283,6 +283,16 @@ bool RayScene::blocked(const Ray& ray) const {
     return query.tfar < 0; // Embree's sign for "something there"
 }
 
+double RayScene::blocked_at(const Ray& ray) const {
+    Context context{{}, this, nullptr};
+    rtcInitIntersectContext(&context.embree);
+    RTCRayHit query{to_embree(ray), {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(embree_->scene, &context.embree, &query);
+    return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? infinity : double(query.ray.tfar);
+}
+
 glm::dvec4 RayScene::base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights, glm::dvec2 shift) const {
     const Material& material = *draw.material;
     glm::dvec4 colour = material.base_colour;

@@ -56,6 +56,8 @@ public:
     Hit beside(const Hit& hit, const Ray& ray) const;
     /// Whether anything lies on the ray; here both faces of every triangle count.
     bool blocked(const Ray& ray) const;
+    /// How far the nearest of what blocked() asks for lies, as a multiple of the direction; infinity: nothing.
+    double blocked_at(const Ray& ray) const;
     const Draw& draw(uint32_t index) const { return draws_[index]; }
     size_t draw_count() const { return draws_.size(); }
     /// Base colour RGBA of a point: factor × texture × vertex colour. `shift` moves texture coordinates.

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <prelight/reference.hpp>
 
 namespace prelight {
@@ -21,6 +22,8 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
     form.ambient_as_light = is("ambient", "light");
     form.shadows = is("shadows", "on");
     form.specular_antialiasing = is("specular-antialiasing", "on");
+    if (settings.contains("ssao") && !is("ssao", "off"))
+        form.occlusion_radius = std::strtod(settings.at("ssao-radius").c_str(), nullptr);
     using Own = ReferenceForm::OwnShaders;
     form.own_shaders = settings.contains("g-buffer") ? Own::no_lamps
                        : is("lights-per-pass", "1")  ? Own::each_light

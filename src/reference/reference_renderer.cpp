@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
@@ -13,6 +14,16 @@ namespace prelight {
 namespace {
 
 using Settings = std::map<std::string, std::string>;
+constexpr const char* radius_key = "ambient-occlusion-radius";
+
+/// One of the words; or a number, where the only word is a range of them.
+bool allows(const SettingInfo& setting, const std::string& value) {
+    if (setting.key != radius_key)
+        return std::find(setting.values.begin(), setting.values.end(), value) != setting.values.end();
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    return !value.empty() && *end == 0 && number >= 0.01 && number <= 100;
+}
 
 /// Every setting with the value in force.
 Settings checked_settings(const RendererInfo& info, const RenderOptions& options) {
@@ -29,14 +40,15 @@ Settings checked_settings(const RendererInfo& info, const RenderOptions& options
             throw UsageError(fmt::format("reference: unknown setting {} (there are: {})", key,
                                          fmt::join(keys, ", ")));
         }
-        if (std::find(setting->values.begin(), setting->values.end(), value) ==
-            setting->values.end())
+        if (!allows(*setting, value))
             throw UsageError(fmt::format("reference: {}={}: not one of {}", key, value,
                                          fmt::join(setting->values, ", ")));
         settings[key] = value;
     }
     return settings;
 }
+
+double radius_of(const Settings& settings) { return std::strtod(settings.at(radius_key).c_str(), nullptr); }
 
 ReferenceForm form_of(const Settings& settings, Shading shading) {
     using Fresnel = ReferenceForm::Fresnel;
@@ -59,6 +71,7 @@ ReferenceForm form_of(const Settings& settings, Shading shading) {
             .ambient_as_light = settings.at("ambient") == "light",
             .shadows = settings.at("shadows") == "on",
             .specular_antialiasing = settings.at("specular-antialiasing") == "on" && settings.at("specular") == "stored",
+            .occlusion_radius = settings.at("ambient-occlusion") == "on" ? radius_of(settings) : 0,
             .bilinear_level0 = settings.at("texture-filter") == "bilinear",
             .specular = ways.at(settings.at("specular"))};
 }
@@ -85,6 +98,8 @@ public:
             if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
                 throw UsageError(fmt::format("reference: unknown view {} (there are: {})", view,
                                              fmt::join(info.views, ", ")));
+        if (std::find(options.views.begin(), options.views.end(), "ambient-occlusion") != options.views.end())
+            buffers_.visibility_radius = radius_of(stats_.settings);
         stats_.device = "CPU";
         stats_.driver = "Embree 3";
     }
@@ -188,13 +203,15 @@ RendererInfo reference_info() {
                 {"shadows", {"off", "on"}, "off", "a shadow ray for every light that casts a shadow"},
                 {"specular-antialiasing", {"off", "on"}, "on",
                  "lamps see a rougher surface where normals differ under a pixel; not with a specular way other than stored"},
+                {"ambient-occlusion", {"off", "on"}, "off", "rays find what occludes ambient light"},
+                {radius_key, {"0.01 … 100"}, "1", "metres within which surfaces occlude each other"},
                 {"texture-filter",
                  {"bilinear", "sampler"},
                  "bilinear",
                  "level 0: always bilinear, or the sampler's magnification filter"},
             },
         .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light",
-                  "light-count"},
+                  "light-count", "ambient-occlusion"},
         .presets = {},
         .needs_device = false,
     };

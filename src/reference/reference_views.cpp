@@ -64,6 +64,8 @@ Image draw_view(std::string_view view, const ReferencePicture& picture,
         return draw_light(buffers.specular_light, exposure_factor);
     if (view == "light-count")
         return draw_counts(picture.linear, buffers.light_count);
+    if (view == "ambient-occlusion")
+        return buffers.visibility;
     throw UsageError("reference: no view is named " + std::string(view));
 }
 

@@ -140,6 +140,8 @@ void take_layers(const PointReader& read, const Material& material, Surface& sur
     const double coat_roughness = layer_number(read, material, "clearcoat_roughness", "clearcoat_roughness_map", 1);
     out.sheen_colour = layer_colour(read, material, "sheen_colour", "sheen_colour_map");
     out.sheen_roughness = layer_number(read, material, "sheen_roughness", "sheen_roughness_map", 3);
+    out.body_roughness = surface.roughness;
+    out.coat_roughness = coat_roughness;
     surface.roughness += out.clearcoat * (coat_roughness - surface.roughness); // one sum of light for both
 }
 

@@ -8,6 +8,7 @@ struct SurfaceLayers {
     double ior = 1.5, specular = 1;
     glm::dvec3 specular_colour{1}, sheen_colour{0};
     double clearcoat = 0, sheen_roughness = 0;
+    double body_roughness = 1, coat_roughness = 0; ///< of each layer by itself
 };
 
 /// What the lighting model knows of a point. Directions are unit vectors in world space.
@@ -21,6 +22,7 @@ struct Surface {
     double roughness = 1; ///< perceptual, ≥ 0.089
     double environment_roughness = 1; ///< the same, without the least and the anti-aliasing of what lamps see
     double occlusion = 1; ///< on ambient light; strength is worked in
+    double visibility = 1; ///< what nearby surfaces let through of ambient light
     bool unlit = false;
     SurfaceLayers layers{};
     const Material* shaded = nullptr; ///< the material, when it has a shader of its own

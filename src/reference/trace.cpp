@@ -10,6 +10,7 @@
 #include <reference/ray_scene.hpp>
 #include <reference/surface.hpp>
 #include <reference/trace.hpp>
+#include <reference/visibility.hpp>
 
 namespace prelight::reference {
 namespace {
@@ -81,9 +82,13 @@ public:
         picture.depth.assign(pixels, std::numeric_limits<double>::infinity());
         picture.shadow_mask.assign(pixels, 0);
         picture.mask_outcome.assign(pixels, 0);
-        if (buffers)
-            *buffers = {Image(width, height), Image(width, height), Image(width, height),
-                        std::vector<uint32_t>(pixels, 0)};
+        if (!buffers)
+            return;
+        buffers->albedo = buffers->diffuse_light = buffers->specular_light = Image(width, height);
+        buffers->light_count.assign(pixels, 0);
+        buffers->visibility = buffers->visibility_radius > 0 ? Image(width, height) : Image();
+        for (glm::vec3& one : buffers->visibility.pixels)
+            one = glm::vec3(1);
     }
 
     void trace_row(uint32_t y) {
@@ -101,8 +106,11 @@ private:
         Hit hit;
         const bool found = scene_.closest(ray, hit);
         picture.mask_outcome[at] = hit.mask_outcome;
-        if (!found)
+        if (!found) {
+            if (environment_.is_background())
+                picture.linear.pixels[at] = glm::vec3(environment_.radiance(glm::normalize(ray.direction)) * factor_);
             return;
+        }
         const Draw& draw = scene_.draw(hit.draw);
         Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
         const double spread = form_.specular_antialiasing
@@ -112,6 +120,13 @@ private:
             decals_->cover(surface);
         if (form_.specular_antialiasing)
             antialias_specular(surface, spread);
+        if (form_.occlusion_radius > 0)
+            surface.visibility = ray_visibility(scene_, hit, surface.normal, form_.occlusion_radius);
+        if (buffers_ && buffers_->visibility_radius > 0)
+            buffers_->visibility.pixels[at] =
+                glm::vec3(form_.occlusion_radius == buffers_->visibility_radius
+                              ? surface.visibility
+                              : ray_visibility(scene_, hit, surface.normal, buffers_->visibility_radius));
         picture.instance[at] = draw.instance;
         picture.primitive[at] = draw.primitive_index;
         picture.position[at] = origin_ + hit.position;

@@ -8,6 +8,8 @@ struct ReferenceBuffers {
     Image albedo;                      ///< base colour
     Image diffuse_light;               ///< LightSums::diffuse
     Image specular_light;              ///< LightSums::specular
+    Image visibility;                  ///< of ambient light, in all three channels; empty unless visibility_radius says so
+    double visibility_radius = 0;      ///< metres, to be set before: how far surfaces occlude; 0: do not look
     std::vector<uint32_t> light_count; ///< lights with attenuation and N·L above zero, unblocked
 };
 

@@ -3,6 +3,7 @@
 #include "deferred.hpp"
 #include "draw_settings.hpp"
 #include "light_culling_choice.hpp"
+#include "occlusion_settings.hpp"
 #include "shadow_settings.hpp"
 #include <passes/decals.hpp>
 #include <passes/gbuffer.hpp>
@@ -29,7 +30,8 @@ private:
                 .light_in_bytes = settings().is("accumulation", "rgba8"),
                 .position_from_ray = settings().is("position", "ray"),
                 .stencil = settings().is("light-culling", "stencil"),
-                .specular_antialiasing = settings().is("specular-antialiasing", "on")};
+                .specular_antialiasing = settings().is("specular-antialiasing", "on"),
+                .ambient_apart = occlusion_options(settings()).on};
     }
 
     resident::FrameSettings frame_settings() const override {
@@ -47,6 +49,12 @@ private:
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto gbuffer = passes::gbuffer_pass(graph, frame, format());
         passes::decal_geometry_pass(graph, frame, gbuffer, passes::decal_pass(graph, frame, gbuffer.surface));
+        const passes::OcclusionOptions occlusion = occlusion_options(settings());
+        std::optional<graph::ImageId> visibility;
+        if (occlusion.on || wants("ambient-occlusion"))
+            visibility = passes::ambient_occlusion_passes(graph, frame, gbuffer.surface, occlusion);
+        if (occlusion.on)
+            passes::ambient_light_pass(graph, frame, gbuffer, *visibility);
         const passes::LightingInputs lighting{.surface = gbuffer.surface,
                                         .material = gbuffer.motion,
                                         .albedo = gbuffer.albedo,
@@ -59,7 +67,7 @@ private:
                                         .list_shading = passes::list_shading(settings().get("list-shading")),
                                         .list_contents = passes::list_contents(settings().get("light-lists"))};
         passes::light_pass(graph, frame, "light", lighting);
-        Views views = picture_views(graph, frame, [&](passes::Display display) {
+        Views views = picture_views(graph, frame, gbuffer.surface.depth, [&](passes::Display display) {
             return passes::light_resolve_pass(graph, frame, gbuffer, display);
         });
         using passes::ViewKind;
@@ -74,6 +82,8 @@ private:
         show("specular", ViewKind::specular, wide ? gbuffer.albedo : gbuffer.motion);
         show("albedo", ViewKind::albedo, gbuffer.albedo);
         show("motion", ViewKind::motion, gbuffer.motion);
+        if (visibility)
+            show("ambient-occlusion", ViewKind::occlusion, *visibility);
         if (wants("light-count"))
             show("light-count", ViewKind::count, passes::light_count_pass(graph, frame, lighting));
         return views;
@@ -102,12 +112,14 @@ RendererInfo deferred_info() {
                      specular_antialiasing_setting(),
                      {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                       "bilinear: level 0 only, for comparing with the reference"}},
-        .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count"},
+        .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count", "ambient-occlusion"},
         .presets = {"killzone2"},
         .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}}};
     for (SettingInfo& setting : draw_settings(false))
         info.settings.push_back(std::move(setting));
     for (SettingInfo& setting : shadow_settings(true))
+        info.settings.push_back(std::move(setting));
+    for (SettingInfo& setting : occlusion_settings())
         info.settings.push_back(std::move(setting));
     const std::vector<SettingInfo> volumes = passes::volume_settings();
     info.settings.insert(info.settings.end(), volumes.begin(), volumes.end());

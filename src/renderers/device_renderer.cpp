@@ -7,6 +7,7 @@
 #include <prelight/error.hpp>
 #include <glm/gtc/packing.hpp>
 #include <gpu/check.hpp>
+#include <passes/background.hpp>
 #include <passes/index_trimming.hpp>
 #include <timing/clocks.hpp>
 
@@ -78,16 +79,21 @@ resident::FrameSettings DeviceRenderer::frame_settings() const {
 }
 
 DeviceRenderer::Views DeviceRenderer::linear_views(graph::FrameGraph& graph, const resident::Frame& frame,
-                                                   graph::ImageId linear) const {
+                                                   graph::ImageId linear, graph::ImageId depth) const {
+    passes::background_pass(graph, frame, linear, depth, {});
     Views views{{"final", passes::tonemap_pass(graph, frame, linear, options_.tonemap)}};
     if (wants("linear"))
         views["linear"] = linear;
     return views;
 }
 
-DeviceRenderer::Views DeviceRenderer::picture_views(graph::FrameGraph& graph, const resident::Frame& frame,
+DeviceRenderer::Views DeviceRenderer::picture_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
                                                     const std::function<graph::ImageId(passes::Display)>& draw) const {
-    return wants("linear") ? linear_views(graph, frame, draw({})) : Views{{"final", draw(options_.tonemap)}};
+    if (wants("linear"))
+        return linear_views(graph, frame, draw({}), depth);
+    const graph::ImageId picture = draw(options_.tonemap);
+    passes::background_pass(graph, frame, picture, depth, options_.tonemap);
+    return Views{{"final", picture}};
 }
 
 void DeviceRenderer::set_world(const World& world) {

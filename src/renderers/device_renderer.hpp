@@ -34,11 +34,11 @@ protected:
     using Views = std::map<std::string, graph::ImageId, std::less<>>;
     /// The architecture: its passes, in order.
     virtual Views build(graph::FrameGraph& graph, const resident::Frame& frame) = 0;
-    /// The picture from `linear`, which is kept when it was asked for.
-    Views linear_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId linear) const;
+    /// The picture from `linear`, which is kept when it was asked for; where `depth` is empty, the background.
+    Views linear_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId linear, graph::ImageId depth) const;
     /// The picture from `draw`, which draws it finished or scene-linear: finished, unless "linear" was
     /// asked for. That saves an image of 8 bytes a pixel and a pass.
-    Views picture_views(graph::FrameGraph& graph, const resident::Frame& frame,
+    Views picture_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
                         const std::function<graph::ImageId(passes::Display)>& draw) const;
     virtual resident::FrameSettings frame_settings() const;
     /// Stats::draws of the last frame.

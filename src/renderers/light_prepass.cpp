@@ -5,6 +5,7 @@
 #include "light_culling_choice.hpp"
 #include "light_model_settings.hpp"
 #include "light_prepass_presets.hpp"
+#include "occlusion_settings.hpp"
 #include <passes/light_list_compute.hpp>
 #include "shadow_settings.hpp"
 #include <passes/decals.hpp>
@@ -61,8 +62,14 @@ private:
                                         .list_contents = passes::list_contents(settings().get("light-lists")),
                                         .write_once = settings().is("light-writes", "once")};
         passes::light_pass(graph, frame, "light", lighting);
-        const passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_, .decals = decals};
-        Views views = picture_views(graph, frame, [&](passes::Display display) {
+        passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_, .decals = decals};
+        const passes::OcclusionOptions occlusion = occlusion_options(settings());
+        std::optional<graph::ImageId> visibility;
+        if (occlusion.on || wants("ambient-occlusion"))
+            visibility = passes::ambient_occlusion_passes(graph, frame, surface, occlusion);
+        if (occlusion.on)
+            materials.visibility = visibility;
+        Views views = picture_views(graph, frame, surface.depth, [&](passes::Display display) {
             return passes::material_pass(graph, frame, materials, display);
         });
         using passes::ViewKind;
@@ -84,6 +91,8 @@ private:
                 views[name] = passes::light_sum_pass(graph, frame, materials, specular);
         if (wants("albedo"))
             show("albedo", ViewKind::colour, passes::albedo_pass(graph, frame, materials));
+        if (visibility)
+            show("ambient-occlusion", ViewKind::occlusion, *visibility);
         if (wants("light-count"))
             show("light-count", ViewKind::count, passes::light_count_pass(graph, frame, lighting));
         return views;
@@ -118,12 +127,14 @@ RendererInfo light_prepass_info() {
                  {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                   "bilinear: level 0 only, for comparing with the reference"}},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
-                      "diffuse-sum", "specular-sum", "albedo", "light-count"},
+                      "diffuse-sum", "specular-sum", "albedo", "light-count", "ambient-occlusion"},
             .presets = {"engel", "round2", "prelighting"},
             .preset_settings = light_prepass_presets()};
     for (SettingInfo& setting : draw_settings(true))
         info.settings.push_back(std::move(setting));
     for (SettingInfo& setting : shadow_settings(true))
+        info.settings.push_back(std::move(setting));
+    for (SettingInfo& setting : occlusion_settings())
         info.settings.push_back(std::move(setting));
     for (const SettingInfo& setting : passes::volume_settings())
         info.settings.push_back(setting);

@@ -40,7 +40,7 @@ private:
         }
         lights.plan = [=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); };
         passes::forward_pass(graph, frame, lights);
-        Views views = linear_views(graph, frame, linear);
+        Views views = linear_views(graph, frame, linear, depth);
         add_views(views, graph, frame, depth);
         return views;
     }

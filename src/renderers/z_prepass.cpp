@@ -39,11 +39,11 @@ private:
         const auto depth = depth_pass(graph, frame);
         Views views;
         if (grid_) // [Z3]
-            views = picture_views(graph, frame, [&](passes::Display display) {
+            views = picture_views(graph, frame, depth, [&](passes::Display display) {
                 return draw_by_grid(graph, frame, depth, display);
             });
         else // [Z2] further lights blend: only linear light adds up
-            views = linear_views(graph, frame, draw_by_plan(graph, frame, depth));
+            views = linear_views(graph, frame, draw_by_plan(graph, frame, depth), depth);
         add_views(views, graph, frame, depth);
         return views;
     }

@@ -1,11 +1,11 @@
 #include "environment.hpp"
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <glm/common.hpp>
 #include <gpu/check.hpp>
 #include <numbers>
 #include <parallel/parallel_for.hpp>
-#include <prelight/error.hpp>
+#include <scene/check_environment.hpp>
 
 namespace prelight::resident {
 namespace {
@@ -13,18 +13,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Of level 0, whatever the map has: the rougher levels are then wide enough to be mixed between texels.
 constexpr uint32_t width = 1024;
-constexpr uint32_t level_count = 7;
-
-void check(const Environment& environment) {
-    const Image& image = environment.image;
-    if (image.height == 0 || image.width != 2 * image.height)
-        throw Error(fmt::format("{}: an environment map is twice as wide as high, and this one has {}x{} pixels",
-                                environment.name, image.width, image.height));
-    for (const glm::vec3& p : image.pixels)
-        for (int c = 0; c < 3; ++c)
-            if (!(p[c] >= 0) || !std::isfinite(p[c]))
-                throw Error(fmt::format("{}: a pixel of the environment map is negative or not finite", environment.name));
-}
+constexpr uint32_t level_count = 7; ///< each with two steps of roughness
+constexpr uint32_t widest_sky = 4096; ///< as the background shows it: 64 MiB
 
 /// By area: what shrinks keeps its mean. A picture that is smaller stays.
 Image shrink(const Image& source, uint32_t to) {
@@ -54,25 +44,28 @@ glm::dvec3 direction_of(double u, double v) {
     return {std::sin(azimuth) * std::sin(polar), std::cos(polar), -std::cos(azimuth) * std::sin(polar)};
 }
 
-glm::dvec3 bilinear(const Image& image, glm::dvec3 d) {
-    const double u = std::atan2(d.x, -d.z) / (2 * pi) + 0.5, v = std::acos(std::clamp(d.y, -1.0, 1.0)) / pi;
-    const double x = u * image.width - 0.5, y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
-    const auto column = [&](double at) { return uint32_t((int64_t(at) + image.width) % image.width); };
-    const double fx = x - std::floor(x), fy = y - std::floor(y);
-    const uint32_t x0 = column(std::floor(x)), x1 = column(std::floor(x) + 1);
-    const auto y0 = uint32_t(y), y1 = std::min(y0 + 1, image.height - 1);
-    const auto at = [&](uint32_t px, uint32_t py) { return glm::dvec3(image.pixels[size_t(py) * image.width + px]); };
-    return (at(x0, y0) * (1 - fx) + at(x1, y0) * fx) * (1 - fy) + (at(x0, y1) * (1 - fx) + at(x1, y1) * fx) * fy;
-}
-
-Image widen(const Image& source) {
-    Image out(width, width / 2);
+/// Bilinear, round in columns. A picture that is wide enough stays.
+Image widen(const Image& source, uint32_t wide) {
+    if (source.width >= wide)
+        return source;
+    Image out(wide, wide / 2);
     parallel_for(out.height, [&](uint32_t y) {
-        for (uint32_t x = 0; x < width; ++x)
-            out.pixels[size_t(y) * width + x] = glm::vec3(bilinear(source, direction_of((x + 0.5) / width, (y + 0.5) / out.height)));
+        const double row = std::clamp((y + 0.5) / out.height * source.height - 0.5, 0.0, source.height - 1.0);
+        const auto y0 = uint32_t(row), y1 = std::min(y0 + 1, source.height - 1);
+        const auto down = float(row - y0);
+        for (uint32_t x = 0; x < wide; ++x) {
+            const double column = (x + 0.5) / wide * source.width + source.width - 0.5; // above 0
+            const uint32_t x0 = uint32_t(column) % source.width, x1 = (x0 + 1) % source.width;
+            const auto across = float(column - std::floor(column));
+            out.pixels[size_t(y) * wide + x] = glm::mix(glm::mix(source.at(x0, y0), source.at(x1, y0), across),
+                                                        glm::mix(source.at(x0, y1), source.at(x1, y1), across), down);
+        }
     });
     return out;
 }
+
+/// Step 0 is a mirror, step 1 has a roughness of 1/8; four steps double it, so that a lobe is twice as wide after two.
+double roughness_of(uint32_t step) { return step == 0 ? 0 : std::exp2((step - 1) / 4.0) / 8; }
 
 double radical_inverse(uint32_t bits) {
     double value = 0, half = 0.5;
@@ -81,46 +74,115 @@ double radical_inverse(uint32_t bits) {
     return value;
 }
 
-/// What a mirror of this roughness shows of `source`, seen along its normal: samples of the half vector by
-/// their density D N·H, each light weighted by N·L.
-Image rough(const Image& source, double roughness, uint32_t samples, uint32_t wide) {
+/// Means of the map over parts of a row that wrap round, by sums from the left.
+class RowSums {
+public:
+    explicit RowSums(const Image& image) : width_(image.width), height_(image.height) {
+        sums_.reserve(size_t(width_ + 1) * height_);
+        for (uint32_t y = 0; y < height_; ++y) {
+            glm::dvec3 sum(0);
+            for (uint32_t x = 0; x < width_; ++x) {
+                sums_.push_back(sum);
+                sum += glm::dvec3(image.at(x, y));
+            }
+            sums_.push_back(sum);
+        }
+    }
+    uint32_t width() const { return width_; }
+    uint32_t height() const { return height_; }
+    const glm::dvec3* row(uint32_t y) const { return &sums_[size_t(y) * (width_ + 1)]; }
+    /// Of `row`, from column `left` on; 0 is the left edge of the first.
+    glm::dvec3 mean(const glm::dvec3* row, double left, double wide) const {
+        return (sum_to(row, left + wide) - sum_to(row, left)) / wide;
+    }
+
+private:
+    glm::dvec3 sum_to(const glm::dvec3* row, double column) const {
+        const double turns = std::floor(column / width_), within = column - turns * width_;
+        const auto x = std::min(uint32_t(within), width_ - 1);
+        return turns * row[width_] + row[x] + (within - x) * (row[x + 1] - row[x]);
+    }
+    uint32_t width_, height_;
+    std::vector<glm::dvec3> sums_;
+};
+
+/// One direction of a lobe.
+struct LobeSample {
+    glm::dvec3 light; ///< around +Z
+    double weight;
+    double spread; ///< radians: the side of the square that it stands for
+};
+
+/// Of a mirror of this roughness, seen along its normal: half vectors by their density D N·H, each light weighted by N·L.
+std::vector<LobeSample> lobe(double roughness, uint32_t samples) {
     const double alpha2 = std::pow(roughness, 4);
-    std::vector<std::pair<glm::dvec3, double>> lights; // around +Z
+    std::vector<LobeSample> out;
+    double weights = 0;
     for (uint32_t i = 0; i < samples; ++i) {
         const double e = radical_inverse(i), azimuth = 2 * pi * (i + 0.5) / samples;
         const double cosine2 = (1 - e) / (1 + (alpha2 - 1) * e), cosine = std::sqrt(cosine2);
         const double sine = std::sqrt(std::max(1 - cosine2, 0.0));
         const glm::dvec3 h(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine);
         const glm::dvec3 l = 2 * h.z * h - glm::dvec3(0, 0, 1);
-        if (l.z > 0)
-            lights.emplace_back(l, l.z);
+        if (l.z <= 0)
+            continue;
+        const double f = cosine2 * (alpha2 - 1) + 1, density = alpha2 / (pi * f * f) / 4; // of lights, where N is V
+        out.push_back({l, l.z, std::sqrt(1 / (samples * density))});
+        weights += l.z;
     }
+    for (LobeSample& sample : out)
+        sample.weight /= weights;
+    return out;
+}
+
+/// What the mirror shows in each direction. A sample takes the mean of what it stands for, so that a small bright lamp is neither missed nor
+/// seen as many (Křivánek and Colbert, "Real-time Shading with Filtered Importance Sampling", 2008): rows of a map as coarse as that, and
+/// of them as many columns, which near the poles are narrow. All normals of a row look at the same rows.
+Image rough(const std::vector<RowSums>& maps, double roughness, uint32_t samples, uint32_t wide) {
+    const std::vector<LobeSample> lights = lobe(roughness, samples);
+    struct Tap {
+        const RowSums* map;
+        const glm::dvec3 *upper, *lower;
+        double left, wide, down, weight; ///< columns of the map, for the normal with azimuth 0
+    };
     Image out(wide, wide / 2);
     parallel_for(out.height, [&](uint32_t y) {
+        const glm::dvec3 n = direction_of(0.5, (y + 0.5) / out.height);
+        const glm::dvec3 t = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), n)), b = glm::cross(n, t);
+        std::vector<Tap> taps;
+        for (const LobeSample& sample : lights) {
+            const glm::dvec3 d = t * sample.light.x + b * sample.light.y + n * sample.light.z;
+            const double doublings = std::log2(sample.spread / (pi / maps[0].height()));
+            const RowSums& map = maps[size_t(std::clamp(std::floor(doublings), 0.0, double(maps.size() - 1)))];
+            const double row = std::clamp(std::acos(std::clamp(d.y, -1.0, 1.0)) / pi * map.height() - 0.5, 0.0, map.height() - 1.0);
+            const auto y0 = uint32_t(row), y1 = std::min(y0 + 1, map.height() - 1);
+            const double sine = std::max(std::sqrt(std::max(1 - d.y * d.y, 0.0)), 1e-6);
+            const double columns = std::clamp(sample.spread / sine / (2 * pi) * map.width(), 1.0, double(map.width()));
+            taps.push_back({&map, map.row(y0), map.row(y1), std::atan2(d.x, -d.z) / (2 * pi) * map.width() - columns / 2, columns, row - y0,
+                            sample.weight});
+        }
         for (uint32_t x = 0; x < wide; ++x) {
-            const glm::dvec3 n = direction_of((x + 0.5) / wide, (y + 0.5) / out.height);
-            const glm::dvec3 t = glm::normalize(glm::cross(std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), n));
-            const glm::dvec3 b = glm::cross(n, t);
             glm::dvec3 sum(0);
-            double weights = 0;
-            for (const auto& [l, weight] : lights) {
-                sum += weight * bilinear(source, t * l.x + b * l.y + n * l.z);
-                weights += weight;
+            for (const Tap& tap : taps) {
+                const double left = (x + 0.5) / wide * tap.map->width() + tap.left;
+                sum += tap.weight * (1 - tap.down) * tap.map->mean(tap.upper, left, tap.wide) +
+                       tap.weight * tap.down * tap.map->mean(tap.lower, left, tap.wide);
             }
-            out.pixels[size_t(y) * wide + x] = glm::vec3(sum / weights);
+            out.pixels[size_t(y) * wide + x] = glm::vec3(sum);
         }
     });
     return out;
 }
 
 /// Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001; divided by π.
-void project(const Image& image, glm::vec3 (&out)[9]) {
+/// `turns`: of the environment, counter-clockwise seen from above.
+void project(const Image& image, double turns, glm::vec3 (&out)[9]) {
     glm::dvec3 sums[9]{};
     for (uint32_t y = 0; y < image.height; ++y) {
         const double v = (y + 0.5) / image.height;
         const double area = 2 * pi / image.width * (std::cos(double(y) / image.height * pi) - std::cos((y + 1.0) / image.height * pi));
         for (uint32_t x = 0; x < image.width; ++x) {
-            const glm::dvec3 d = direction_of((x + 0.5) / image.width, v);
+            const glm::dvec3 d = direction_of((x + 0.5) / image.width - turns, v);
             const double basis[9]{0.282095, 0.488603 * d.y, 0.488603 * d.z, 0.488603 * d.x, 1.092548 * d.x * d.y,
                                   1.092548 * d.y * d.z, 0.315392 * (3 * d.z * d.z - 1), 1.092548 * d.x * d.z,
                                   0.546274 * (d.x * d.x - d.y * d.y)};
@@ -140,26 +202,42 @@ EnvironmentLevels prefilter(const Environment* environment) {
     EnvironmentLevels out;
     if (!environment) {
         out.images.emplace_back(1u, 1u);
+        out.sky = out.images[0];
         return out;
     }
-    check(*environment);
-    out.images.push_back(shrink(environment->image, width));
-    if (out.images[0].width < width)
-        out.images[0] = widen(environment->image);
-    project(shrink(environment->image, 64), out.irradiance);
-    for (uint32_t level = 1; level < level_count; ++level) {
-        // From a smaller picture the wider the lobe is: each sample then stands for what lies between them.
-        const Image source = shrink(environment->image, std::max(256u >> (level - 1), 32u));
-        out.images.push_back(rough(source, double(level) / (level_count - 1), std::min(32u << level, 256u), width >> level));
+    check_environment(*environment);
+    out.intensity = environment->intensity;
+    out.turns = environment->rotation / (2 * pi) - std::floor(environment->rotation / (2 * pi));
+    out.sky = environment->background ? shrink(environment->image, widest_sky) : Image(1, 1);
+    project(shrink(environment->image, 64), out.turns, out.irradiance);
+    std::vector<RowSums> maps; // each half as wide as the one before
+    for (uint32_t size = std::min(environment->image.width, width); size >= 4 && size % 2 == 0; size /= 2)
+        maps.emplace_back(shrink(environment->image, size));
+    if (maps.empty())
+        maps.emplace_back(environment->image);
+    for (uint32_t level = 0; level < level_count; ++level) {
+        const uint32_t wide = width >> level;
+        // No finer than what it is made of.
+        const auto of_step = [&](uint32_t step) {
+            if (step == 0)
+                return widen(shrink(environment->image, wide), wide);
+            return widen(rough(maps, roughness_of(step), std::min(32u << level, 256u), std::min(wide, 2 * maps[0].width())), wide);
+        };
+        Image both = of_step(2 * level);
+        const Image lower = of_step(2 * level + 1);
+        both.pixels.insert(both.pixels.end(), lower.pixels.begin(), lower.pixels.end());
+        both.height = wide;
+        out.images.push_back(std::move(both));
     }
     return out;
 }
 
 shared::EnvironmentConstants environment_constants(const EnvironmentLevels& levels, double exposure) {
     shared::EnvironmentConstants constants{};
+    const auto factor = float(exposure * levels.intensity);
     for (int i = 0; i < 9; ++i)
-        constants.irradiance[i] = glm::vec4(levels.irradiance[i] * float(exposure), 0);
-    constants.levels = glm::vec4(float(levels.images.size() - 1), float(exposure), 0, 0);
+        constants.irradiance[i] = glm::vec4(levels.irradiance[i] * factor, 0);
+    constants.levels = glm::vec4(float(levels.images[0].height) / 2, factor, float(levels.turns), 0);
     return constants;
 }
 

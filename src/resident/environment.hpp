@@ -8,13 +8,17 @@ namespace prelight::resident {
 
 /// An environment map as materials read it: level by level as a rougher mirror shows it.
 struct EnvironmentLevels {
-    std::vector<Image> images; ///< each half as wide and high as the one before; the last is the roughest
+    /// Each half as wide and high as the one before. Two maps in each, one above the other: the even steps of roughness above, the
+    /// odd ones below; they begin at 0 and 1/8, and four steps double it.
+    std::vector<Image> images;
+    Image sky; ///< what the background shows: the map itself, 4,096 wide at most; one texel when it is not seen
     glm::vec3 irradiance[9]{}; ///< spherical harmonics of what a white Lambert surface sends on
+    double intensity = 1;      ///< factor on all of it
+    double turns = 0;          ///< 0 … 1, Environment::rotation; it is in `irradiance`
 };
 
-/// Prefilters for roughness 0 … 1 in equal steps (Karis, "Real Shading in Unreal Engine 4", 2013: the viewer
-/// looks along the normal). Null: one black texel. Throws Error for an image that is not twice as wide as high
-/// or holds what is no radiance.
+/// Prefilters for 14 steps of roughness, 0 … 1 (Karis, "Real Shading in Unreal Engine 4", 2013: the viewer
+/// looks along the normal). Null: one black texel. Throws Error as check_environment() does.
 EnvironmentLevels prefilter(const Environment* environment);
 shared::EnvironmentConstants environment_constants(const EnvironmentLevels& levels, double exposure);
 /// Wraps round, ends at the poles.

@@ -258,7 +258,8 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     fill_camera(next, camera, settings_.width, settings_.height);
     // One light is clamped at the largest half float, and what is stored is divided by light_scale, so
     // that blended sums of that many such lights stay finite.
-    next.ambient = glm::vec4(world_.ambient * static_cast<float>(settings_.exposure),
+    const glm::vec3 ambient = environment() ? glm::vec3(0) : world_.ambient; // the environment is in its place
+    next.ambient = glm::vec4(ambient * static_cast<float>(settings_.exposure),
                              half_max / static_cast<float>(settings_.light_scale));
     next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, 0, 0);
     *target.constants.mapped<shared::FrameConstants>() = next;

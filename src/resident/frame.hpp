@@ -53,6 +53,8 @@ public:
 
     const gpu::Context& context() const { return context_; }
     const World& world() const { return world_; }
+    /// Null: ambient light is the world's radiance.
+    const Environment* environment() const { return world_.scene->environment.get(); }
     const Geometry& geometry() const { return geometry_; }
     const Materials& materials() const { return materials_; }
     /// Of the world's decals, in the order in which they lie over each other.

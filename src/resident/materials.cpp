@@ -1,5 +1,6 @@
 #include "environment.hpp"
 #include "normal_map_levels.hpp"
+#include "reflectance_table.hpp"
 #include "scene.hpp"
 #include <array>
 #include <cstring>
@@ -93,6 +94,10 @@ public:
     void make_environment(double exposure) {
         const EnvironmentLevels levels = prefilter(scene_.environment.get());
         out_.environment.emplace(context_, out_.pool, uploader_, "environment", levels.images);
+        out_.sky.emplace(context_, out_.pool, uploader_, "sky", std::vector{levels.sky});
+        const Image table = scene_.environment ? make_reflectance_table() : Image(1, 1);
+        out_.reflectance.emplace(context_, out_.pool, uploader_, "reflectance of mirrors", std::vector{table});
+        out_.table_sampler = gpu::make_sampler(context_, {.wrap_s = Wrap::clamp_to_edge, .wrap_t = Wrap::clamp_to_edge, .mip = MipFilter::none}, filter_);
         out_.environment_sampler = make_environment_sampler(context_);
         const shared::EnvironmentConstants constants = environment_constants(levels, exposure);
         out_.environment_light = gpu::make_device_buffer(context_, "environment light", std::as_bytes(std::span(&constants, 1)),
@@ -139,10 +144,10 @@ uint32_t features_of(const Scene& scene, const Material& material) {
         features |= FEATURE_ALPHA_MASK;
     if (material.unlit)
         features |= FEATURE_UNLIT;
+    if (scene.environment && !material.unlit)
+        features |= FEATURE_ENVIRONMENT;
     if (!material.shader)
         return features;
-    if (scene.environment)
-        features |= FEATURE_ENVIRONMENT;
     for (const MaterialTexture& own : material.shader->textures)
         if (own_texture(material, own.name))
             features |= FEATURE_OWN_TEXTURE << own.slot;
@@ -189,6 +194,8 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
         for (uint32_t slot = 0; slot < MATERIAL_OWN_TEXTURES; ++slot)
             set.push_back(cache.own_binding(material, slot));
         set.push_back(gpu::Binding::texture(MATERIAL_ENVIRONMENT, out.environment->view(), out.environment_sampler));
+        set.push_back(gpu::Binding::texture(MATERIAL_SKY, out.sky->view(), out.environment_sampler));
+        set.push_back(gpu::Binding::texture(MATERIAL_REFLECTANCE, out.reflectance->view(), out.table_sampler));
         set.push_back(gpu::Binding::uniform(MATERIAL_PARAMETERS, out.parameters.handle(), m * parameter_stride,
                                             most_parameters));
         set.push_back(gpu::Binding::uniform(MATERIAL_ENVIRONMENT_LIGHT, out.environment_light.handle()));

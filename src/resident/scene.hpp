@@ -66,7 +66,9 @@ struct Materials {
     gpu::Buffer constants;
     gpu::Buffer parameters; ///< of the shaders; one block a material
     std::optional<gpu::Texture> environment; ///< MATERIAL_ENVIRONMENT
-    gpu::UniqueSampler environment_sampler;
+    std::optional<gpu::Texture> sky;         ///< MATERIAL_SKY
+    std::optional<gpu::Texture> reflectance; ///< MATERIAL_REFLECTANCE
+    gpu::UniqueSampler environment_sampler, table_sampler;
     gpu::Buffer environment_light; ///< EnvironmentConstants
     gpu::UniqueSetLayout layout;
     gpu::DescriptorSets sets; ///< by material index

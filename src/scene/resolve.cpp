@@ -290,7 +290,7 @@ private:
         if (world_.cameras.empty())
             world_.cameras.push_back(camera_inside(world_).value_or(
                 framed_camera(world_.bounds_min, world_.bounds_max)));
-        if (world_.lights.empty() && world_.ambient == glm::vec3(0)) {
+        if (world_.lights.empty() && world_.ambient == glm::vec3(0) && !scene_.environment) {
             PlacedLight key;
             key.light.name = "key";
             key.light.kind = LightKind::directional;

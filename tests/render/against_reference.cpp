@@ -68,6 +68,8 @@ ReferenceForm form_of(const Shot& shot) {
     form.ambient_as_light = is(shot, "ambient", "light");
     form.shadows = is(shot, "shadows", "on");
     form.specular_antialiasing = !is(shot, "specular-antialiasing", "off") && form.specular == Specular::stored;
+    if (shot.settings.contains("ssao") && !is(shot, "ssao", "off"))
+        form.occlusion_radius = shot.settings.contains("ssao-radius") ? std::stod(shot.settings.at("ssao-radius")) : 1;
     form.own_shaders = shot.renderer == "deferred"    ? ReferenceForm::OwnShaders::no_lamps
                        : shot.renderer == "multipass" ? ReferenceForm::OwnShaders::each_light
                                                       : ReferenceForm::OwnShaders::sums;

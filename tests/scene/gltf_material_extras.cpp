@@ -76,6 +76,35 @@ TEST(GltfEnvironment, ComesThroughAFileBitForBit) {
     }
 }
 
+TEST(GltfEnvironment, FactorTurnAndBackgroundComeThroughToo) {
+    Scene scene = make_scene("materials", 2, 1);
+    Environment changed = *scene.environment;
+    changed.intensity = 0.3f;
+    changed.rotation = -1.25;
+    changed.background = false;
+    scene.environment = std::make_shared<Environment>(changed);
+    const test::TemporaryFolder folder;
+    save_glb(scene, folder.path / "a.glb");
+    const Scene again = load_gltf(folder.path / "a.glb");
+    ASSERT_TRUE(again.environment);
+    EXPECT_EQ(again.environment->intensity, 0.3f);
+    EXPECT_EQ(again.environment->rotation, -1.25);
+    EXPECT_FALSE(again.environment->background);
+}
+
+TEST(GltfEnvironment, WithAWrongFactorIsRefused) {
+    GltfBuilder b = GltfBuilder::textured_triangle();
+    b.add_image(png(4, 2, solid(4, 2, {9, 9, 9, 128})));
+    Json& own = b.json["extras"]["prelight"]["environment"];
+    own = {{"source", b.json["images"].size() - 1}, {"intensity", 2}};
+    EXPECT_EQ(b.load().environment->intensity, 2);
+    own["intensity"] = -1;
+    EXPECT_THAT(error_of(b), HasSubstr("intensity is negative"));
+    own["intensity"] = 1;
+    own["rotation"] = "much";
+    EXPECT_THAT(error_of(b), HasSubstr("rotation"));
+}
+
 TEST(GltfEnvironment, OfTheWrongShapeIsRefused) {
     GltfBuilder b = GltfBuilder::textured_triangle();
     b.add_image(png(2, 2, solid(2, 2, {9, 9, 9, 128})));

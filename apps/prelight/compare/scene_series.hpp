@@ -7,10 +7,10 @@ namespace prelight::app {
 /// read once.
 class SceneSeries {
 public:
-    /// As `--lights`, `--seed` and `--time` say. A file that has no lights and is given no number gets
+    /// As `--lights`, `--seed` and `--time` say; `edit` is done to the scene. A file that has no lights and is given no number gets
     /// `default_lights`. Throws Error, UsageError.
     SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed,
-                SceneTime time);
+                SceneTime time, SceneEdit edit = {});
 
     static constexpr uint32_t default_lights = 256;
 
@@ -29,6 +29,7 @@ private:
     std::optional<uint32_t> lights_;
     uint64_t seed_;
     SceneTime time_;
+    SceneEdit edit_;
     std::unique_ptr<LoadedScene> file_; ///< with no lights added; null for a built-in scene
 };
 

@@ -25,7 +25,13 @@ void read_environment(const Document& document, const Item& own, Textures& textu
     if (picture.width != 2 * picture.height)
         object->fail(fmt::format("an environment map is twice as wide as high, and this one has {}x{} pixels",
                                  picture.width, picture.height));
-    scene.environment = std::make_shared<Environment>(from_picture(picture));
+    Environment environment = from_picture(picture);
+    environment.intensity = object->real("intensity", 1);
+    environment.rotation = object->number("rotation", 0);
+    environment.background = object->flag("background", true);
+    if (!(environment.intensity >= 0))
+        object->fail("intensity is negative");
+    scene.environment = std::make_shared<Environment>(std::move(environment));
 }
 
 void read_light(const Item& own, Light& light) {

@@ -57,7 +57,14 @@ void add_images(const Scene& scene, Document& document) {
     TextureImage environment;
     if (scene.environment) {
         environment = to_picture(*scene.environment);
-        document.root["extras"]["prelight"]["environment"] = {{"source", images.size()}};
+        Json& written = document.root["extras"]["prelight"]["environment"];
+        written = {{"source", images.size()}};
+        if (scene.environment->intensity != 1)
+            written["intensity"] = scene.environment->intensity;
+        if (scene.environment->rotation != 0)
+            written["rotation"] = scene.environment->rotation;
+        if (!scene.environment->background)
+            written["background"] = false;
         images.push_back(&environment);
     }
     for (size_t i = 0; i < images.size(); ++i) {
