@@ -231,18 +231,40 @@ bool Frame::fit(std::span<const PlacedLight> lights) const {
     return lights.size() <= capacity_ && hold_maps_of(lights);
 }
 
+void Frame::make_room(std::span<const PlacedLight> lights) {
+    std::vector<PlacedLight> placed(lights.begin(), lights.end());
+    std::unique_ptr<UploadedMaps> uploaded;
+    std::optional<DistributionMaps> maps;
+    const bool known_maps = hold_maps_of(lights), grows = lights.size() > capacity_;
+    const auto exchange = [&] { // what was and what is to be; back again when something throws
+        std::swap(placed_, placed);
+        if (known_maps)
+            return;
+        std::swap(uploaded_maps_, uploaded);
+        std::swap(distribution_maps_, maps);
+    };
+    exchange();
+    try {
+        if (!known_maps)
+            make_distributions();
+        // With some room, so that adding one at a time is cheap.
+        const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
+        make_light_buffers(grows ? std::max(lights.size(), std::min(capacity_ + capacity_ / 4 + 16, most)) : capacity_);
+    } catch (...) {
+        exchange();
+        throw;
+    }
+}
+
 bool Frame::set_lights(std::span<const PlacedLight> lights) {
     const double start = thread_ms();
-    const bool fits = fit(lights), known_maps = hold_maps_of(lights);
-    placed_.resize(lights.size());
-    for (size_t i = 0; i < lights.size(); ++i)
-        place(placed_[i], lights[i]);
-    if (!known_maps)
-        make_distributions();
-    if (!fits) { // with some room, so that adding one at a time is cheap
-        const size_t most = context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
-        const bool grows = lights.size() > capacity_;
-        make_light_buffers(grows ? std::max(lights.size(), std::min(capacity_ + capacity_ / 4 + 16, most)) : capacity_);
+    const bool fits = fit(lights);
+    if (fits) {
+        placed_.resize(lights.size());
+        for (size_t i = 0; i < lights.size(); ++i)
+            place(placed_[i], lights[i]);
+    } else {
+        make_room(lights);
     }
     const uint32_t known = std::exchange(kinds_, kinds_of(placed_));
     const bool as_before = fits && (kinds_ & ~known) == 0;

@@ -106,6 +106,8 @@ private:
     /// Uploads the cookies and profiles of placed_ and of the scene's other lights.
     void make_distributions();
     bool hold_maps_of(std::span<const PlacedLight> lights) const;
+    /// Takes lights that do not fit(), with buffers and maps for them; as before when it throws.
+    void make_room(std::span<const PlacedLight> lights);
     void write_distributions();
     void update_shadows(const PlacedCamera& camera);
     /// Buffers for `lights` lights, and set 0 over all buffers.

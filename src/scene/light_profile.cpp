@@ -148,7 +148,9 @@ std::vector<std::pair<double, size_t>> all_round(const Reader& reader, const std
     const auto add = [&](double angle, size_t column) { round.emplace_back(std::fmod(angle + 360, 360.0), column); };
     const bool sides = first == 90 && last == 270; // alike on both sides of the plane 90° – 270°
     if (!sides && (first != 0 || (last != 0 && last != 90 && !(last >= 180 && last <= 360))))
-        reader.fail(fmt::format("horizontal angles {} … {}: no symmetry is known for that (0 alone, 0 … 90, 0 … 180, 0 … 360, 90 … 270)", first, last));
+        reader.fail(fmt::format("horizontal angles {} … {}: no symmetry is known for that (0 alone, 0 … 90, 0 … 180, 0 … 360, "
+                                "90 … 270)",
+                                first, last));
     for (size_t i = 0; i < angles.size(); ++i) {
         const double angle = angles[i];
         add(angle, i);
