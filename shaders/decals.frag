@@ -1,8 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Between the first and the second stage: what one decal makes of the surface under a pixel, blended over what
-// earlier decals made of it. Alpha of the first two targets
-// is how much of the surface itself is left.
+// earlier decals made of it. Alpha of the first two targets is how much of the surface itself is left.
 #include "shared/decal.h"
 #include "shared/gbuffer.glsl"
 #include "shared/material_set.glsl"
