@@ -6,7 +6,6 @@
 #include "shared/gbuffer.glsl"
 #include "shared/material_set.glsl"
 
-layout(constant_id = CONSTANT_DECAL_LEVEL) const bool level_in_shader = false;
 layout(early_fragment_tests) in;
 layout(push_constant) uniform DecalBlock { DecalConstants decal; };
 layout(location = 0) out vec4 out_colour;   // base colour
@@ -34,12 +33,7 @@ vec2 ddx, ddy; // of the picture's place
 
 vec4 look_up(sampler2D map, int binding, vec2 uv) {
     vec2 place = transformed(binding, uv) + material.uv_offset[binding - 1].xy;
-    vec2 right = transformed(binding, ddx), down = transformed(binding, ddy);
-    if (!level_in_shader)
-        return textureGrad(map, place, right, down);
-    // Between the levels that the longer and the shorter step ask for.
-    vec2 size = vec2(textureSize(map, 0)), r = right * size, d = down * size;
-    return textureLod(map, place, 0.25 * log2(max(dot(r, r) * dot(d, d), 1e-12)));
+    return textureGrad(map, place, transformed(binding, ddx), transformed(binding, ddy));
 }
 
 void main() {

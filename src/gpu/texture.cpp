@@ -217,7 +217,7 @@ UniqueSampler make_sampler(const Context& context, const Sampler& sampler, Textu
                                                            : VK_SAMPLER_MIPMAP_MODE_NEAREST;
         // Without mip maps a lod of 0.25 keeps minification apart from magnification (Vulkan spec).
         info.maxLod = sampler.mip == MipFilter::none ? 0.25f : VK_LOD_CLAMP_NONE;
-        info.anisotropyEnable = context.features().anisotropy && sampler.mip == MipFilter::linear &&
+        info.anisotropyEnable = filter == TextureFilter::anisotropic && context.features().anisotropy && sampler.mip == MipFilter::linear &&
                                 sampler.min == Filter::linear;
         info.maxAnisotropy = std::min(8.0f, context.limits().maxSamplerAnisotropy);
     }

@@ -42,6 +42,7 @@ private:
 
 /// How textures are filtered.
 enum class TextureFilter {
+    trilinear,   ///< as the scene's sampler says
     anisotropic, ///< as the scene's sampler says, with anisotropy where the device has it
     bilinear,    ///< bilinear on level 0, whatever the sampler says: for comparing with the reference
 };

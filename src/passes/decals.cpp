@@ -14,12 +14,6 @@ namespace {
 using resident::DecalBox;
 using resident::DecalView;
 
-/// lavapipe's anisotropic filter takes its steps from neighbouring pixels, whatever textureGrad() tells it.
-bool chooses_level(const resident::Frame& frame) {
-    return frame.context().is_software() && frame.context().features().anisotropy &&
-           frame.texture_filter() == gpu::TextureFilter::anisotropic;
-}
-
 class DecalDraws {
 public:
     DecalDraws(const resident::Frame& frame, const graph::PassInterface& interface, const SurfaceBuffers& surface)
@@ -42,7 +36,6 @@ public:
                 desc.depth = inside ? gpu::DepthTest::none : gpu::DepthTest::behind_or_at;
                 desc.constants = surface.format.constants();
                 desc.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, box.features);
-                desc.constants.emplace_back(CONSTANT_DECAL_LEVEL, chooses_level(frame));
                 pipelines_.emplace(key(box, inside), gpu::GraphicsPipeline(frame.context(), desc));
             }
     }
@@ -68,7 +61,10 @@ private:
         pipeline.bind(pass.commands);
         pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
         pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-        pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets[box.decal->material]);
+        // lavapipe's anisotropic filter takes its steps from neighbouring pixels, whatever textureGrad() tells it.
+        const resident::Materials& materials = frame_.materials();
+        const gpu::DescriptorSets& sets = frame_.context().is_software() ? materials.plain_sets : materials.sets;
+        pipeline.bind_set(pass.commands, SET_MATERIAL, sets[box.decal->material]);
         vkCmdSetCullMode(pass.commands, inside ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT);
         vkCmdSetFrontFace(pass.commands, box.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
         const shared::DecalConstants constants = decal_constants(box, frame_.eye(), inside);

@@ -73,6 +73,12 @@ public:
     Cache(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter, Materials& out)
         : context_(context), scene_(scene), filter_(filter), out_(out), uploader_(context) {}
 
+    /// Of samplers that are asked for from now on.
+    void filter(gpu::TextureFilter filter) {
+        filter_ = filter;
+        known_.clear();
+    }
+
     /// Waits until all textures are there.
     void finish() { uploader_.finish(); }
 
@@ -120,16 +126,17 @@ private:
     }
     VkSampler find_sampler(const Sampler& sampler) {
         for (size_t i = 0; i < known_.size(); ++i)
-            if (known_[i] == sampler)
-                return out_.samplers[i];
-        known_.push_back(sampler);
-        return out_.samplers.emplace_back(gpu::make_sampler(context_, sampler, filter_));
+            if (known_[i].first == sampler)
+                return known_[i].second;
+        const gpu::UniqueSampler& made = out_.samplers.emplace_back(gpu::make_sampler(context_, sampler, filter_));
+        known_.emplace_back(sampler, made);
+        return made;
     }
     const gpu::Context& context_;
     const Scene& scene_;
     gpu::TextureFilter filter_;
     Materials& out_;
-    std::vector<Sampler> known_;
+    std::vector<std::pair<Sampler, VkSampler>> known_;
     gpu::Uploader uploader_;
 };
 
@@ -183,10 +190,9 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
 
     Cache cache(context, scene, filter, out);
     cache.make_environment(exposure);
-    std::vector<std::vector<gpu::Binding>> sets;
-    for (size_t m = 0; m < scene.materials.size(); ++m) {
+    const auto bindings = [&](size_t m) {
         const Material& material = scene.materials[m];
-        auto& set = sets.emplace_back();
+        std::vector<gpu::Binding> set;
         set.push_back(gpu::Binding::uniform(MATERIAL_CONSTANTS, out.constants.handle(), m * stride,
                                             sizeof(shared::MaterialConstants)));
         for (const Slot& slot : slots)
@@ -199,10 +205,21 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
         set.push_back(gpu::Binding::uniform(MATERIAL_PARAMETERS, out.parameters.handle(), m * parameter_stride,
                                             most_parameters));
         set.push_back(gpu::Binding::uniform(MATERIAL_ENVIRONMENT_LIGHT, out.environment_light.handle()));
-    }
+        return set;
+    };
+    const auto sets = [&](const char* name) {
+        std::vector<std::vector<gpu::Binding>> all;
+        for (size_t m = 0; m < scene.materials.size(); ++m)
+            all.push_back(bindings(m));
+        if (!out.layout)
+            out.layout = gpu::make_set_layout(context, "material", all.at(0));
+        return gpu::DescriptorSets(context, name, out.layout, all);
+    };
+    out.sets = sets("material");
+    if (filter == gpu::TextureFilter::anisotropic)
+        cache.filter(gpu::TextureFilter::trilinear);
+    out.plain_sets = sets("material, plain filters");
     cache.finish();
-    out.layout = gpu::make_set_layout(context, "material", sets.at(0));
-    out.sets = gpu::DescriptorSets(context, "material", out.layout, sets);
     return out;
 }
 

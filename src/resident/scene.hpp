@@ -56,7 +56,7 @@ struct VertexAttributes {
 /// What texels are: sRGB colours; linear values; a normal map, with normal_map_levels().
 enum class TextureUse { colour, values, normals };
 
-/// Textures, samplers and one descriptor set a material.
+/// Textures, samplers and descriptor sets of materials.
 struct Materials {
     explicit Materials(const gpu::Context& context) : pool(context) {}
     MaterialShaders shaders;
@@ -72,6 +72,9 @@ struct Materials {
     gpu::Buffer environment_light; ///< EnvironmentConstants
     gpu::UniqueSetLayout layout;
     gpu::DescriptorSets sets; ///< by material index
+    /// The same without anisotropic filtering: for shaders that say how large a footprint is. A software device does not
+    /// listen to them otherwise.
+    gpu::DescriptorSets plain_sets;
 };
 
 struct DecalBox;

@@ -42,6 +42,7 @@ TEST_P(ReferenceFormOf, SettingsIsWhatTheReferenceTakesThemFor) {
             settings["reflectance"] = "grey";
         if (settings["model"].empty())
             settings.erase("model");
+        settings.emplace("specular-antialiasing", "off"); // what a renderer without the setting has
         const auto renderer =
             make_reference_renderer({.width = 24, .height = 16, .shading = shading, .settings = settings});
         renderer->set_world(test.world);
@@ -51,6 +52,7 @@ TEST_P(ReferenceFormOf, SettingsIsWhatTheReferenceTakesThemFor) {
 }
 INSTANTIATE_TEST_SUITE_P(Each, ReferenceFormOf,
                          testing::Values(Words{"none", {}}, Words{"weighted", {{"model", "weighted"}}},
+                                         Words{"antialiased", {{"specular-antialiasing", "on"}}},
                                          Words{"nv", {{"model", "nv"}}}, Words{"mono", {{"model", "mono"}}},
                                          Words{"full", {{"model", "full"}}},
                                          Words{"step", {{"specular-gate", "step"}}},

@@ -49,7 +49,8 @@ bool same(const Image& a, const Image& b) {
 
 TEST(ReferenceRenderer, EverySettingReachesTheForm) {
     const Lit test;
-    const auto form = [&](ReferenceForm wanted) {
+    const auto form = [&](ReferenceForm wanted, bool antialiased = true) {
+        wanted.specular_antialiasing = antialiased;
         return render_reference(test.world, test.camera, 32, 18, 0, wanted).linear;
     };
     using Fresnel = ReferenceForm::Fresnel;
@@ -70,6 +71,9 @@ TEST(ReferenceRenderer, EverySettingReachesTheForm) {
     const Image shadows = test.linear({{"shadows", "on"}}, Shading::ggx);
     EXPECT_TRUE(same(shadows, form({.fresnel = Fresnel::full, .shadows = true})));
     EXPECT_FALSE(same(shadows, full));
+    const Image plain = test.linear({{"specular-antialiasing", "off"}}, Shading::ggx);
+    EXPECT_TRUE(same(plain, form({.fresnel = Fresnel::full}, false)));
+    EXPECT_FALSE(same(plain, full));
     const Image nearest = test.linear({{"texture-filter", "sampler"}}, Shading::ggx);
     EXPECT_TRUE(same(nearest, form({.fresnel = Fresnel::full, .bilinear_level0 = false})));
     EXPECT_FALSE(same(nearest, full));

@@ -225,7 +225,7 @@ struct CheckedFloor : TestWorld {
                 checks.insert(checks.end(), {c, c, c, 255});
             }
         Material plain{.name = "floor", .base_colour = {1, 1, 1, 1}, .unlit = true}, checked = plain;
-        checked.base_colour_texture = {.image = add_image(256, 256, checks)};
+        checked.base_colour_texture = {.image = add_image(256, 256, checks), .sampler = {.mip = MipFilter::nearest}}; // not anisotropic
         checked.unlit = !as_decal;
         add_material(as_decal ? plain : checked);
         add(square(4), glm::rotate(glm::dmat4(1), -1.5707963267948966, glm::dvec3(1, 0, 0)));

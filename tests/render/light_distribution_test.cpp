@@ -101,12 +101,12 @@ TEST(LightDistributions, S3_EveryArchitectureAgreesWithTheReference) {
     const CookieGarden garden;
     const Shot form = garden.shot();
     const ReferencePicture reference = render_reference(garden.world, garden.camera, form.width, form.height, 0,
-                                                        {.fresnel = ReferenceForm::Fresnel::nv});
+                                                        {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
     World plain = garden.world;
     for (PlacedLight& light : plain.lights)
         light.light.cookie = no_cookie, light.light.profile = nullptr, light.light.profile_candela = false;
     const ReferencePicture without = render_reference(plain, garden.camera, form.width, form.height, 0,
-                                                      {.fresnel = ReferenceForm::Fresnel::nv});
+                                                      {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
     EXPECT_LT(compare(without.linear, reference.linear, reference.left_out()).psnr, 25) << "the scene has something to compare";
     for (const Shot& shot : every_way(form)) {
         SCOPED_TRACE(name_of(shot));
