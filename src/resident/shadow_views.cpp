@@ -91,7 +91,7 @@ glm::dvec4 cascade_ends(const PlacedCamera& camera, const WorldBox& world) {
     double far = away > size ? size * std::exp2(std::ceil(std::log2(away / size))) : size;
     far = std::min(far, camera.camera.zfar);
     const bool perspective = camera.camera.kind == ProjectionKind::perspective;
-    const double begin = std::max(camera.camera.znear, far * 1e-3), share = perspective ? 0.9 : 0;
+    const double begin = std::max(camera.camera.znear, far * 1e-3), share = perspective ? 0.6 : 0;
     glm::dvec4 ends;
     for (int i = 1; i <= 4; ++i)
         ends[i - 1] = share * begin * std::pow(far / begin, i / 4.0) + (1 - share) * far * i / 4.0;

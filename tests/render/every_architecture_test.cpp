@@ -1,4 +1,5 @@
 // Every architecture, in every way that it finds lights, gives the same picture of the same scene.
+#include "every_way.hpp"
 #include "garden.hpp"
 #include "random_scene.hpp"
 #include <prelight/error.hpp>
@@ -6,39 +7,6 @@
 
 namespace prelight {
 namespace {
-
-/// Each renderer on a device once for each value of the setting that says how lights meet pixels;
-/// with the form of the lighting model that all of them run.
-std::vector<Shot> every_architecture(const Shot& shot) {
-    std::vector<Shot> shots;
-    for (const RendererInfo& info : renderer_infos()) {
-        if (!info.needs_device)
-            continue;
-        Shot one = shot;
-        one.renderer = info.name;
-        one.settings["model"] = "nv";
-        for (const SettingInfo& setting : info.settings)
-            if (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order")
-                for (const std::string& value : setting.values) {
-                    if (value == "auto")
-                        continue; // one of the others
-                    one.settings[setting.key] = value;
-                    shots.push_back(one);
-                    if (value != "tiles")
-                        continue;
-                    Shot& other = shots.emplace_back(one);
-                    other.settings["list-shading"] = "fragment"; // what a GPU takes by itself
-                }
-    }
-    return shots;
-}
-
-std::string name_of(const Shot& shot) {
-    std::string name = shot.renderer;
-    for (const auto& [key, value] : shot.settings)
-        name += " " + key + "=" + value;
-    return name;
-}
 
 class RandomScenes : public testing::TestWithParam<uint64_t> {};
 
@@ -48,7 +16,7 @@ TEST_P(RandomScenes, EveryArchitectureAgreesWithTheReferenceAndTheOthers) {
     const ReferencePicture reference = render_reference(scene.world, scene.camera, form.width, form.height, 0,
                                                         {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
     Image first;
-    for (const Shot& shot : every_architecture(form)) {
+    for (const Shot& shot : every_way(form)) {
         SCOPED_TRACE(name_of(shot));
         const Image image = render_linear(test_device(), shot);
         expect_within(compare(image, reference.linear, reference.left_out()), half_float_bound);
@@ -83,7 +51,7 @@ TEST(EveryArchitecture, M4_LightsChangeWhileItRuns) {
     step([&](auto& l) { l[1].light.falloff = Falloff::quadratic; });
     step([&](auto& l) { l.push_back({{.kind = LightKind::directional}, glm::dvec3(0), {0, -1, 0}}); });
     step([&](auto& l) { l.clear(); });
-    for (const Shot& shot : every_architecture(garden.shot())) {
+    for (const Shot& shot : every_way(garden.shot())) {
         SCOPED_TRACE(name_of(shot));
         const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
         EXPECT_THROW(renderer->set_lights(steps[1]), Error);

@@ -1,4 +1,5 @@
 // Cookies and measured profiles of lights against the reference [S3], in every architecture.
+#include "every_way.hpp"
 #include "garden.hpp"
 #include "vulkan_calls.hpp"
 #include <cmath>
@@ -66,36 +67,6 @@ struct CookieGarden : Garden {
 private:
     void turned(const Light& light, glm::dvec3 place, glm::dvec3 direction, glm::dvec3 up) { add_light(light, place, direction).up = up; }
 };
-
-/// Each renderer on a device once for each way in which it finds lights.
-std::vector<Shot> every_way(const Shot& shot) {
-    std::vector<Shot> shots;
-    for (const RendererInfo& info : renderer_infos())
-        for (const SettingInfo& setting : info.settings)
-            if (info.needs_device && (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order"))
-                for (const std::string& value : setting.values) {
-                    if (value == "auto")
-                        continue; // one of the others
-                    Shot& one = shots.emplace_back(shot);
-                    one.renderer = info.name;
-                    one.settings["model"] = "nv";
-                    one.settings[setting.key] = value;
-                    if (value != "tiles")
-                        continue;
-                    one.settings["list-shading"] = "compute";
-                    Shot other = one;
-                    other.settings["list-shading"] = "fragment";
-                    shots.push_back(other);
-                }
-    return shots;
-}
-
-std::string name_of(const Shot& shot) {
-    std::string name = shot.renderer;
-    for (const auto& [key, value] : shot.settings)
-        name += " " + key + "=" + value;
-    return name;
-}
 
 TEST(LightDistributions, S3_EveryArchitectureAgreesWithTheReference) {
     const CookieGarden garden;

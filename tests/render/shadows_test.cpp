@@ -1,4 +1,5 @@
 // Shadow maps against the reference's shadow rays [S1] [S2], in every architecture.
+#include "every_way.hpp"
 #include "garden.hpp"
 #include "shadow_measure.hpp"
 #include <cmath>
@@ -10,36 +11,6 @@ namespace prelight {
 namespace {
 
 using Settings = std::map<std::string, std::string>;
-
-/// Each renderer on a device once for each way in which it finds lights.
-std::vector<Shot> every_way(const Shot& shot) {
-    std::vector<Shot> shots;
-    for (const RendererInfo& info : renderer_infos())
-        for (const SettingInfo& setting : info.settings)
-            if (info.needs_device && (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order"))
-                for (const std::string& value : setting.values) {
-                    if (value == "auto")
-                        continue; // one of the others
-                    Shot& one = shots.emplace_back(shot);
-                    one.renderer = info.name;
-                    one.settings["model"] = "nv";
-                    one.settings[setting.key] = value;
-                    if (value != "tiles")
-                        continue;
-                    one.settings["list-shading"] = "compute";
-                    Shot other = one;
-                    other.settings["list-shading"] = "fragment";
-                    shots.push_back(other);
-                }
-    return shots;
-}
-
-std::string name_of(const Shot& shot) {
-    std::string name = shot.renderer;
-    for (const auto& [key, value] : shot.settings)
-        name += " " + key + "=" + value;
-    return name;
-}
 
 /// A garden with one light of each kind, all of which cast shadows.
 struct ShadowGarden : Garden {

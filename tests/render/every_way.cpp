@@ -1,0 +1,34 @@
+#include "every_way.hpp"
+
+namespace prelight {
+
+std::vector<Shot> every_way(const Shot& shot) {
+    std::vector<Shot> shots;
+    for (const RendererInfo& info : renderer_infos())
+        for (const SettingInfo& setting : info.settings)
+            if (info.needs_device && (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order"))
+                for (const std::string& value : setting.values) {
+                    if (value == "auto")
+                        continue; // one of the others
+                    Shot& one = shots.emplace_back(shot);
+                    one.renderer = info.name;
+                    one.settings["model"] = "nv";
+                    one.settings[setting.key] = value;
+                    if (value != "tiles")
+                        continue;
+                    one.settings["list-shading"] = "compute";
+                    Shot other = one;
+                    other.settings["list-shading"] = "fragment"; // what a GPU takes by itself
+                    shots.push_back(other);
+                }
+    return shots;
+}
+
+std::string name_of(const Shot& shot) {
+    std::string name = shot.renderer;
+    for (const auto& [key, value] : shot.settings)
+        name += " " + key + "=" + value;
+    return name;
+}
+
+} // namespace prelight

@@ -1,0 +1,13 @@
+#pragma once
+#include "against_reference.hpp"
+#include <vector>
+
+namespace prelight {
+
+/// Each renderer on a device once for each way in which it finds lights, with the form of the lighting model that all of
+/// them run (model=nv).
+std::vector<Shot> every_way(const Shot& shot);
+/// Renderer and settings, for a test's trace.
+std::string name_of(const Shot& shot);
+
+} // namespace prelight
