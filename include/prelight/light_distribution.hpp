@@ -46,6 +46,9 @@ enum class CookieKind {
 };
 CookieKind cookie_kind(const Scene& scene, const Light& light);
 
+/// Whether the light sends more in some directions than its cone says.
+inline bool has_distribution(const Light& light) { return light.cookie != no_cookie || light.profile; }
+
 /// Widest outer cone of a spot with a cookie: 85°, for the square around 90° has no end.
 inline constexpr float widest_cookie_cone = 1.48352986f;
 

@@ -62,7 +62,7 @@ vec3 shade(Point p, Surface s, Light light) {
     vec3 body = diffuse_colour * (1.0 - f0 - (f90 - f0) * light.grazing_diffuse) * light.diffuse +
                 (f0 + (f90 - f0) * light.grazing_specular) * light.specular + ambient * (diffuse_colour + f0) + s.emissive;
 
-    float nv = clamp(dot(s.normal, p.to_viewer), 0.0, 1.0);
+    float nv = facing(p, s);
     vec3 sheen = cloth_colour * pow(max(1.0 - nv, 0.0001), 1.0 + 3.0 * (1.0 - cloth_roughness));
     vec3 dressed = body * (1.0 - max(sheen.r, max(sheen.g, sheen.b))) + sheen * (light.diffuse + ambient);
 

@@ -31,15 +31,15 @@ void occlude(inout Light light, Point p, Surface s, float visibility) {
     light.mirrored *= mirror;
 }
 
+// What a surface mirrors of the environment; nothing where there is none.
+vec3 environment_on(Light light, vec3 f0) {
+    return has(FEATURE_ENVIRONMENT) ? light.mirrored * (f0 * light.reflectance.x + light.reflectance.y) : vec3(0.0);
+}
+
 // What a surface of these colours sends on of ambient light.
 vec3 ambient_on(Light light, vec3 diffuse_colour, vec3 f0) {
     if (!has(FEATURE_ENVIRONMENT))
         return light.ambient * (diffuse_colour + f0);
-    return light.ambient * diffuse_colour + light.mirrored * (f0 * light.reflectance.x + light.reflectance.y);
-}
-
-// What it mirrors of the environment; nothing where there is none.
-vec3 environment_on(Light light, vec3 f0) {
-    return has(FEATURE_ENVIRONMENT) ? light.mirrored * (f0 * light.reflectance.x + light.reflectance.y) : vec3(0.0);
+    return light.ambient * diffuse_colour + environment_on(light, f0);
 }
 #endif

@@ -13,8 +13,7 @@ const float half_turn = 3.14159265;
 
 // Metres that a pixel covers on a surface there, along its longer side; `nv`: N·V.
 float pixel_on_surface(vec3 world, float nv) {
-    float depth = mix(1.0, dot(world, frame.forward.xyz), frame.forward.w);
-    return 2.0 * length(frame.ray_up.xyz) * frame.size.w * depth / max(abs(nv), 0.1);
+    return pixel_metres(dot(world, frame.forward.xyz)) / max(abs(nv), 0.1);
 }
 
 // Place in a map, 0 … 1 from its left and top; z: texels of level 0 that a radian covers there, relative to those

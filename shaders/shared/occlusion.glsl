@@ -9,7 +9,4 @@ layout(constant_id = CONSTANT_OCCLUSION_SCALE) const int occlusion_scale = 1; //
 
 float plane_depth(float z) { return frame.forward.w > 0.5 ? 1.0 / z : z; }
 float view_depth_of(float plane) { return frame.forward.w > 0.5 ? 1.0 / plane : plane; }
-
-// Metres across a pixel of the picture at this view depth.
-float pixel_metres(float z) { return 2.0 * length(frame.ray_up.xyz) * frame.size.w * (frame.forward.w > 0.5 ? z : 1.0); }
 #endif

@@ -74,7 +74,6 @@ void Decals::cover(Surface& surface) const {
     }
     surface.normal = glm::normalize(mixed);
     surface.environment_roughness = roughness;
-    surface.roughness = std::max(roughness, 0.089);
 }
 
 } // namespace prelight::reference

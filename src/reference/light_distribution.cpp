@@ -5,16 +5,12 @@
 #include <numbers>
 #include <prelight/light_distribution.hpp>
 #include <reference/light_distribution.hpp>
+#include <reference/texture.hpp>
 
 namespace prelight::reference {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-double linear(uint8_t byte) { // IEC 61966-2-1
-    const double e = byte / 255.0;
-    return e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4);
-}
 
 /// How much of texel `texel` of `from` texels lies in texel `cell` of `to`, in texels of `from`.
 double overlap(int64_t texel, int64_t from, int64_t cell, int64_t to) {
@@ -111,7 +107,7 @@ Pyramid::Pyramid(const TextureImage& image, uint32_t left, uint32_t width) {
     for (size_t y = 0; y < image.height; ++y)
         for (size_t x = left; x < left + width; ++x) {
             const uint8_t* bytes = &image.rgba[(y * image.width + x) * 4];
-            whole.texels.emplace_back(linear(bytes[0]), linear(bytes[1]), linear(bytes[2]));
+            whole.texels.emplace_back(linear_of_srgb(bytes[0]), linear_of_srgb(bytes[1]), linear_of_srgb(bytes[2]));
         }
     levels.push_back(std::move(whole));
     while (levels.back().width > 1 || levels.back().height > 1) {

@@ -43,7 +43,7 @@ LightTree::LightTree(const World& world, glm::dvec3 origin) {
                            .shininess = light.shininess,
                            .casts_shadow = light.casts_shadow,
                            .distribution = {}});
-        if (light.cookie != no_cookie || light.profile)
+        if (has_distribution(light))
             lights_.back().distribution.emplace(world, placed, pictures);
         const auto index = static_cast<uint32_t>(lights_.size() - 1);
         if (light.kind == LightKind::directional || std::isinf(light.range))

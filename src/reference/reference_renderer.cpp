@@ -8,6 +8,7 @@
 #include <reference/reference_renderer.hpp>
 #include <reference/reference_views.hpp>
 #include <reference/trace.hpp>
+#include <setting_values/allows.hpp>
 #include <timing/clocks.hpp>
 
 namespace prelight {
@@ -15,15 +16,6 @@ namespace {
 
 using Settings = std::map<std::string, std::string>;
 constexpr const char* radius_key = "ambient-occlusion-radius";
-
-/// One of the words; or a number, where the only word is a range of them.
-bool allows(const SettingInfo& setting, const std::string& value) {
-    if (setting.key != radius_key)
-        return std::find(setting.values.begin(), setting.values.end(), value) != setting.values.end();
-    char* end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    return !value.empty() && *end == 0 && number >= 0.01 && number <= 100;
-}
 
 /// Every setting with the value in force.
 Settings checked_settings(const RendererInfo& info, const RenderOptions& options) {

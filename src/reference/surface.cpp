@@ -188,9 +188,10 @@ double normal_spread(glm::dvec3 normal, glm::dvec3 across, glm::dvec3 down) {
     return spread < 0.18 ? spread : 0.18; // what is no number, too
 }
 
-void antialias_specular(Surface& surface, double spread) {
-    const double alpha2 = std::min(std::pow(surface.environment_roughness, 4) + spread, 1.0);
-    surface.roughness = std::max(std::pow(alpha2, 0.25), roughness_min);
+void set_lamp_roughness(Surface& surface, double spread) {
+    const double own = surface.environment_roughness;
+    const double seen = spread > 0 ? std::pow(std::min(std::pow(own, 4) + spread, 1.0), 0.25) : own;
+    surface.roughness = std::max(seen, roughness_min);
 }
 
 Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
@@ -229,7 +230,7 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
     if (detailed)
         take_details(read, material, surface);
     surface.environment_roughness = surface.roughness;
-    surface.roughness = std::max(surface.roughness, roughness_min);
+    set_lamp_roughness(surface, 0);
     return surface;
 }
 

@@ -34,8 +34,8 @@ glm::dvec3 shading_normal(const RayScene& scene, const Textures& textures, const
 /// What α² grows by where normals beside it in the row and column of a quad of pixels are these:
 /// ReferenceForm::specular_antialiasing.
 double normal_spread(glm::dvec3 normal, glm::dvec3 across, glm::dvec3 down);
-/// Lets lamps see a surface that is as much rougher.
-void antialias_specular(Surface& surface, double spread);
+/// What lamps see of the surface's roughness: as much rougher, and at least 0.089.
+void set_lamp_roughness(Surface& surface, double spread);
 
 /// Reads the material at a hit. `view` points towards the viewer.
 /// Throws Error for a material whose shader is a user's file: this knows built-in ones alone.

@@ -6,7 +6,7 @@
 namespace prelight::reference {
 namespace {
 
-/// IEC 61966-2-1, one entry a byte.
+/// One entry a byte.
 const std::array<double, 256>& srgb_table() {
     static const std::array<double, 256> table = [] {
         std::array<double, 256> values{};
@@ -19,12 +19,18 @@ const std::array<double, 256>& srgb_table() {
     return table;
 }
 
+} // namespace
+
+double linear_of_srgb(uint8_t code) { return srgb_table()[code]; }
+
+namespace {
+
 glm::dvec4 texel(const TextureImage& image, int64_t x, int64_t y, Encoding encoding) {
     const uint8_t* bytes =
         &image.rgba[(static_cast<size_t>(y) * image.width + static_cast<size_t>(x)) * 4];
     glm::dvec4 value;
     for (int channel = 0; channel < 3; ++channel)
-        value[channel] = encoding == Encoding::srgb ? srgb_table()[bytes[channel]]
+        value[channel] = encoding == Encoding::srgb ? linear_of_srgb(bytes[channel])
                                                     : static_cast<double>(bytes[channel]) / 255;
     value.a = static_cast<double>(bytes[3]) / 255;
     return value;

@@ -7,6 +7,9 @@ namespace prelight::reference {
 
 enum class Encoding { linear, srgb };
 
+/// An sRGB code's linear value, 0 … 1 (IEC 61966-2-1).
+double linear_of_srgb(uint8_t code);
+
 /// Reads textures on level 0 in double precision; mip maps are not modelled. Texels sit at half
 /// coordinates (glTF 2.0, 3.8.4), each axis wraps by itself, sRGB texels are decoded before they
 /// are mixed; alpha is always linear.

@@ -113,13 +113,12 @@ private:
         }
         const Draw& draw = scene_.draw(hit.draw);
         Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
-        const double spread = form_.specular_antialiasing
+        const double spread = form_.specular_antialiasing && !surface.unlit
                                   ? normal_spread(surface.normal, normal_at(hit, x ^ 1, y), normal_at(hit, x, y ^ 1))
                                   : 0; // of the surface itself
         if (decals_ && world_.instances[draw.instance].receives_decals && draw.material->receives_decals)
             decals_->cover(surface);
-        if (form_.specular_antialiasing)
-            antialias_specular(surface, spread);
+        set_lamp_roughness(surface, spread);
         if (form_.occlusion_radius > 0)
             surface.visibility = ray_visibility(scene_, hit, surface.normal, form_.occlusion_radius);
         if (buffers_ && buffers_->visibility_radius > 0)

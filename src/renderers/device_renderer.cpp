@@ -108,9 +108,7 @@ void DeviceRenderer::set_world(const World& world) {
 void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     if (!world_)
         throw Error("renderer: set_world() comes before set_lights()");
-    if (!frame_->fit(lights))
-        queue_->drain(); // their buffers or maps are made anew
-    if (frame_->set_lights(lights) && graph_)
+    if (frame_->set_lights(lights, [&] { queue_->drain(); }) && graph_)
         return;
     drop_graph();
     build_graph();

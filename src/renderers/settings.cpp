@@ -4,31 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
+#include <setting_values/allows.hpp>
 
 namespace prelight {
-namespace {
-
-/// A range "LOW … HIGH" stands for any number in it.
-bool parse_range(const std::string& text, double& low, double& high) {
-    const size_t dots = text.find(" … ");
-    if (dots == std::string::npos)
-        return false;
-    low = std::strtod(text.c_str(), nullptr);
-    high = std::strtod(text.c_str() + dots + std::string(" … ").size(), nullptr);
-    return true;
-}
-
-bool allowed(const SettingInfo& info, const std::string& value) {
-    double low = 0, high = 0;
-    if (info.values.size() == 1 && parse_range(info.values[0], low, high)) {
-        char* end = nullptr;
-        const double number = std::strtod(value.c_str(), &end);
-        return !value.empty() && *end == 0 && number >= low && number <= high;
-    }
-    return std::find(info.values.begin(), info.values.end(), value) != info.values.end();
-}
-
-} // namespace
 
 void Settings::set(const RendererInfo& info, const std::map<std::string, std::string>& settings) {
     for (const auto& [key, value] : settings) {
@@ -37,7 +15,7 @@ void Settings::set(const RendererInfo& info, const std::map<std::string, std::st
         if (setting == info.settings.end())
             throw UsageError(fmt::format("--set {}: {} has no such setting (prelight renderers {})", key,
                                          info.name, info.name));
-        if (!allowed(*setting, value))
+        if (!allows(*setting, value))
             throw UsageError(fmt::format("--set {}={}: allowed is {}", key, value,
                                          fmt::join(setting->values, ", ")));
         values_[key] = value;

@@ -41,7 +41,4 @@ private:
     Image picture_;
 };
 
-/// Whether the light sends more in some directions than its cone says.
-inline bool has_distribution(const Light& light) { return light.cookie != no_cookie || light.profile; }
-
 } // namespace prelight::resident

@@ -226,11 +226,6 @@ bool Frame::hold_maps_of(std::span<const PlacedLight> lights) const {
                        [&](const PlacedLight& light) { return !has_distribution(light.light) || distribution_maps_->hold(light.light); });
 }
 
-bool Frame::fit(std::span<const PlacedLight> lights) const {
-    check_lights(*world_.scene, lights);
-    return lights.size() <= capacity_ && hold_maps_of(lights);
-}
-
 void Frame::make_room(std::span<const PlacedLight> lights) {
     std::vector<PlacedLight> placed(lights.begin(), lights.end());
     std::unique_ptr<UploadedMaps> uploaded;
@@ -256,14 +251,17 @@ void Frame::make_room(std::span<const PlacedLight> lights) {
     }
 }
 
-bool Frame::set_lights(std::span<const PlacedLight> lights) {
+bool Frame::set_lights(std::span<const PlacedLight> lights, const std::function<void()>& wait) {
     const double start = thread_ms();
-    const bool fits = fit(lights);
+    check_lights(*world_.scene, lights);
+    const bool fits = lights.size() <= capacity_ && hold_maps_of(lights);
     if (fits) {
         placed_.resize(lights.size());
         for (size_t i = 0; i < lights.size(); ++i)
             place(placed_[i], lights[i]);
     } else {
+        if (wait)
+            wait();
         make_room(lights);
     }
     const uint32_t known = std::exchange(kinds_, kinds_of(placed_));

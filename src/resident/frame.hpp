@@ -8,6 +8,7 @@
 #include "shadow_plan.hpp"
 #include "visible_draws.hpp"
 #include "visible_pixels.hpp"
+#include <functional>
 #include <gpu/frames_in_flight.hpp>
 #include <optional>
 #include <prelight/renderer.hpp>
@@ -39,11 +40,9 @@ public:
     /// Throws Error when the world does not fit the device; no light is ever dropped.
     Frame(const gpu::Context& context, const World& world, const FrameSettings& settings);
     /// Takes other lights in place of the world's. False when what draws them must be built anew: their
-    /// buffers grew, or a kind or falloff came in that shaders leave out. The device must be idle when they do not fit().
-    bool set_lights(std::span<const PlacedLight> lights);
-    /// They are no more than light_capacity(), and their cookies and profiles are on the device. Throws Error as
-    /// check_lights() does.
-    bool fit(std::span<const PlacedLight> lights) const;
+    /// buffers grew, or a kind or falloff came in that shaders leave out. `wait` is called before buffers or maps are made
+    /// anew, and comes back when the device is idle; without it, it is. Throws Error as check_lights() does.
+    bool set_lights(std::span<const PlacedLight> lights, const std::function<void()>& wait = {});
     /// Writes constants, lights and objects for one picture into the slot's buffers, which no frame on
     /// its way may use; set() is the slot's from then on.
     void update(const PlacedCamera& camera, uint32_t slot = 0);
@@ -90,7 +89,6 @@ public:
     /// World relative to eye() → clip space, of the last update().
     const glm::mat4& clip_from_world() const { return clip_from_world_; }
     LightCulling culling() const { return settings_.culling; }
-    gpu::TextureFilter texture_filter() const { return settings_.texture_filter; }
     const VolumeOptions& volumes() const { return settings_.volumes; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
     VkDescriptorSetLayout layout() const { return layout_; }
@@ -106,7 +104,7 @@ private:
     /// Uploads the cookies and profiles of placed_ and of the scene's other lights.
     void make_distributions();
     bool hold_maps_of(std::span<const PlacedLight> lights) const;
-    /// Takes lights that do not fit(), with buffers and maps for them; as before when it throws.
+    /// Takes lights that there is no room or that there are no maps for, with buffers and maps for them; as before when it throws.
     void make_room(std::span<const PlacedLight> lights);
     void write_distributions();
     void update_shadows(const PlacedCamera& camera);

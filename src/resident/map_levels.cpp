@@ -8,21 +8,11 @@
 namespace prelight::resident {
 namespace {
 
-const std::array<float, 256>& linear_of_srgb() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> values{};
-        for (size_t i = 0; i < values.size(); ++i) {
-            const double code = static_cast<double>(i) / 255;
-            values[i] = static_cast<float>(code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4));
-        }
-        return values;
-    }();
-    return table;
-}
-
 Image decoded(const TextureImage& image, uint32_t left, uint32_t width) {
     Image out(width, image.height);
-    const std::array<float, 256>& linear = linear_of_srgb();
+    std::array<float, 256> linear;
+    for (size_t code = 0; code < linear.size(); ++code)
+        linear[code] = srgb_decode(static_cast<float>(code) / 255);
     for (uint32_t y = 0; y < image.height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             const uint8_t* code = &image.rgba[(size_t(y) * image.width + left + x) * 4];

@@ -44,7 +44,7 @@ void check_light(const Scene& scene, const Light& light, const std::string& obje
 
 void check_lights(const Scene& scene, std::span<const PlacedLight> lights) {
     for (const PlacedLight& placed : lights) // every frame may bring 65,536, and few have anything to check
-        if (const Light& light = placed.light; light.cookie != no_cookie || light.profile || !(light.size > 0) || std::isinf(light.size))
+        if (const Light& light = placed.light; has_distribution(light) || !(light.size > 0) || std::isinf(light.size))
             check_light(scene, light, fmt::format("{}: light {}", scene.name, light.name));
 }
 
