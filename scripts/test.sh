@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every test: installs what is missing, builds Release and the fuzz target, runs all test binaries.
-#   scripts/test.sh [NAME…]   only these, of: image scene reference gpu render cli fuzz …
+#   scripts/test.sh [NAME…]   only these, of: image scene reference gpu render cli docs fuzz …
 # One line for each binary; the last line counts the tests. FUZZ_SECONDS (default 60) is how long
 # the fuzz target runs.
 set -euo pipefail
@@ -36,6 +36,7 @@ for binary in "$build"/tests/test_*; do
     name=${binary##*/test_}
     [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
 done
+names+=(docs)
 [ -f scripts/fuzz.sh ] && names+=(fuzz)
 if [ $# -gt 0 ]; then
     names=("$@")
@@ -86,6 +87,15 @@ run_fuzz() {
     fi
 }
 
+# README and docs against the program: one test.
+run_docs() {
+    if scripts/check-docs.sh >"$logs/docs.log" 2>&1; then
+        echo "1 0 0" >"$logs/docs.count"
+    else
+        echo "0 1 0" >"$logs/docs.count"
+    fi
+}
+
 # What the failed tests wrote, and the end of the log when that says nothing (a crash, the fuzzer).
 explain_failure() { # LOG
     local text
@@ -102,6 +112,8 @@ run_one() { # NAME: runs it, then prints its line
     local began=$SECONDS passed failed skipped
     if [ "$1" = fuzz ]; then
         run_fuzz
+    elif [ "$1" = docs ]; then
+        run_docs
     else
         run_gtest "$1"
     fi
