@@ -22,13 +22,8 @@ void keep_heap() {
 }
 
 /// One line on stderr, whatever the reason holds, and the exit status.
-int fail(std::string reason, int status) {
-    while (!reason.empty() && reason.back() == '\n')
-        reason.pop_back();
-    for (char& c : reason)
-        if (c == '\n' || c == '\r')
-            c = ' ';
-    fmt::print(stderr, "prelight: {}\n", reason);
+int fail(std::string_view reason, int status) {
+    fmt::print(stderr, "prelight: {}\n", prelight::escaped(reason));
     return status;
 }
 

@@ -28,7 +28,7 @@ void OwnMaterials::take_changes() {
             check_material_shader(*shader);
             shaders_[i] = std::move(shader);
         } catch (const Error& error) {
-            fmt::print(stderr, "prelight: {}; {} stays as it was\n", error.what(), files_[i].first);
+            fmt::print(stderr, "prelight: {}; {} stays as it was\n", error.what(), escaped(files_[i].first));
         }
     }
 }
