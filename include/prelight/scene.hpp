@@ -94,6 +94,9 @@ struct Node {
     std::optional<uint32_t> decal{};      ///< index into Scene::decals; the node is its box
     std::optional<uint32_t> emitter{};    ///< index into Scene::emitters
     bool receives_decals = true;          ///< decals lie on its mesh
+    /// KHR_node_visibility: false hides mesh, light, decal and emitter of the node and of all below it.
+    /// Joints still move and cameras still see.
+    bool visible = true;
 };
 
 /// One of the file's scenes: a name and its root nodes.
@@ -119,7 +122,7 @@ struct Scene {
     glm::vec3 ambient{0};                 ///< uniform environment radiance, linear RGB
     /// Light from all around, in place of `ambient`, which it makes unused; null: `ambient`.
     std::shared_ptr<const Environment> environment{};
-    std::vector<std::string> warnings;    ///< what the loader left out or changed, one line each
+    std::vector<std::string> warnings;    ///< what the loader repaired or left out: "FILE: OBJECT: REASON", one line each
 };
 
 /// One drawn object: a mesh at a place.
@@ -175,14 +178,19 @@ struct World {
 /// earlier. `animation`: only this one of Scene::animations; absent: all, and where several change
 /// the same property of a node, the first in the file's order.
 /// Particles of emitters are as they are at the moment's time, without one at time 0.
-/// Throws Error: no triangles, a world transform that is not finite, an animation or skin that does
-/// not fit its node.
+/// A tree without triangles is an empty picture; warnings_of() says what there was instead.
+/// Throws Error: a world transform that is not finite, an animation or skin that does not fit its node.
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {},
               const std::optional<Moment>& moment = {}, std::optional<uint32_t> animation = {});
+
+/// Scene::warnings, and what of the tree that the world was made of cannot be shown, one line each.
+std::vector<std::string> warnings_of(const World& world);
 
 /// Index into Scene::animations, by name or by index in decimal. Throws UsageError listing what there
 /// is.
 uint32_t find_animation(const Scene& scene, const std::string& name_or_index);
+/// Index into Scene::scenes, likewise.
+uint32_t find_scene(const Scene& scene, const std::string& name_or_index);
 
 /// Adds `count` point lights, uniform in the world's bounds, hues from `seed`, with the range that
 /// puts about 8 of them on a point and intensity range²/2 cd.

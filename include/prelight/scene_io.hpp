@@ -8,10 +8,15 @@
 
 namespace prelight {
 
-/// Reads glTF 2.0, .gltf or .glb (told apart by content). Everything is checked before it is used;
-/// throws Error with one line "FILE: OBJECT: REASON". What is left out stands in Scene::warnings.
+struct LoadOptions {
+    bool strict = false; ///< what would be a warning about the file is an Error with the same line
+};
+
+/// Reads glTF 2.0, .gltf or .glb (told apart by content). Everything is checked before it is used. What is wrong
+/// with one object alone is repaired or leaves that object out; Scene::warnings says so. What makes the file
+/// unusable (its JSON, its indices, its buffers) throws Error with one line "FILE: OBJECT: REASON".
 /// Memory stays below the multiple of the input's size that `docs/gltf.md` states.
-Scene load_gltf(const std::filesystem::path& path);
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Writes the scene as .glb (images as PNG) that the Khronos validator accepts without errors.
 /// The file appears under a temporary name and is renamed when whole. Throws Error.

@@ -12,6 +12,8 @@
 
 #include "gltf_builder.hpp"
 #include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 #include <random>
@@ -169,15 +171,32 @@ Bytes solid(uint32_t width, uint32_t height, std::vector<uint8_t> colour) {
     return out;
 }
 
-std::string error_of(const Bytes& bytes) {
+namespace {
+std::string error_of(const Bytes& bytes, const LoadOptions& options) {
     try {
-        const Scene scene = load_bytes(bytes);
+        const Scene scene = gltf::load(bytes, "test.glb", std::filesystem::temp_directory_path(), options);
         resolve(scene);
         resolve(scene, {}, Moment{0.5});
     } catch (const Error& error) {
         return error.what();
     }
     return {};
+}
+} // namespace
+
+std::string error_of(const Bytes& bytes) {
+    return error_of(bytes, {});
+}
+std::string strict_error_of(const GltfBuilder& builder) {
+    return error_of(builder.glb(), {.strict = true});
+}
+
+Scene expect_repaired(const GltfBuilder& builder, const std::string& warning) {
+    EXPECT_EQ(error_of(builder), "");
+    EXPECT_THAT(strict_error_of(builder), testing::StartsWith("test.glb: " + warning));
+    Scene scene = builder.load();
+    EXPECT_THAT(scene.warnings, testing::Contains(testing::StartsWith("test.glb: " + warning)));
+    return scene;
 }
 
 std::string error_of(const GltfBuilder& builder) {

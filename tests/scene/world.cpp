@@ -196,9 +196,38 @@ TEST(Resolve, Errors) {
     scene = box(glm::vec3(3e38f));
     scene.nodes[0].local[0].x = 1e300;
     EXPECT_EQ(line(scene), "box: scene 0: a vertex's world position is not finite");
+}
+
+TEST(World, WithoutTrianglesIsEmptyAndSaysWhatThereIs) {
+    const auto warning = [](const Scene& scene) {
+        const World world = resolve(scene);
+        EXPECT_EQ(world.triangles, 0u);
+        EXPECT_EQ(world.bounds_min, glm::dvec3(0));
+        EXPECT_EQ(world.bounds_max, glm::dvec3(0));
+        EXPECT_GE(world.cameras.size(), 1u);
+        const auto warnings = warnings_of(world);
+        return warnings.empty() ? std::string() : warnings.back();
+    };
+    EXPECT_TRUE(warnings_of(resolve(box())).empty());
+    Scene scene = box();
+    scene.nodes[0].mesh.reset();
+    EXPECT_EQ(warning(scene), fmt::format("box: scene: no triangles, so the picture is empty; the file has {} empty nodes", scene.nodes.size()));
+    scene.lights.resize(1);
+    scene.cameras.resize(1);
+    scene.nodes[0].light = 0;
+    scene.nodes.resize(3);
+    scene.nodes[1].light = 0;
+    scene.nodes[2].camera = 0;
+    scene.scenes[0].nodes = {0, 1, 2};
+    EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has 2 nodes with a light, 1 node with a camera");
+    EXPECT_EQ(resolve(scene).lights.size(), 2u);
     scene = box();
-    scene.meshes[0].primitives[0].indices.clear();
-    EXPECT_EQ(line(scene), "box: scene 0: no triangles");
+    scene.nodes[0].visible = false;
+    EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has 1 node with a mesh that is hidden, "
+                              "flattened or in another scene, 1 node hidden");
+    scene.nodes.clear();
+    scene.scenes[0].nodes.clear();
+    EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has no nodes");
 }
 
 TEST(ScatterLights, AboutEightReachAPoint) {

@@ -20,14 +20,16 @@ Scene read_scene(gltf::Document&& document) {
     gltf::Textures textures(document, buffers, scene);
     gltf::read_materials(document, textures, scene);
     gltf::read_meshes(document, buffers, accessors, scene);
-    gltf::read_cameras(document, scene);
-    gltf::read_lights(document, scene);
-    gltf::read_extras(document, buffers, textures, scene);
-    gltf::read_nodes(document, accessors, scene);
+    const gltf::Places cameras = gltf::read_cameras(document, scene);
+    const gltf::Places lights = gltf::read_lights(document, scene);
+    gltf::read_extras(document, buffers, textures, lights, scene);
+    gltf::read_nodes(document, accessors, cameras, lights, scene);
     gltf::read_scenes(document, scene);
     gltf::read_skins(document, accessors, scene);
     gltf::read_animations(document, accessors, scene);
-    scene.warnings = document.warnings();
+    if (scene.materials.empty()) // a file of lights and cameras; renderers want one
+        scene.materials.emplace_back().name = "default";
+    scene.warnings = document.warnings().lines();
     return scene;
 }
 
@@ -46,20 +48,20 @@ Scene guard_memory(const std::string& file, Read read) {
 } // namespace
 
 Scene gltf::load(std::span<const uint8_t> bytes, const std::string& file,
-                 const std::filesystem::path& folder) {
+                 const std::filesystem::path& folder, const LoadOptions& options) {
     return guard_memory(file, [&] {
         Bytes padded(bytes.begin(), bytes.end());
         padded.resize(bytes.size() + simdjson::SIMDJSON_PADDING);
-        return read_scene(Document(file, folder, std::move(padded)));
+        return read_scene(Document(file, folder, std::move(padded), options));
     });
 }
 
-Scene load_gltf(const std::filesystem::path& path) {
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
     const std::string file = path.string();
     return guard_memory(file, [&] {
         try {
             return read_scene(gltf::Document(file, path.parent_path(),
-                                             gltf::read_file(path, simdjson::SIMDJSON_PADDING)));
+                                             gltf::read_file(path, simdjson::SIMDJSON_PADDING), options));
         } catch (const gltf::UriError& error) {
             gltf::fail(file, "file", error.what());
         }

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <scene/gltf/textures.hpp>
+#include <scene/gltf/uri.hpp>
 #include <scene/images/decode.hpp>
 
 namespace prelight::gltf {
@@ -15,9 +16,15 @@ Wrap wrap_of(const Item& item, const char* key) {
     case 33071:
         return Wrap::clamp_to_edge;
     default:
-        item.fail(fmt::format("{} {} is not known", key, item.integer_or(key, 0)));
+        item.warn("{} {} is not known; REPEAT is used", key, item.integer_or(key, 0));
+        return Wrap::repeat;
     }
 }
+
+/// Why a picture cannot be read, as one short reason.
+struct LostPicture : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 } // namespace
 
@@ -25,6 +32,7 @@ Textures::Textures(Document& document, Buffers& buffers, Scene& scene)
     : document_(document), buffers_(buffers), scene_(scene) {
     document.charge("images", document.count(Table::images), sizeof(slots_[0]));
     slots_.assign(document.count(Table::images), no_image);
+    lost_.resize(document.count(Table::images));
 }
 
 TextureRef Textures::read(const Item& material, std::string_view key) {
@@ -63,8 +71,11 @@ void Textures::read_transform(const Item& info, TextureRef& ref, uint64_t& texco
         glm::mat2(glm::vec2(c * scale[0], -s * scale[0]), glm::vec2(s * scale[1], c * scale[1]));
     ref.uv_offset = glm::vec2(offset[0], offset[1]);
     const glm::vec2 sum = ref.uv_linear[0] + ref.uv_linear[1] + ref.uv_offset;
-    if (!std::isfinite(sum.x) || !std::isfinite(sum.y))
-        transform->fail("is not finite");
+    if (!std::isfinite(sum.x) || !std::isfinite(sum.y)) {
+        transform->warn("is not finite; it is left out");
+        ref.uv_linear = glm::mat2(1);
+        ref.uv_offset = glm::vec2(0);
+    }
 }
 
 Sampler Textures::read_sampler(uint32_t index) const {
@@ -75,11 +86,13 @@ Sampler Textures::read_sampler(uint32_t index) const {
     constexpr uint64_t nearest = 9728, linear = 9729, first_mip = 9984;
     const uint64_t mag = item.integer_or("magFilter", linear);
     if (mag != nearest && mag != linear)
-        item.fail(fmt::format("magFilter {} is not known", mag));
+        item.warn("magFilter {} is not known; LINEAR is used", mag);
     sampler.mag = mag == nearest ? Filter::nearest : Filter::linear;
-    const uint64_t min = item.integer_or("minFilter", first_mip + 3);
-    if (min != nearest && min != linear && (min < first_mip || min > first_mip + 3))
-        item.fail(fmt::format("minFilter {} is not known", min));
+    uint64_t min = item.integer_or("minFilter", first_mip + 3);
+    if (min != nearest && min != linear && (min < first_mip || min > first_mip + 3)) {
+        item.warn("minFilter {} is not known; LINEAR_MIPMAP_LINEAR is used", min);
+        min = first_mip + 3;
+    }
     // 9984 … 9987: the low bit filters within a level, the next one between levels.
     const bool mips = min >= first_mip;
     sampler.min = (min & 1) == 0 ? Filter::nearest : Filter::linear;
@@ -97,29 +110,49 @@ uint32_t Textures::image_of(const Item& texture) {
         document_.warn("has no image in a format that is read; it is left out", texture.label());
         return no_image;
     }
-    if (slots_[*source] == no_image)
-        slots_[*source] = load_image(*source);
+    if (slots_[*source] == no_image && try_load(*source))
+        slots_[*source] = uint32_t(scene_.images.size() - 1);
     return slots_[*source];
 }
 
-TextureImage Textures::take(uint32_t image) {
+bool Textures::try_load(uint32_t image) {
+    if (lost_[image])
+        return false;
+    try {
+        load_image(image);
+        return true;
+    } catch (const LostPicture& lost) {
+        lost_[image] = true;
+        document_.item(Table::images, image).warn("{}; what shows it is plain", lost.what());
+        return false;
+    }
+}
+
+std::optional<TextureImage> Textures::take(uint32_t image) {
     if (slots_[image] != no_image)
         return scene_.images[slots_[image]];
-    TextureImage taken = std::move(scene_.images[load_image(image)]);
+    if (!try_load(image))
+        return {};
+    TextureImage taken = std::move(scene_.images.back());
     scene_.images.pop_back();
     return taken;
 }
 
 std::span<const uint8_t> Textures::image_bytes(const Item& image) {
-    if (image.has("uri"))
-        return document_.read_uri(image.text("uri"), image.label());
+    if (image.has("uri")) {
+        try {
+            return document_.read_uri(image.text("uri"), image.label());
+        } catch (const UriError& error) {
+            throw LostPicture(error.what());
+        }
+    }
     const auto view = image.index("bufferView", document_.count(Table::buffer_views));
     if (!view)
-        image.fail("has neither uri nor bufferView");
+        throw LostPicture("has neither uri nor bufferView");
     return buffers_.view(*view).bytes;
 }
 
-uint32_t Textures::load_image(uint32_t index) {
+void Textures::load_image(uint32_t index) {
     const Item item = document_.item(Table::images, index);
     const std::span<const uint8_t> bytes = image_bytes(item);
     try {
@@ -131,12 +164,11 @@ uint32_t Textures::load_image(uint32_t index) {
         const Loan working(budget, Budget::Pool::images, cost.working);
         scene_.images.push_back(images::decode(bytes));
     } catch (const images::DecodeError& error) {
-        item.fail(error.what());
+        throw LostPicture(error.what());
     } catch (const Budget::Exceeded& error) {
         item.fail(error.what());
     }
     scene_.images.back().name = item.text("name");
-    return uint32_t(scene_.images.size() - 1);
 }
 
 } // namespace prelight::gltf

@@ -7,14 +7,16 @@ namespace prelight::gltf {
 class Textures {
 public:
     Textures(Document& document, Buffers& buffers, Scene& scene);
-    /// The textureInfo object under `key` of a material; no image when it is absent.
+    /// The textureInfo object under `key` of a material; no image when it is absent, or when its picture is missing
+    /// or does not decode (with a warning).
     TextureRef read(const Item& material, std::string_view key);
-    /// One of the file's images, decoded, that is no material's.
-    TextureImage take(uint32_t image);
+    /// One of the file's images, decoded, that is no material's; nothing when it cannot be read (with a warning).
+    std::optional<TextureImage> take(uint32_t image);
 
 private:
     uint32_t image_of(const Item& texture);
-    uint32_t load_image(uint32_t index);
+    bool try_load(uint32_t image); ///< fills its slot, or says why not
+    void load_image(uint32_t index); ///< to the end of Scene::images
     std::span<const uint8_t> image_bytes(const Item& image);
     Sampler read_sampler(uint32_t index) const;
     void read_transform(const Item& info, TextureRef& ref, uint64_t& texcoord) const;
@@ -23,6 +25,7 @@ private:
     Buffers& buffers_;
     Scene& scene_;
     std::vector<uint32_t> slots_; ///< glTF image → Scene::images, or no_image
+    std::vector<bool> lost_;      ///< images that have been tried in vain
 };
 
 /// Takes over a material's `extras.prelight` (schema in scene/write/parts.hpp).
@@ -31,6 +34,10 @@ void read_material_extras(Textures& textures, const Item& item, Material& materi
 /// KHR_materials_ior, _specular, _clearcoat and _sheen as parameters of the material `layered`; nothing where they
 /// say what glTF says without them, or where the material has a shader or no light.
 void read_material_layers(Document& document, Textures& textures, const Item& item, Material& material);
+
+/// KHR_materials_pbrSpecularGlossiness in place of pbrMetallicRoughness: plain metallic-roughness where that says the
+/// same, else the built-in material `specular-glossiness`.
+void read_specular_glossiness(Textures& textures, const Item& extension, Material& material);
 
 /// Fills `scene.materials`, one for each of the file's.
 void read_materials(Document& document, Textures& textures, Scene& scene);
