@@ -143,6 +143,13 @@ glm::dvec3 layered(const OwnLight& light) {
     return out + around * (1.0 - on_coat) + on_coat * mirrored(light, layers.coat_roughness);
 }
 
+/// KHR_materials_pbrSpecularGlossiness.
+glm::dvec3 specular_glossiness(const OwnLight& light) {
+    const DiffuseAndSpecular& own = light.surface.specular_glossiness;
+    const Colours c{own.diffuse, own.f0};
+    return lamps_on(light, c) + ambient_on(light, c) + light.surface.emissive;
+}
+
 } // namespace
 
 glm::dvec3 shade_own(const OwnLight& light) {
@@ -162,6 +169,8 @@ glm::dvec3 shade_own(const OwnLight& light) {
             return fresnel_rim(light);
         if (shader.name == "layered")
             return layered(light);
+        if (shader.name == "specular-glossiness")
+            return specular_glossiness(light);
     }
     throw Error(fmt::format("reference: {}: it knows the built-in materials alone", shader.file.empty() ? shader.name : shader.file));
 }

@@ -145,6 +145,31 @@ void take_layers(const PointReader& read, const Material& material, Surface& sur
     surface.roughness += out.clearcoat * (coat_roughness - surface.roughness); // one sum of light for both
 }
 
+double brightness(glm::dvec3 c) { return std::sqrt(0.299 * c.r * c.r + 0.587 * c.g * c.g + 0.114 * c.b * c.b); }
+
+/// KHR_materials_pbrSpecularGlossiness, and for lighting that knows no other the closest metallic-roughness:
+/// metalness from the brightness of both colours, base colour from each channel (docs/materials.md).
+void take_specular_glossiness(const PointReader& read, const Material& material, Surface& surface) {
+    const TextureRef* ref = own_map(material, "specular_glossiness_map");
+    const glm::dvec4 texel = ref ? read.texture(*ref, Encoding::srgb) : glm::dvec4(1);
+    DiffuseAndSpecular& own = surface.specular_glossiness;
+    own.f0 = layer_colour(read, material, "specular", "specular_glossiness_map");
+    own.diffuse = surface.base_colour * (1 - std::max({own.f0.r, own.f0.g, own.f0.b}));
+    surface.roughness = 1 - own_number(material, "glossiness") * texel.a;
+
+    constexpr double dielectric = 0.04;
+    const double reflected = brightness(own.f0), sum = brightness(own.diffuse) + reflected - 2 * dielectric;
+    double& metallic = surface.metallic;
+    metallic = 0;
+    if (reflected > dielectric) {
+        const double root = std::sqrt(std::max(sum * sum + 4 * dielectric * (reflected - dielectric), 0.0));
+        metallic = std::clamp((root - sum) / (2 * dielectric), 0.0, 1.0);
+    }
+    const glm::dvec3 as_dielectric = own.diffuse / std::max(1 - metallic, 1e-4);
+    const glm::dvec3 as_metal = (own.f0 - dielectric * (1 - metallic)) / std::max(metallic, 1e-4);
+    surface.base_colour = glm::clamp(glm::mix(as_dielectric, as_metal, metallic * metallic), 0.0, 1.0);
+}
+
 bool is_detailed(const Material& material) { return material.shader && material.shader->name == "detailed"; }
 
 /// The shading normal, with the normal map and what `detailed` adds to it.
@@ -227,6 +252,8 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
         surface.emissive *= glm::dvec3(read.texture(ref, Encoding::srgb));
     if (material.shader && material.shader->name == "layered")
         take_layers(read, material, surface);
+    if (material.shader && material.shader->name == "specular-glossiness")
+        take_specular_glossiness(read, material, surface);
     if (detailed)
         take_details(read, material, surface);
     surface.environment_roughness = surface.roughness;

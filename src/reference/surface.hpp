@@ -11,6 +11,12 @@ struct SurfaceLayers {
     double body_roughness = 1, coat_roughness = 0; ///< of each layer by itself
 };
 
+/// What the material `specular-glossiness` is made of.
+struct DiffuseAndSpecular {
+    glm::dvec3 diffuse{0}; ///< what the diffuse lobe sends on
+    glm::dvec3 f0{0.04};
+};
+
 /// What the lighting model knows of a point. Directions are unit vectors in world space.
 struct Surface {
     glm::dvec3 position{0};     ///< relative to the camera
@@ -25,6 +31,7 @@ struct Surface {
     double visibility = 1; ///< what nearby surfaces let through of ambient light
     bool unlit = false;
     SurfaceLayers layers{};
+    DiffuseAndSpecular specular_glossiness{};
     const Material* shaded = nullptr; ///< the material, when it has a shader of its own
 };
 
