@@ -57,12 +57,14 @@ void BenchArguments::add(CLI::App& app) {
     option("--time", time_, "SECONDS", "Scene: moment of its animations (default: at rest)");
     option("--animation", animation_, "NAME|INDEX", "Scene: only this animation, at --time or else at 0 s");
     add_environment_options(option, environment_);
+    add_log_options(sub, option, reading_);
     sub.add_flag("--count-pairs", count_pairs_,
                  "Scene: light x pixel pairs are always counted, in a frame that is not timed");
     option("-o,--output", output_, "PAGE", "report: the page to write, .html");
     option("--frames", frames_, "N", "Frames of each way to time, interleaved (default 9; claims 5)");
     option("--json", json_, "FILE", "Write the figures as JSON too");
-    option("--scene", table_scene_, "SCENE", "Tables: file or built-in scene (default spheres)");
+    option("--scene", table_scene_, "SCENE",
+           "Tables: file or built-in scene (default spheres). Scene: which of the file's scenes, NAME|INDEX");
     option("--camera", camera_, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--size", size_, "WxH", "Picture size in pixels (default 1280x720; a table has its own)");
     option("--lights", lights_, "N", "Light count of a built-in scene; adds N random point lights to any other");
@@ -88,8 +90,9 @@ void BenchArguments::check_kind(Kind kind) const {
                              {"--environment-intensity", !environment_.intensity.empty(), scene},
                              {"--environment-rotation", !environment_.rotation.empty(), scene},
                              {"--background", !environment_.background.empty(), scene},
-                             {"--count-pairs", count_pairs_, scene},
-                             {"--scene", !table_scene_.empty(), table}, {"--frames", !frames_.empty(), both},
+                             {"--count-pairs", count_pairs_, scene}, {"--strict", reading_.strict, scene},
+                             {"--log-level", !reading_.log_level.empty(), scene},
+                             {"--scene", !table_scene_.empty(), both}, {"--frames", !frames_.empty(), both},
                              {"--json", !json_.empty(), both}, {"--camera", !camera_.empty(), both},
                              {"--size", !size_.empty(), both}, {"--lights", !lights_.empty(), both},
                              {"--validate", validate_, both}})
@@ -120,6 +123,8 @@ void BenchArguments::take_scene(BenchCommand& command) const {
     command.moment = parse_moment(time_, animation_);
     command.animation = animation_;
     command.environment = parse_environment(environment_);
+    command.reading = parse_reading(reading_);
+    command.reading.scene = table_scene_;
     command.limit = limit_;
     command.baseline = baseline_;
 }

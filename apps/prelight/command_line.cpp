@@ -45,12 +45,14 @@ struct RenderText {
     std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0", time;
     std::vector<std::string> settings, views, materials;
     EnvironmentText environment;
+    SceneReadingText reading;
 };
 
 struct CompareText {
     std::string size = "960x540", shading = "ggx", output, lights, time, seed = "1", frames = "5";
     std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
     EnvironmentText environment;
+    SceneReadingText reading;
 };
 
 struct MakeText {
@@ -85,6 +87,7 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--material", text.materials, "NAME=FILE",
            "Shade the glTF material NAME with a GLSL file of your own; repeatable (docs/materials.md)");
     add_environment_options(option, text.environment);
+    add_reading_options(sub, option, text.reading);
     option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
     option("--shading", text.shading, "MODEL", "ggx (default) or phong");
     option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
@@ -118,6 +121,7 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
            "A slower frame ends a variant's line in the chart (default 1)");
     option("--frames", text.frames, "N", "Frames of each variant to time, interleaved (default 5)");
     add_environment_options(option, text.environment);
+    add_reading_options(sub, option, text.reading);
     option("--size", text.size, "WxH", "Picture size in pixels (default 960x540)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
@@ -166,6 +170,7 @@ void finish(RenderCommand& command, const RenderText& text) {
         command.materials.emplace_back(name, file);
     }
     command.environment = parse_environment(text.environment);
+    command.reading = parse_reading(text.reading);
     command.output = text.output;
     command.stats = text.stats;
     take_views(command, text.views);
@@ -185,6 +190,7 @@ void finish(CompareCommand& command, const CompareText& text) {
     if (!text.renderers.empty())
         command.variants = parse_variants("--renderers", text.renderers);
     command.environment = parse_environment(text.environment);
+    command.reading = parse_reading(text.reading);
     command.light_counts = parse_light_counts("--light-counts", text.light_counts);
     command.frame_limit = parse_number("--frame-limit", text.frame_limit, 0, 1e6);
 }

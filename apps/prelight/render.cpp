@@ -74,7 +74,7 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     start_up.frames = watch.lap();
     const std::vector<Picture> pictures = read_pictures(*session.renderer, command);
     for (const std::string& note : stats.notes)
-        fmt::print(stderr, "note: {}\n", note);
+        Log(command.reading.log_level).note(note);
     if (command.validate && !command.watch)
         session.renderer.reset(); // taking everything down is checked too
     if (session.device)
@@ -82,9 +82,9 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     write(pictures);
     start_up.picture = watch.lap();
     if (!command.stats.empty())
-        save_text(stats_json(command, stats, start_up), command.stats);
+        save_text(stats_json(command, stats, start_up, warnings_of(loaded.world)), command.stats);
     fmt::print("{}: {}x{}, {}, {} lights, {} triangles, {:.1f} ms a frame on {}\n",
-               command.output.string(), command.options.width, command.options.height,
+               escaped(command.output.string()), command.options.width, command.options.height,
                command.renderer, stats.lights, stats.triangles, stats.wall_ms.median, stats.device);
     std::fflush(stdout);
 }
@@ -128,7 +128,7 @@ void run(const RenderCommand& command) {
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
     FileWatch watch(files_of(command));
     start_up.device = clock.lap();
-    const SceneTime time{command.moment, command.animation};
+    const SceneTime time{command.moment, command.animation, command.reading};
     const auto load = [&] {
         return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit);
     };

@@ -20,7 +20,10 @@ void resolve_at(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edi
     std::optional<uint32_t> animation;
     if (!time.animation.empty())
         animation = find_animation(loaded.scene, time.animation);
-    loaded.world = resolve(loaded.scene, {}, time.moment, animation);
+    std::optional<uint32_t> tree;
+    if (!time.reading.scene.empty())
+        tree = find_scene(loaded.scene, time.reading.scene);
+    loaded.world = resolve(loaded.scene, tree, time.moment, animation);
 }
 
 } // namespace
@@ -59,7 +62,7 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
     if (!file && !find_builtin(builtin_scenes(), name))
         throw Error(
             fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
-    loaded->scene = file ? load_gltf(name) : make_builtin(name, lights, seed);
+    loaded->scene = file ? load_gltf(name, {.strict = time.reading.strict}) : make_builtin(name, lights, seed);
     resolve_at(*loaded, time, edit);
     if (file && lights) {
         if (*lights > max_lights)
@@ -67,8 +70,12 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
         scatter_lights(loaded->world, *lights, seed);
     }
     // After all that can fail: a failure is one line.
-    for (const std::string& warning : loaded->scene.warnings)
-        fmt::print(stderr, "warning: {}\n", warning);
+    const std::vector<std::string> warnings = warnings_of(loaded->world);
+    if (time.reading.strict && !warnings.empty())
+        throw Error(warnings.front());
+    const Log log(time.reading.log_level);
+    for (const std::string& warning : warnings)
+        log.warning(warning);
     return loaded;
 }
 

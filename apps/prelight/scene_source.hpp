@@ -1,4 +1,6 @@
 #pragma once
+#include "scene_reading.hpp"
+
 #include <functional>
 #include <memory>
 #include <optional>
@@ -25,10 +27,11 @@ Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint
 /// True when `name` is a built-in scene's and no file's.
 bool names_builtin(const std::string& name);
 
-/// When in a scene's animations.
+/// When in a scene's animations, and how its file is read.
 struct SceneTime {
     std::optional<Moment> moment; ///< absent: the scene at rest
     std::string animation;        ///< name or index; empty: all
+    SceneReading reading{};
 };
 
 /// What is done to a scene before it is resolved; may be empty.
@@ -36,7 +39,8 @@ using SceneEdit = std::function<void(Scene&)>;
 
 /// Loads a file or makes a built-in scene, resolves it at that time, and adds lights to it as
 /// `--lights` says, `max_lights` at most.
-/// Warnings of the loader go to stderr. Throws Error; UsageError for an animation that is not there.
+/// Warnings about the file go to stderr; read strictly, the first is an Error. Throws Error; UsageError for a
+/// scene or an animation that is not there.
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
                                         uint64_t seed, uint64_t max_lights, const SceneTime& time = {},
                                         const SceneEdit& edit = {});

@@ -88,11 +88,13 @@ std::string json_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string stats_json(const RenderCommand& command, const Stats& stats, const StartUp& start_up) {
+std::string stats_json(const RenderCommand& command, const Stats& stats, const StartUp& start_up,
+                       const std::vector<std::string>& warnings) {
     Json entry = stats_entry(command.scene, command.renderer, command.options, stats);
     entry["start_up_ms"] = {{"device", start_up.device}, {"scene", start_up.scene},
                             {"world", start_up.world},   {"frames", start_up.frames},
                             {"picture", start_up.picture}, {"total", start_up.total()}};
+    entry["warnings"] = warnings;
     return json_text(entry);
 }
 

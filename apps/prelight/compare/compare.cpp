@@ -72,7 +72,7 @@ void make_report(Report& report, ReportFolder& folder) {
     report.driver = device->driver();
     report.device_type = type_of(*device);
     const SceneSeries scenes(command.scene, command.lights, command.seed,
-                             {command.moment, command.animation}, environment_edit(command.environment));
+                             {command.moment, command.animation, command.reading}, environment_edit(command.environment));
     {
         Progress progress;
         const auto scene = scenes.make();
@@ -110,7 +110,7 @@ void run(const CompareCommand& command) {
     const auto failed = std::ranges::count_if(
         report.runs, [](const RunReport& run) { return !run.error.empty(); });
     fmt::print("{}: {}, rendered in {} way(s){}, {} light(s), {:.0f} s on {}\n",
-               (command.folder / "index.html").string(), report.scene,
+               escaped((command.folder / "index.html").string()), escaped(report.scene),
                report.runs.size() - size_t(failed), failed ? fmt::format(", {} failed", failed) : "",
                report.lights, report.seconds, report.device);
 }
