@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
+#include <system/read_file.hpp>
 #include <unistd.h>
 
 namespace prelight::gpu {
@@ -15,9 +16,6 @@ struct Frame {
     uint64_t checksum = 0;
 };
 
-/// More than any driver's cache of ours; a sparse file may claim anything.
-constexpr std::streamoff largest_file = std::streamoff(256) << 20;
-
 uint64_t fnv1a(std::span<const std::byte> bytes) {
     uint64_t hash = 0xcbf29ce484222325u;
     for (const std::byte b : bytes)
@@ -25,20 +23,13 @@ uint64_t fnv1a(std::span<const std::byte> bytes) {
     return hash;
 }
 
-std::vector<std::byte> read_file(const std::filesystem::path& file) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) // a folder opens, with a size of 2^63 − 1
+/// Nothing when it is not there or is no file.
+std::vector<uint8_t> read_if_there(const std::filesystem::path& file) {
+    try {
+        return read_bytes(file, largest_file::pipeline_cache);
+    } catch (const FileError&) {
         return {};
-    std::ifstream in(file, std::ios::binary | std::ios::ate);
-    if (!in)
-        return {};
-    const std::streamoff size = in.tellg();
-    if (size < 0 || size > largest_file)
-        return {};
-    std::vector<std::byte> bytes(static_cast<size_t>(size));
-    in.seekg(0);
-    in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    return in ? bytes : std::vector<std::byte>{};
+    }
 }
 
 } // namespace
@@ -82,8 +73,8 @@ std::span<const std::byte> open_cache(std::span<const std::byte> file) {
 }
 
 UniquePipelineCache load_pipeline_cache(VkDevice device, const std::filesystem::path& file) {
-    const std::vector<std::byte> bytes = file.empty() ? std::vector<std::byte>{} : read_file(file);
-    const auto payload = open_cache(bytes);
+    const std::vector<uint8_t> bytes = read_if_there(file);
+    const auto payload = open_cache(std::as_bytes(std::span(bytes)));
     VkPipelineCacheCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
     info.initialDataSize = payload.size();
     info.pInitialData = payload.data();

@@ -1,20 +1,43 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <algorithm>
+#include <cstring>
 #include <fmt/format.h>
 #include <half.h>
 #include <image/atomic_file.hpp>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
+#include <stdexcept>
+#include <system/read_file.hpp>
 
 namespace prelight {
 namespace {
 
 constexpr const char* channel_names[3] = {"R", "G", "B"};
 constexpr float half_max = 65504;
+
+/// A file that has been read: OpenEXR would open pipes and devices.
+class Bytes : public Imf::IStream {
+public:
+    Bytes(const char* name, std::vector<uint8_t> bytes) : IStream(name), bytes_(std::move(bytes)) {}
+    bool read(char to[], int count) override {
+        if (count < 0 || static_cast<uint64_t>(count) > bytes_.size() - at_)
+            throw std::runtime_error("it ends too early");
+        std::memcpy(to, bytes_.data() + at_, static_cast<size_t>(count));
+        at_ += static_cast<uint64_t>(count);
+        return at_ < bytes_.size();
+    }
+    uint64_t tellg() override { return at_; }
+    void seekg(uint64_t to) override { at_ = std::min<uint64_t>(to, bytes_.size()); }
+
+private:
+    std::vector<uint8_t> bytes_;
+    uint64_t at_ = 0;
+};
 
 } // namespace
 
@@ -50,9 +73,8 @@ void save_exr(const Image& linear, const std::filesystem::path& path) {
 }
 
 Image load_exr(const std::filesystem::path& path) try {
-    if (!std::filesystem::exists(path))
-        throw Error(fmt::format("{}: cannot be opened", path.string()));
-    Imf::InputFile input(path.c_str(), 0);
+    Bytes bytes(path.c_str(), read_file(path, largest_file::environment));
+    Imf::InputFile input(bytes, 0);
     const Imath::Box2i window = input.header().dataWindow();
     const int64_t width = int64_t(window.max.x) - window.min.x + 1;
     const int64_t height = int64_t(window.max.y) - window.min.y + 1;

@@ -3,11 +3,10 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
 #include <string_view>
+#include <system/read_file.hpp>
 
 namespace prelight {
 namespace {
@@ -145,10 +144,7 @@ private:
 } // namespace
 
 Image load_hdr(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        throw Error(fmt::format("{}: cannot be opened", path.string()));
-    return Reader(path.string(), {std::istreambuf_iterator<char>(stream), {}}).read();
+    return Reader(path.string(), read_text_file(path, largest_file::environment)).read();
 }
 
 } // namespace prelight

@@ -66,7 +66,7 @@ TEST(Material, WrongUsageAndMistakesAreOneLine) {
     EXPECT_TRUE(failed_with(form, 2));
     const Result missing = run(with(small, {"--material", "floor=no.glsl"}), folder.path);
     EXPECT_TRUE(failed_with(missing, 1));
-    EXPECT_THAT(missing.err, HasSubstr("no.glsl: no such file"));
+    EXPECT_THAT(missing.err, HasSubstr("no.glsl: cannot be opened (No such file"));
     write(folder.path / "bad.glsl", good + "float lines = none;\n");
     const Result mistake = run(with(small, {"--material", "floor=bad.glsl"}), folder.path);
     EXPECT_TRUE(failed_with(mistake, 1));

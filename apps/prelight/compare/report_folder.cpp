@@ -6,9 +6,9 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <prelight/error.hpp>
+#include <system/read_file.hpp>
 #include <unistd.h>
 
 namespace prelight::app {
@@ -27,9 +27,12 @@ bool is_report(const fs::path& folder) {
         if (name != "index.html" && name != "report.json" && name != "pictures")
             return false;
     }
-    std::ifstream stream(folder / "report.json");
-    const auto json = nlohmann::json::parse(stream, nullptr, false);
-    return json.is_object() && json.contains("prelight_report");
+    try {
+        const auto json = nlohmann::json::parse(read_bytes(folder / "report.json", largest_file::figures), nullptr, false);
+        return json.is_object() && json.contains("prelight_report");
+    } catch (const FileError&) {
+        return false;
+    }
 }
 
 void check_place(const fs::path& place) {
