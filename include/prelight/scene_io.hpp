@@ -8,10 +8,16 @@
 
 namespace prelight {
 
+struct LoadOptions {
+    /// Bytes that reading may plan with: a quarter for the pictures as they are when decoded (textures that do not fit are scaled
+    /// down, with a warning), a quarter for geometry. 0: what the machine can spare now.
+    uint64_t memory_limit = 0;
+};
+
 /// Reads glTF 2.0, .gltf or .glb (told apart by content). Everything is checked before it is used;
-/// throws Error with one line "FILE: OBJECT: REASON". What is left out stands in Scene::warnings.
-/// Memory stays below the multiple of the input's size that `docs/gltf.md` states.
-Scene load_gltf(const std::filesystem::path& path);
+/// throws Error with one line "FILE: OBJECT: REASON". What is left out or changed stands in Scene::warnings.
+/// Memory stays below the limits that `docs/gltf.md` states.
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Writes the scene as .glb (images as PNG) that the Khronos validator accepts without errors.
 /// The file appears under a temporary name and is renamed when whole. Throws Error.

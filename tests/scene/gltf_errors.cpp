@@ -313,8 +313,9 @@ TEST(GltfContainer, FilesThatCannotBeRead) {
     };
     EXPECT_EQ(line(folder.path / "none.glb"),
               (folder.path / "none.glb").string() +
-                  ": file: cannot be read: No such file or directory");
-    EXPECT_THAT(line(folder.path), HasSubstr(": file: is not a file"));
+                  ": file: cannot be opened (No such file or directory)");
+    EXPECT_THAT(line(folder.path), HasSubstr(": file: is a folder, not a file"));
+    EXPECT_THAT(line("/dev/zero"), HasSubstr("/dev/zero: file: is a device, not a file"));
     EXPECT_EQ(line(folder.write("good.glb", GltfBuilder::triangle().glb())), "");
 }
 

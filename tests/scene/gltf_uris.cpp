@@ -74,7 +74,7 @@ TEST_F(GltfUris, SymbolicLinksAreFollowedBeforeTheCheck) {
 TEST_F(GltfUris, OddUris) {
     EXPECT_THAT(error_with(""), HasSubstr("is empty"));
     EXPECT_THAT(error_with("none.bin"), HasSubstr("cannot be read: No such file"));
-    EXPECT_THAT(error_with("sub"), HasSubstr("does not name a file"));
+    EXPECT_THAT(error_with("sub"), HasSubstr("the file its URI names is a folder, not a file"));
     EXPECT_THAT(error_with("."), HasSubstr("leads outside")); // the folder itself
     EXPECT_THAT(error_with("%zz.bin"), HasSubstr("bad percent code"));
     EXPECT_THAT(error_with("data.bin%00"), HasSubstr("zero byte"));

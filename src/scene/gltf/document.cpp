@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <scene/gltf/document.hpp>
 #include <scene/gltf/uri.hpp>
+#include <system/read_file.hpp>
 
 namespace prelight::gltf {
 namespace {
@@ -45,8 +46,8 @@ uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
 
 } // namespace
 
-Document::Document(std::string file, fs::path folder, Bytes bytes)
-    : file_(std::move(file)), folder_(std::move(folder)), bytes_(std::move(bytes)) {
+Document::Document(std::string file, fs::path folder, Bytes bytes, uint64_t memory)
+    : file_(std::move(file)), folder_(std::move(folder)), budget_(memory), bytes_(std::move(bytes)) {
     budget_.add_input(bytes_.size() - simdjson::SIMDJSON_PADDING);
     split_glb();
     check_version();
@@ -166,12 +167,15 @@ std::span<const uint8_t> Document::read_uri(const std::string& uri, const std::s
         const fs::path target = resolve_uri(folder_, uri);
         auto found = files_.find(target.string());
         if (found == files_.end()) {
-            found = files_.emplace(target.string(), read_file(target, 0)).first;
+            const uint64_t largest = std::min(largest_file::scene, budget_.room_for_input());
+            found = files_.emplace(target.string(), read_bytes(target, largest)).first;
             budget_.add_input(found->second.size());
         }
         return found->second;
     } catch (const UriError& error) {
         fail(object, error.what());
+    } catch (const FileError& error) {
+        fail(object, fmt::format("the file its URI names {}", error.what()));
     }
 }
 

@@ -37,8 +37,8 @@ inline constexpr size_t table_count = 14;
 class Document {
 public:
     /// Splits a .glb, parses the JSON, checks version and extensions. `file` is the name in messages,
-    /// `folder` where relative URIs lead; `bytes` end in SIMDJSON_PADDING more than the file has.
-    Document(std::string file, std::filesystem::path folder, Bytes bytes);
+    /// `folder` where relative URIs lead; `bytes` end in SIMDJSON_PADDING more than the file has; `memory`: of the budget.
+    Document(std::string file, std::filesystem::path folder, Bytes bytes, uint64_t memory);
 
     const std::string& file() const { return file_; }
     const Item& root() const { return *root_; }

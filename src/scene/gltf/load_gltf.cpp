@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <new>
 #include <prelight/scene_io.hpp>
 #include <scene/gltf/animations.hpp>
@@ -7,6 +8,8 @@
 #include <scene/gltf/primitives.hpp>
 #include <scene/gltf/textures.hpp>
 #include <scene/gltf/uri.hpp>
+#include <system/read_file.hpp>
+#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {
@@ -27,6 +30,7 @@ Scene read_scene(gltf::Document&& document) {
     gltf::read_scenes(document, scene);
     gltf::read_skins(document, accessors, scene);
     gltf::read_animations(document, accessors, scene);
+    textures.tell_scaled();
     scene.warnings = document.warnings();
     return scene;
 }
@@ -43,26 +47,33 @@ Scene guard_memory(const std::string& file, Read read) {
     }
 }
 
+uint64_t memory_of(const LoadOptions& options) {
+    return options.memory_limit != 0 ? options.memory_limit : spare_memory();
+}
+
 } // namespace
 
 Scene gltf::load(std::span<const uint8_t> bytes, const std::string& file,
-                 const std::filesystem::path& folder) {
+                 const std::filesystem::path& folder, const LoadOptions& options) {
     return guard_memory(file, [&] {
         Bytes padded(bytes.begin(), bytes.end());
         padded.resize(bytes.size() + simdjson::SIMDJSON_PADDING);
-        return read_scene(Document(file, folder, std::move(padded)));
+        return read_scene(Document(file, folder, std::move(padded), memory_of(options)));
     });
 }
 
-Scene load_gltf(const std::filesystem::path& path) {
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
     const std::string file = path.string();
     return guard_memory(file, [&] {
+        const uint64_t memory = memory_of(options);
+        const uint64_t largest = std::min(largest_file::scene, gltf::Budget(memory).room_for_input());
+        gltf::Bytes bytes;
         try {
-            return read_scene(gltf::Document(file, path.parent_path(),
-                                             gltf::read_file(path, simdjson::SIMDJSON_PADDING)));
-        } catch (const gltf::UriError& error) {
+            bytes = read_bytes(path, largest, simdjson::SIMDJSON_PADDING);
+        } catch (const FileError& error) {
             gltf::fail(file, "file", error.what());
         }
+        return read_scene(gltf::Document(file, path.parent_path(), std::move(bytes), memory));
     });
 }
 

@@ -19,11 +19,25 @@ Wrap wrap_of(const Item& item, const char* key) {
     }
 }
 
+/// What a texture under this key holds; a shader's own are taken for values.
+images::Texels texels_of(std::string_view key) {
+    if (key.find("ormalTexture") != std::string_view::npos)
+        return images::Texels::normals;
+    for (const std::string_view colour : {"baseColor", "emissive", "diffuse", "olorTexture", "specularGlossiness"})
+        if (key.find(colour) != std::string_view::npos)
+            return images::Texels::colour;
+    return key == "texture" ? images::Texels::colour : images::Texels::values; // a light's cookie
+}
+
+uint64_t bytes_at(uint32_t width, uint32_t height, uint32_t halvings) {
+    return uint64_t(images::halved(width, halvings)) * images::halved(height, halvings) * 4;
+}
+
 } // namespace
 
 Textures::Textures(Document& document, Buffers& buffers, Scene& scene)
     : document_(document), buffers_(buffers), scene_(scene) {
-    document.charge("images", document.count(Table::images), sizeof(slots_[0]));
+    document.charge("images", document.count(Table::images), sizeof(slots_[0]) + sizeof(TextureImage) + sizeof(Loaded));
     slots_.assign(document.count(Table::images), no_image);
 }
 
@@ -34,7 +48,7 @@ TextureRef Textures::read(const Item& material, std::string_view key) {
         return ref;
     const uint32_t index = info->required_index("index", document_.count(Table::textures));
     const Item texture = document_.item(Table::textures, index);
-    ref.image = image_of(texture);
+    ref.image = image_of(texture, texels_of(key));
     if (const auto sampler = texture.index("sampler", document_.count(Table::samplers)))
         ref.sampler = read_sampler(*sampler);
     uint64_t texcoord = info->integer_or("texCoord", 0);
@@ -89,7 +103,7 @@ Sampler Textures::read_sampler(uint32_t index) const {
     return sampler;
 }
 
-uint32_t Textures::image_of(const Item& texture) {
+uint32_t Textures::image_of(const Item& texture, images::Texels kind) {
     auto source = texture.index("source", document_.count(Table::images));
     if (const auto webp = texture.extension("EXT_texture_webp"))
         source = webp->required_index("source", document_.count(Table::images));
@@ -98,15 +112,17 @@ uint32_t Textures::image_of(const Item& texture) {
         return no_image;
     }
     if (slots_[*source] == no_image)
-        slots_[*source] = load_image(*source);
+        slots_[*source] = load_image(*source, kind);
     return slots_[*source];
 }
 
 TextureImage Textures::take(uint32_t image) {
-    if (slots_[image] != no_image)
+    if (slots_[image] != no_image && loaded_[slots_[image]].halvings == 0)
         return scene_.images[slots_[image]];
-    TextureImage taken = std::move(scene_.images[load_image(image)]);
+    // Codes that are no colours cannot be averaged.
+    TextureImage taken = std::move(scene_.images[load_image(image, images::Texels::values, 0)]);
     scene_.images.pop_back();
+    loaded_.pop_back();
     return taken;
 }
 
@@ -119,17 +135,24 @@ std::span<const uint8_t> Textures::image_bytes(const Item& image) {
     return buffers_.view(*view).bytes;
 }
 
-uint32_t Textures::load_image(uint32_t index) {
+uint32_t Textures::load_image(uint32_t index, images::Texels kind, uint32_t most_halvings) {
     const Item item = document_.item(Table::images, index);
     const std::span<const uint8_t> bytes = image_bytes(item);
     try {
         Budget& budget = document_.budget();
-        // The encoded bytes too: a million images may name the same ones, and each costs time.
-        budget.charge(Budget::Pool::images, bytes.size());
+        budget.charge_work(bytes.size()); // a million images may name the same bytes
         const images::Cost cost = images::inspect(bytes);
-        budget.charge(Budget::Pool::images, uint64_t(cost.width) * cost.height, 4);
-        const Loan working(budget, Budget::Pool::images, cost.working);
-        scene_.images.push_back(images::decode(bytes));
+        budget.charge_work(uint64_t(cost.width) * cost.height);
+        const uint32_t halvings = make_room(cost, most_halvings);
+        const uint64_t size = bytes_at(cost.width, cost.height, halvings);
+        {
+            const Loan working(budget, Budget::Pool::images, size + cost.working + (halvings > 0 ? cost.working_scaled : 0));
+            scene_.images.push_back(images::decode(bytes, halvings, kind));
+        }
+        budget.charge(Budget::Pool::images, size);
+        loaded_.push_back({index, cost.width, cost.height, halvings, kind});
+        if (most_halvings > 0)
+            largest_.emplace(size, uint32_t(scene_.images.size() - 1));
     } catch (const images::DecodeError& error) {
         item.fail(error.what());
     } catch (const Budget::Exceeded& error) {
@@ -137,6 +160,53 @@ uint32_t Textures::load_image(uint32_t index) {
     }
     scene_.images.back().name = item.text("name");
     return uint32_t(scene_.images.size() - 1);
+}
+
+/// How often a new image is halved so that it fits: whichever is the largest loses half its sides, it or one that
+/// is there. What does not fit then, charge() says.
+uint32_t Textures::make_room(const images::Cost& cost, uint32_t most_halvings) {
+    const Budget& budget = document_.budget();
+    uint32_t halvings = 0;
+    for (;;) {
+        const uint64_t size = bytes_at(cost.width, cost.height, halvings);
+        const uint64_t working = cost.working + (halvings > 0 ? cost.working_scaled : 0);
+        if (size + working <= budget.left(Budget::Pool::images))
+            return halvings;
+        const bool shrinks = halvings < most_halvings && size > 4;
+        if (!largest_.empty() && largest_.top().first > 4 && (!shrinks || largest_.top().first > size))
+            halve(largest_.top().second);
+        else if (shrinks)
+            ++halvings;
+        else
+            return halvings;
+    }
+}
+
+/// The largest one.
+void Textures::halve(uint32_t slot) {
+    Loaded& loaded = loaded_[slot];
+    TextureImage& image = scene_.images[slot];
+    const uint64_t before = largest_.top().first;
+    largest_.pop();
+    image = images::scaled_down(image, 1, loaded.kind);
+    const uint64_t after = image.rgba.size();
+    ++loaded.halvings;
+    document_.budget().release(Budget::Pool::images, before - after);
+    largest_.emplace(after, slot);
+}
+
+void Textures::tell_scaled() {
+    for (size_t slot = 0; slot < loaded_.size(); ++slot) {
+        const Loaded& loaded = loaded_[slot];
+        const TextureImage& image = scene_.images[slot];
+        if (loaded.halvings == 0)
+            continue;
+        const std::string name = image.name.empty() ? "" : fmt::format(" ({})", printable(image.name));
+        document_.warn(fmt::format("scaled down from {} × {} to {} × {} pixels: pictures may take {} MiB (a quarter of the memory limit)", loaded.width,
+                                   loaded.height, image.width, image.height,
+                                   document_.budget().limit(Budget::Pool::images) >> 20),
+                       document_.label(Table::images, loaded.image) + name);
+    }
 }
 
 } // namespace prelight::gltf

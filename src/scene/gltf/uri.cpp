@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <fstream>
 #include <scene/gltf/uri.hpp>
 
 namespace prelight::gltf {
@@ -132,25 +131,7 @@ fs::path resolve_uri(const fs::path& folder, std::string_view uri) {
         std::mismatch(home.begin(), home.end(), target.begin(), target.end());
     if (home_end != home.end() || target_at == target.end())
         throw UriError("its URI leads outside the scene's folder");
-    if (!fs::is_regular_file(target, error))
-        throw UriError("its URI does not name a file");
     return target;
-}
-
-std::vector<uint8_t> read_file(const fs::path& path, size_t padding) {
-    std::error_code error;
-    // A pipe or a folder would block or read as empty.
-    if (!fs::is_regular_file(path, error))
-        throw UriError(error ? "cannot be read: " + error.message() : "is not a file");
-    const uint64_t size = fs::file_size(path, error);
-    std::ifstream stream(path, std::ios::binary);
-    if (error || !stream)
-        throw UriError("cannot be read");
-    std::vector<uint8_t> bytes(size + padding);
-    stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
-    if (uint64_t(stream.gcount()) != size)
-        throw UriError("cannot be read to its end");
-    return bytes;
 }
 
 } // namespace prelight::gltf

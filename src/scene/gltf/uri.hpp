@@ -22,7 +22,4 @@ std::vector<uint8_t> decode_data_uri(std::string_view uri);
 /// to lie in `folder` or below it with every symbolic link followed. Throws UriError.
 std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::string_view uri);
 
-/// A whole regular file with `padding` zero bytes after it. Throws UriError.
-std::vector<uint8_t> read_file(const std::filesystem::path& path, size_t padding);
-
 } // namespace prelight::gltf
