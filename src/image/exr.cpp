@@ -13,6 +13,7 @@
 #include <prelight/image.hpp>
 #include <stdexcept>
 #include <system/read_file.hpp>
+#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {
@@ -82,6 +83,8 @@ Image load_exr(const std::filesystem::path& path) try {
         width * height > (int64_t(1) << 28))
         throw Error(
             fmt::format("{}: a picture of {}x{} pixels is not read", path.string(), width, height));
+    if (static_cast<uint64_t>(width * height) * sizeof(glm::vec3) > spare_memory())
+        throw Error(fmt::format("{}: {}x{} pixels need more memory than there is", path.string(), width, height));
     Image image(static_cast<uint32_t>(width), static_cast<uint32_t>(height));
     // OpenEXR addresses pixel (x, y) from the frame buffer's base, whatever the window's origin is.
     const int64_t origin = window.min.x + window.min.y * width;

@@ -7,6 +7,7 @@
 #include <prelight/image.hpp>
 #include <string_view>
 #include <system/read_file.hpp>
+#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {
@@ -25,6 +26,8 @@ public:
         // A row takes at least two bytes for each channel and 127 pixels.
         if (uint64_t(width) * height / 32 > bytes_.size())
             fail("ends too early");
+        if (uint64_t(width) * height * sizeof(glm::vec3) > spare_memory())
+            fail(fmt::format("{}x{} pixels need more memory than there is", width, height));
         Image image(width, height);
         std::vector<Code> row(width);
         for (uint32_t y = 0; y < height; ++y) {

@@ -28,6 +28,8 @@ public:
     /// `bytes` outlive it. Throws DecodeError when header or chunks are damaged, when the picture is beyond the limits above, or when
     /// the file is too short for it.
     explicit PngReader(std::span<const uint8_t> bytes);
+    PngReader(const PngReader&) = delete; // libspng knows where it is
+    PngReader& operator=(const PngReader&) = delete;
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
     bool sixteen_bits() const { return bits_ == 16; }

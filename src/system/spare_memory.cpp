@@ -46,7 +46,8 @@ uint64_t left_of_group() {
     const size_t unified = groups.find("0::/");
     uint64_t left = unknown;
     const auto look = [&left](const std::filesystem::path& folder, const char* limit, const char* taken) {
-        left = std::min(left, left_of(number_after(kernel_text(folder / limit), ""), number_after(kernel_text(folder / taken), "")));
+        left = std::min(left, left_of(number_after(kernel_text(folder / limit), ""),
+                                      number_after(kernel_text(folder / taken), "")));
     };
     if (unified != std::string::npos) {
         std::filesystem::path group = groups.substr(unified + 3, groups.find('\n', unified) - unified - 3);

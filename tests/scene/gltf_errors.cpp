@@ -316,7 +316,14 @@ TEST(GltfContainer, FilesThatCannotBeRead) {
                   ": file: cannot be opened (No such file or directory)");
     EXPECT_THAT(line(folder.path), HasSubstr(": file: is a folder, not a file"));
     EXPECT_THAT(line("/dev/zero"), HasSubstr("/dev/zero: file: is a device, not a file"));
-    EXPECT_EQ(line(folder.write("good.glb", GltfBuilder::triangle().glb())), "");
+    const std::filesystem::path good = folder.write("good.glb", GltfBuilder::triangle().glb());
+    EXPECT_EQ(line(good), "");
+    try {
+        load_gltf(good, {.memory_limit = 1024});
+        ADD_FAILURE() << "a quarter of that is for files";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("file: needs more memory than the memory limit allows"));
+    }
 }
 
 } // namespace

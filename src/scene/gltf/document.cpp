@@ -46,6 +46,17 @@ uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
 
 } // namespace
 
+Bytes read_within(const Budget& budget, const fs::path& file, size_t padding) {
+    const uint64_t room = budget.room_for_input();
+    if (room >= largest_file::scene)
+        return read_bytes(file, largest_file::scene, padding);
+    std::error_code none;
+    if (const uint64_t size = fs::file_size(file, none); !none && size > room && size <= largest_file::scene)
+        throw FileError(fmt::format("needs more memory than the memory limit allows ({} MiB, {} MiB left for files)",
+                                    size >> 20, room >> 20));
+    return read_bytes(file, room, padding);
+}
+
 Document::Document(std::string file, fs::path folder, Bytes bytes, uint64_t memory)
     : file_(std::move(file)), folder_(std::move(folder)), budget_(memory), bytes_(std::move(bytes)) {
     budget_.add_input(bytes_.size() - simdjson::SIMDJSON_PADDING);
@@ -167,8 +178,7 @@ std::span<const uint8_t> Document::read_uri(const std::string& uri, const std::s
         const fs::path target = resolve_uri(folder_, uri);
         auto found = files_.find(target.string());
         if (found == files_.end()) {
-            const uint64_t largest = std::min(largest_file::scene, budget_.room_for_input());
-            found = files_.emplace(target.string(), read_bytes(target, largest)).first;
+            found = files_.emplace(target.string(), read_within(budget_, target)).first;
             budget_.add_input(found->second.size());
         }
         return found->second;

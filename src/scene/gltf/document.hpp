@@ -14,6 +14,9 @@ namespace prelight::gltf {
 
 using Bytes = std::vector<uint8_t>;
 
+/// A file that is charged to the budget when it has been read. Throws FileError.
+Bytes read_within(const Budget& budget, const std::filesystem::path& file, size_t padding = 0);
+
 /// The top-level arrays that the reader uses.
 enum class Table {
     buffers,

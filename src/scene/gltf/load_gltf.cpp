@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <new>
 #include <prelight/scene_io.hpp>
 #include <scene/gltf/animations.hpp>
@@ -66,10 +65,9 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
     const std::string file = path.string();
     return guard_memory(file, [&] {
         const uint64_t memory = memory_of(options);
-        const uint64_t largest = std::min(largest_file::scene, gltf::Budget(memory).room_for_input());
         gltf::Bytes bytes;
         try {
-            bytes = read_bytes(path, largest, simdjson::SIMDJSON_PADDING);
+            bytes = gltf::read_within(gltf::Budget(memory), path, simdjson::SIMDJSON_PADDING);
         } catch (const FileError& error) {
             gltf::fail(file, "file", error.what());
         }

@@ -202,8 +202,9 @@ void Textures::tell_scaled() {
         if (loaded.halvings == 0)
             continue;
         const std::string name = image.name.empty() ? "" : fmt::format(" ({})", printable(image.name));
-        document_.warn(fmt::format("scaled down from {} × {} to {} × {} pixels: pictures may take {} MiB (a quarter of the memory limit)", loaded.width,
-                                   loaded.height, image.width, image.height,
+        document_.warn(fmt::format("scaled down from {} × {} to {} × {} pixels: pictures may take {} MiB "
+                                   "(a quarter of the memory limit)",
+                                   loaded.width, loaded.height, image.width, image.height,
                                    document_.budget().limit(Budget::Pool::images) >> 20),
                        document_.label(Table::images, loaded.image) + name);
     }
