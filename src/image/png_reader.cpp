@@ -126,19 +126,21 @@ void PngReader::read_row(uint8_t* rgba) {
     const size_t values = size_t(width_) * 4;
     const int error = sixteen_bits() ? spng_decode_row(context_.get(), wide_row_.data(), values * 2)
                                      : spng_decode_row(context_.get(), rgba, values);
-    if (error != SPNG_EOI)
-        check(error);
+    check(error == SPNG_EOI ? spng_decode_chunks(context_.get()) : error); // after the last row: all checksums
     if (sixteen_bits())
         narrow(wide_row_.data(), rgba, values);
 }
 
 void PngReader::read_all(uint8_t* rgba) {
     const size_t values = size_t(width_) * height_ * 4;
-    if (!sixteen_bits())
-        return check(spng_decode_image(context_.get(), rgba, values, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS));
-    std::vector<uint16_t> wide(values);
-    check(spng_decode_image(context_.get(), wide.data(), values * 2, SPNG_FMT_RGBA16, SPNG_DECODE_TRNS));
-    narrow(wide.data(), rgba, values);
+    if (!sixteen_bits()) {
+        check(spng_decode_image(context_.get(), rgba, values, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS));
+    } else {
+        std::vector<uint16_t> wide(values);
+        check(spng_decode_image(context_.get(), wide.data(), values * 2, SPNG_FMT_RGBA16, SPNG_DECODE_TRNS));
+        narrow(wide.data(), rgba, values);
+    }
+    check(spng_decode_chunks(context_.get()));
 }
 
 } // namespace prelight

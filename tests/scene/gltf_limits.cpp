@@ -324,6 +324,18 @@ TEST(GltfPictureBudget, EachKindIsAveragedAsItMeans) {
     EXPECT_NEAR(texel("emissiveTexture"), 163, 1); // the mean of the light of codes 218 and 37
 }
 
+TEST(GltfPictureBudget, OneThatNeverFitsCostsNoOtherItsTexels) {
+    // Lossless WebP and progressive JPEG are decoded whole: no scaling helps.
+    GltfBuilder b = with_pictures({flat_png(256, 9), webp_lossless(1024, 1024, Bytes(1024 * 1024 * 4, 7))});
+    try {
+        load_with(b, uint64_t(32) << 20);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("image 1: needs more memory than the memory limit allows"));
+    }
+    EXPECT_EQ(load_with(b, uint64_t(256) << 20).images.at(1).width, 1024u);
+}
+
 TEST(GltfPictureBudget, NamesAreTold) {
     GltfBuilder b = with_pictures({flat_png(1024, 7)});
     b.json["images"][0]["name"] = "roof\n";

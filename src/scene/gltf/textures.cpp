@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <scene/gltf/textures.hpp>
@@ -167,6 +168,8 @@ uint32_t Textures::load_image(uint32_t index, images::Texels kind, uint32_t most
 uint32_t Textures::make_room(const images::Cost& cost, uint32_t most_halvings) {
     const Budget& budget = document_.budget();
     uint32_t halvings = 0;
+    if (cost.working + std::min(bytes_at(cost.width, cost.height, 0), cost.working_scaled + 4) > budget.limit(Budget::Pool::images))
+        return halvings; // nothing that could be given up would help
     for (;;) {
         const uint64_t size = bytes_at(cost.width, cost.height, halvings);
         const uint64_t working = cost.working + (halvings > 0 ? cost.working_scaled : 0);

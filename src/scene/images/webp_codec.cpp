@@ -20,11 +20,13 @@ Cost inspect_webp(std::span<const uint8_t> bytes) {
     constexpr uint64_t group_bytes = 9472, group_bits = 25;
     const uint64_t groups = std::min<uint64_t>(
         {pixels / 16 + 1, uint64_t(1) << 16, uint64_t(bytes.size()) * 8 / group_bits + 1});
+    // Lossy pictures are decoded a few rows of blocks at a time.
+    constexpr uint64_t row_bytes = 1024; // a pixel of width
+    cost.working = row_bytes * cost.width + (1u << 20);
     // 2: not known to be lossy (an alpha plane is lossless too). Argb, transforms and alpha: 16 a
     // pixel.
-    cost.working = pixels * 16 + (1u << 20);
     if (features.format != 1 || features.has_alpha)
-        cost.working += groups * group_bytes;
+        cost.working += pixels * 16 + groups * group_bytes;
     cost.working_scaled = pixels * 4;
     return cost;
 }
