@@ -9,6 +9,7 @@
 #include <gpu/check.hpp>
 #include <passes/background.hpp>
 #include <passes/index_trimming.hpp>
+#include <resident/texture_limit.hpp>
 #include <timing/clocks.hpp>
 
 namespace prelight {
@@ -237,6 +238,8 @@ Stats DeviceRenderer::stats() const {
     stats.driver = context_.driver();
     stats.settings = settings_.all();
     stats.notes = graph_->notes();
+    for (std::string& note : resident::notes_on_large_textures(*frame_->world().scene, context_.limits().maxImageDimension2D))
+        stats.notes.push_back(std::move(note));
     stats.lights = frame_->placed_lights().size();
     stats.triangles = triangles_;
     stats.draws = draws(*frame_);

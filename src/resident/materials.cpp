@@ -2,6 +2,7 @@
 #include "normal_map_levels.hpp"
 #include "reflectance_table.hpp"
 #include "scene.hpp"
+#include "texture_limit.hpp"
 #include <array>
 #include <cstring>
 #include <fmt/format.h>
@@ -120,9 +121,15 @@ private:
         const auto encoding = use == TextureUse::colour                              ? gpu::TextureEncoding::srgb8
                               : filter_ == gpu::TextureFilter::bilinear ? gpu::TextureEncoding::half
                                                                         : gpu::TextureEncoding::linear8;
+        const auto smaller = scaled_to_limit(source,
+                                             use == TextureUse::colour    ? images::Texels::colour
+                                             : use == TextureUse::normals ? images::Texels::normals
+                                                                          : images::Texels::values,
+                                             context_.limits().maxImageDimension2D);
+        const TextureImage& texels = smaller ? *smaller : source;
         if (use == TextureUse::normals)
-            return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, normal_map_levels(source), encoding)).first->second;
-        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, source, encoding)).first->second;
+            return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, normal_map_levels(texels), encoding)).first->second;
+        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, texels, encoding)).first->second;
     }
     VkSampler find_sampler(const Sampler& sampler) {
         for (size_t i = 0; i < known_.size(); ++i)
