@@ -73,6 +73,21 @@ uint64_t parse_seed(std::string_view option, const std::string& text) {
     return value;
 }
 
+uint64_t parse_memory(std::string_view option, const std::string& text) {
+    if (text.empty())
+        return 0;
+    constexpr std::string_view letters = "KMGT";
+    std::string_view digits = text;
+    const size_t letter = letters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(text.back()))));
+    if (letter != std::string_view::npos)
+        digits.remove_suffix(1);
+    const uint64_t shift = letter == std::string_view::npos ? 0 : 10 * (letter + 1);
+    uint64_t value = 0;
+    if (!whole_number(digits, value) || value == 0 || value > std::numeric_limits<uint64_t>::max() >> shift)
+        refuse(option, text, "not a number of bytes, as in 512M or 4G");
+    return value << shift;
+}
+
 double parse_number(std::string_view option, const std::string& text, double least, double most) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

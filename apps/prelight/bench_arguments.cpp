@@ -57,6 +57,7 @@ void BenchArguments::add(CLI::App& app) {
     option("--time", time_, "SECONDS", "Scene: moment of its animations (default: at rest)");
     option("--animation", animation_, "NAME|INDEX", "Scene: only this animation, at --time or else at 0 s");
     add_environment_options(option, environment_);
+    option("--memory-limit", memory_limit_, "SIZE", "Scene: memory to plan with when a file is read, as in 512M or 4G");
     sub.add_flag("--count-pairs", count_pairs_,
                  "Scene: light x pixel pairs are always counted, in a frame that is not timed");
     option("-o,--output", output_, "PAGE", "report: the page to write, .html");
@@ -88,6 +89,7 @@ void BenchArguments::check_kind(Kind kind) const {
                              {"--environment-intensity", !environment_.intensity.empty(), scene},
                              {"--environment-rotation", !environment_.rotation.empty(), scene},
                              {"--background", !environment_.background.empty(), scene},
+                             {"--memory-limit", !memory_limit_.empty(), scene},
                              {"--count-pairs", count_pairs_, scene},
                              {"--scene", !table_scene_.empty(), table}, {"--frames", !frames_.empty(), both},
                              {"--json", !json_.empty(), both}, {"--camera", !camera_.empty(), both},
@@ -120,6 +122,7 @@ void BenchArguments::take_scene(BenchCommand& command) const {
     command.moment = parse_moment(time_, animation_);
     command.animation = animation_;
     command.environment = parse_environment(environment_);
+    command.load.memory_limit = parse_memory("--memory-limit", memory_limit_);
     command.limit = limit_;
     command.baseline = baseline_;
 }

@@ -21,7 +21,7 @@ private:
     void check_kind(BenchCommand::Kind kind) const;
 
     std::string what_, table_scene_, camera_, size_, lights_, seed_ = "1", frames_, json_, device_ = "auto";
-    std::string renderers_, light_counts_, shading_, time_, animation_, baseline_, output_;
+    std::string renderers_, light_counts_, shading_, time_, animation_, baseline_, output_, memory_limit_;
     std::vector<std::string> settings_, files_;
     EnvironmentText environment_;
     bool limit_ = false, count_pairs_ = false, validate_ = false;

@@ -44,12 +44,13 @@ struct RenderText {
     std::string size = "1280x720", shading = "ggx", tonemap = "pbr-neutral", output, stats;
     std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0", time;
     std::vector<std::string> settings, views, materials;
+    std::string memory_limit;
     EnvironmentText environment;
 };
 
 struct CompareText {
     std::string size = "960x540", shading = "ggx", output, lights, time, seed = "1", frames = "5";
-    std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
+    std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1", memory_limit;
     EnvironmentText environment;
 };
 
@@ -85,6 +86,8 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--material", text.materials, "NAME=FILE",
            "Shade the glTF material NAME with a GLSL file of your own; repeatable (docs/materials.md)");
     add_environment_options(option, text.environment);
+    option("--memory-limit", text.memory_limit, "SIZE",
+           "Memory to plan with when a file is read, as in 512M or 4G (default: what is free)");
     option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
     option("--shading", text.shading, "MODEL", "ggx (default) or phong");
     option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
@@ -118,6 +121,8 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
            "A slower frame ends a variant's line in the chart (default 1)");
     option("--frames", text.frames, "N", "Frames of each variant to time, interleaved (default 5)");
     add_environment_options(option, text.environment);
+    option("--memory-limit", text.memory_limit, "SIZE",
+           "Memory to plan with when a file is read, as in 512M or 4G (default: what is free)");
     option("--size", text.size, "WxH", "Picture size in pixels (default 960x540)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
@@ -166,6 +171,7 @@ void finish(RenderCommand& command, const RenderText& text) {
         command.materials.emplace_back(name, file);
     }
     command.environment = parse_environment(text.environment);
+    command.load.memory_limit = parse_memory("--memory-limit", text.memory_limit);
     command.output = text.output;
     command.stats = text.stats;
     take_views(command, text.views);
@@ -185,6 +191,7 @@ void finish(CompareCommand& command, const CompareText& text) {
     if (!text.renderers.empty())
         command.variants = parse_variants("--renderers", text.renderers);
     command.environment = parse_environment(text.environment);
+    command.load.memory_limit = parse_memory("--memory-limit", text.memory_limit);
     command.light_counts = parse_light_counts("--light-counts", text.light_counts);
     command.frame_limit = parse_number("--frame-limit", text.frame_limit, 0, 1e6);
 }

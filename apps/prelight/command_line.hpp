@@ -40,6 +40,7 @@ struct RenderCommand {
     /// `--material NAME=FILE`, in the order given.
     std::vector<std::pair<std::string, std::filesystem::path>> materials;
     EnvironmentChoice environment;
+    LoadOptions load; ///< of a file
 };
 
 /// `prelight compare`
@@ -59,6 +60,7 @@ struct CompareCommand {
     std::vector<uint32_t> light_counts; ///< rising; may be empty
     double frame_limit = 1; ///< seconds; a slower frame ends a variant's series of light counts
     EnvironmentChoice environment;
+    LoadOptions load; ///< of a file
 };
 
 /// `prelight make`
@@ -106,6 +108,7 @@ struct BenchCommand {
     bool limit = false;
     std::filesystem::path baseline; ///< empty: none
     EnvironmentChoice environment;
+    LoadOptions load; ///< of a file
 
     // Of Kind::report.
     std::vector<std::filesystem::path> files;

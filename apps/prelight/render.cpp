@@ -128,7 +128,7 @@ void run(const RenderCommand& command) {
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
     FileWatch watch(files_of(command));
     start_up.device = clock.lap();
-    const SceneTime time{command.moment, command.animation};
+    const SceneTime time{command.moment, command.animation, command.load};
     const auto load = [&] {
         return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit);
     };

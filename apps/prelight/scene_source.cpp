@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <prelight/scene_io.hpp>
 
 namespace prelight::app {
 namespace {
@@ -59,7 +58,7 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
     if (!file && !find_builtin(builtin_scenes(), name))
         throw Error(
             fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
-    loaded->scene = file ? load_gltf(name) : make_builtin(name, lights, seed);
+    loaded->scene = file ? load_gltf(name, time.load) : make_builtin(name, lights, seed);
     resolve_at(*loaded, time, edit);
     if (file && lights) {
         if (*lights > max_lights)

@@ -2,7 +2,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <prelight/scene.hpp>
+#include <prelight/scene_io.hpp>
 #include <string>
 
 namespace prelight::app {
@@ -25,10 +25,11 @@ Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint
 /// True when `name` is a built-in scene's and no file's.
 bool names_builtin(const std::string& name);
 
-/// When in a scene's animations.
+/// When in a scene's animations, and how its file is read.
 struct SceneTime {
     std::optional<Moment> moment; ///< absent: the scene at rest
     std::string animation;        ///< name or index; empty: all
+    LoadOptions load{};
 };
 
 /// What is done to a scene before it is resolved; may be empty.

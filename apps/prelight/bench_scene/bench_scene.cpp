@@ -74,7 +74,7 @@ void bench_scene(const BenchCommand& given) {
     const auto device = Device::create({.select = command.device, .validate = command.validate});
     const std::string type = type_of(*device);
     const bool software = type == "software";
-    const SceneSeries scenes(command.scene, command.lights, command.seed, {command.moment, command.animation},
+    const SceneSeries scenes(command.scene, command.lights, command.seed, {command.moment, command.animation, command.load},
                              environment_edit(command.environment));
     const std::vector<Stop> stops = stops_of(command, scenes);
     check_light_counts(jobs, stops, *device);

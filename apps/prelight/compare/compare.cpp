@@ -72,7 +72,7 @@ void make_report(Report& report, ReportFolder& folder) {
     report.driver = device->driver();
     report.device_type = type_of(*device);
     const SceneSeries scenes(command.scene, command.lights, command.seed,
-                             {command.moment, command.animation}, environment_edit(command.environment));
+                             {command.moment, command.animation, command.load}, environment_edit(command.environment));
     {
         Progress progress;
         const auto scene = scenes.make();
