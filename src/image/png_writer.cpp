@@ -21,13 +21,18 @@ std::vector<std::byte> encode_png(uint32_t width, uint32_t height, uint32_t chan
     header.height = height;
     header.bit_depth = 8;
     header.color_type = colour_types[channels];
+    // Half the time of zlib's default for some percent of size.
+    constexpr int compression = 4;
     int error = spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
+    if (!error)
+        error = spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, compression);
     if (!error)
         error = spng_set_ihdr(context.get(), &header);
     if (!error)
         error = spng_encode_image(context.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
     size_t size = 0;
-    const std::unique_ptr<void, void (*)(void*)> bytes(error ? nullptr : spng_get_png_buffer(context.get(), &size, &error), std::free);
+    const std::unique_ptr<void, void (*)(void*)> bytes(
+        error ? nullptr : spng_get_png_buffer(context.get(), &size, &error), std::free);
     if (error == SPNG_EMEM || (!error && !bytes))
         throw std::bad_alloc();
     if (error)
