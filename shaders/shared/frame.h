@@ -21,6 +21,7 @@ struct FrameConstants {
                            // y: exposure factor
     mat4 previous_clip_from_world;  // what clip_from_world was one interval earlier, for positions
                                     // relative to this frame's camera; the same when it stood still
+    vec4 sun;  // the first directional light with a shadow: x: number of its first tile + 1, 0 without one; y: its number
 };
 
 // One light; directional ones are point lights whose vector to the light is constant.

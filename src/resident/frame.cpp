@@ -44,25 +44,29 @@ uint32_t kinds_of(std::span<const PlacedLight> lights) {
     return kinds;
 }
 
-/// All of a light but its name, which nobody needs here: text would cost more than the rest.
-void place(PlacedLight& target, const PlacedLight& light) {
-    target.light.kind = light.light.kind;
-    target.light.colour = light.light.colour;
-    target.light.intensity = light.light.intensity;
-    target.light.range = light.light.range;
-    target.light.inner_cone = light.light.inner_cone;
-    target.light.outer_cone = light.light.outer_cone;
-    target.light.shininess = light.light.shininess;
-    target.light.falloff = light.light.falloff;
-    target.light.casts_shadow = light.light.casts_shadow;
-    target.light.cookie = light.light.cookie;
-    if (target.light.profile != light.light.profile)
-        target.light.profile = light.light.profile;
-    target.light.profile_candela = light.light.profile_candela;
-    target.light.size = light.light.size;
-    target.position = light.position;
-    target.direction = light.direction;
-    target.up = light.up;
+/// All of a light but its name, which nobody needs here: text would cost more than the rest. Fields have names of their own, for
+/// then one that is added to Light or PlacedLight does not compile until it is placed too.
+void place(PlacedLight& target, const PlacedLight& from) {
+    auto& [light, position, direction, up] = target;
+    auto& [name, kind, colour, intensity, range, inner_cone, outer_cone, shininess, falloff, casts_shadow, cookie, profile,
+           profile_candela, size] = light;
+    kind = from.light.kind;
+    colour = from.light.colour;
+    intensity = from.light.intensity;
+    range = from.light.range;
+    inner_cone = from.light.inner_cone;
+    outer_cone = from.light.outer_cone;
+    shininess = from.light.shininess;
+    falloff = from.light.falloff;
+    casts_shadow = from.light.casts_shadow;
+    cookie = from.light.cookie;
+    if (profile != from.light.profile)
+        profile = from.light.profile;
+    profile_candela = from.light.profile_candela;
+    size = from.light.size;
+    position = from.position;
+    direction = from.direction;
+    up = from.up;
 }
 
 } // namespace
@@ -159,16 +163,11 @@ std::optional<uint64_t> Frame::triangles_skipped() const {
 }
 
 void Frame::make_shadows() {
-    WorldBox box;
-    if (!geometry_.draws.empty())
-        box = {geometry_.draws[0].low, geometry_.draws[0].high};
-    for (const Draw& draw : geometry_.draws)
-        box = {glm::min(box.low, draw.low), glm::max(box.high, draw.high)};
-    shadows_.emplace(box, settings_.shadows, context_.limits().maxImageDimension2D);
+    shadows_.emplace(geometry_.draws, settings_.shadows, context_.limits().maxImageDimension2D);
     std::vector<std::array<glm::vec4, 3>> rows;
     for (const Draw& draw : geometry_.draws) {
         glm::dmat4 m = world_.instances[draw.object].transform;
-        m[3] -= glm::dvec4(box.centre(), 0);
+        m[3] -= glm::dvec4(shadows_->world().centre(), 0);
         m = glm::transpose(m);
         rows.push_back({glm::vec4(m[0]), glm::vec4(m[1]), glm::vec4(m[2])});
     }
@@ -326,6 +325,8 @@ void Frame::write_distributions() {
 void Frame::update_shadows(const PlacedCamera& camera) {
     const Slot& target = slots_[slot_];
     shadows_->update(placed_, groups_.order, camera, settings_.width, settings_.height);
+    if (const auto sun = shadows_->sun())
+        target.constants.mapped<shared::FrameConstants>()->sun = glm::vec4(sun->second + 1, sun->first, 0, 0);
     const std::vector<shared::ShadowData>& records = shadows_->records();
     std::copy(records.begin(), records.end(), target.shadows.mapped<shared::ShadowData>());
     for (const auto& [light, first] : shadows_->lights()) {
