@@ -69,6 +69,9 @@ void main() {
         colour = surface && takes_light ? srgb_encode(r.f0) : vec3(0.0);
     } else if (view == VIEW_OCCLUSION) {
         colour = vec3(value.r);
+    } else if (view == VIEW_SUN_OCCLUSION) {
+        // A layout without that channel hides no surface from the sun.
+        colour = vec3(!surface ? 0.0 : gbuffer_layout == GBUFFER_KILLZONE2 ? value.a : 1.0);
     } else if (view == VIEW_COUNT) {
         colour = heat(value.g);
     } else {

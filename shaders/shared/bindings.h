@@ -242,5 +242,6 @@
 #define VIEW_MOTION 10
 #define VIEW_SECOND_LIGHT 11  // the other half of a pair
 #define VIEW_OCCLUSION 16
+#define VIEW_SUN_OCCLUSION 17
 
 #endif

@@ -1,7 +1,9 @@
 // What the targets of a G-buffer hold of a surface [D1]; one function writes them, the others read.
 //            RT1                      RT2                                  RT3
 // wide       oct24 normal, roughness  motion XY                            base colour, metallic
-// killzone2  view normal X, Y         motion XY, spec power, intensity     diffuse albedo, occlusion
+// killzone2  view normal X, Y         motion XY, spec power, intensity     diffuse albedo, sun occlusion
+// Sun occlusion: what comes past casters of the first directional light that has shadow maps (sun_occlusion.frag); where none
+// has, the material's own occlusion.
 // RT0 accumulates light: RGB, and in alpha its luminance in steps that are INTENSITY_RANGE times wider.
 #ifndef PRELIGHT_GBUFFER_LAYOUT_GLSL
 #define PRELIGHT_GBUFFER_LAYOUT_GLSL

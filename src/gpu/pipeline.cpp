@@ -50,7 +50,7 @@ VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
 
 std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipelineDesc& desc) {
     VkPipelineColorBlendAttachmentState state{};
-    state.blendEnable = desc.blend != Blend::none;
+    state.blendEnable = desc.blend == Blend::add || desc.blend == Blend::over;
     state.srcColorBlendFactor = state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
     state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     if (desc.blend == Blend::over) {
@@ -58,7 +58,7 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
         state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     }
     state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
-    state.colorWriteMask = desc.fragment.empty() ? 0 : 0xf;
+    state.colorWriteMask = desc.fragment.empty() ? 0 : desc.blend == Blend::alpha_only ? VK_COLOR_COMPONENT_A_BIT : 0xf;
     return std::vector<VkPipelineColorBlendAttachmentState>(desc.colour_formats.size(), state);
 }
 

@@ -8,6 +8,7 @@
 #include <passes/decals.hpp>
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
+#include <passes/sun_occlusion.hpp>
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -55,12 +56,15 @@ private:
             visibility = passes::ambient_occlusion_passes(graph, frame, gbuffer.surface, occlusion);
         if (occlusion.on)
             passes::ambient_light_pass(graph, frame, gbuffer, *visibility);
+        passes::Shadows shadows = this->shadows(graph, frame);
+        if (format().layout == passes::GBufferLayout::killzone2)
+            shadows = passes::sun_occlusion_pass(graph, frame, gbuffer, shadows);
         const passes::LightingInputs lighting{.surface = gbuffer.surface,
                                         .material = gbuffer.motion,
                                         .albedo = gbuffer.albedo,
                                         .model = model_,
                                         .target = gbuffer.light_target(),
-                                        .shadows = shadows(graph, frame),
+                                        .shadows = shadows,
                                         .pair_counters = &pair_counters(),
                                         .count_pairs = options().count_pairs,
                                         .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
@@ -81,6 +85,7 @@ private:
         show("roughness", ViewKind::roughness, gbuffer.surface.normal);
         show("specular", ViewKind::specular, wide ? gbuffer.albedo : gbuffer.motion);
         show("albedo", ViewKind::albedo, gbuffer.albedo);
+        show("sun-occlusion", ViewKind::sun_occlusion, gbuffer.albedo);
         show("motion", ViewKind::motion, gbuffer.motion);
         if (visibility)
             show("ambient-occlusion", ViewKind::occlusion, *visibility);
@@ -112,7 +117,7 @@ RendererInfo deferred_info() {
                      specular_antialiasing_setting(),
                      {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                       "bilinear: level 0 only, for comparing with the reference"}},
-        .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count", "ambient-occlusion"},
+        .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "sun-occlusion", "motion", "light-count", "ambient-occlusion"},
         .presets = {"killzone2"},
         .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}}};
     for (SettingInfo& setting : draw_settings(false))
