@@ -1,6 +1,7 @@
 // The presets, exactly as the source texts configure the light pre-pass.
 #include "garden.hpp"
 #include <cstdlib>
+#include <prelight/error.hpp>
 #include <vulkan/vulkan_core.h>
 
 namespace prelight {
@@ -106,7 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
                            40},
                     Preset{"prelighting",
                            {{"normals", "rgb8"}, {"normal-space", "view"}, {"light-buffer", "rgba8"},
-                            {"specular", "stored"}, {"light-culling", "rectangles"}},
+                            {"specular", "stored"}, {"light-culling", "rectangles"},
+                            {"shadow-memory", "reuse"}},
                            35}),
     [](const auto& preset) { return std::string(preset.param.name); });
 
@@ -144,6 +146,29 @@ TEST(L4L5Presets, PrelightingPutsNormalsIntoTheMemoryOfTheFrame) {
     EXPECT_EQ(render(garden, options).stats.attachment_bytes, 16u * 320 * 180);
     options.views = {"linear"};
     EXPECT_EQ(render(garden, options).stats.attachment_bytes, 20u * 320 * 180);
+}
+
+// [S1] Lee: each light's maps in the memory of the light before. Lists read all maps at once: there the preset gives way.
+TEST(L4L5Presets, PrelightingReusesShadowMemoryLightByLight) {
+    PresetGarden garden;
+    RenderOptions options = options_for("prelighting", Shading::phong);
+    options.settings.insert({{"shadows", "on"}, {"shadow-detail", "0.25"}}); // so that all of them fit
+    const Stats stats = render(garden, options).stats;
+    EXPECT_EQ(stats.settings.at("shadow-memory"), "reuse");
+    EXPECT_EQ(stats.settings.at("light-culling"), "rectangles");
+    const uint64_t together = [&] {
+        options.settings["shadow-memory"] = "atlas";
+        return render(garden, options).stats.shadows->texels;
+    }();
+    EXPECT_LT(stats.shadows->texels, together) << "one light's maps, not all";
+    options.settings.erase("shadow-memory");
+    options.settings["light-culling"] = "tiles";
+    const Stats lists = render(garden, options).stats;
+    EXPECT_EQ(lists.settings.at("shadow-memory"), "atlas");
+    EXPECT_THAT(lists.notes, testing::Contains(testing::HasSubstr("shadow-memory=reuse is for lights that are drawn one by one")));
+    options.settings["shadow-memory"] = "reuse";
+    EXPECT_THROW(create_renderer("light-prepass", &test_device(), options), UsageError);
+    expect_validation_clean(test_device());
 }
 
 TEST(L4L5Presets, ADeviceWithoutTheFormatsTakesTheSourceTextsFallbacks) {
