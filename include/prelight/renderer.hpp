@@ -90,7 +90,7 @@ struct ShadowStats {
     uint64_t budget = 0;         ///< texels that there are
     uint64_t texels = 0;         ///< of them, in a tile
     uint64_t lights = 0;         ///< with a shadow
-    uint64_t lights_reduced = 0; ///< of these, with smaller tiles than they asked for: the budget was short
+    uint64_t lights_reduced = 0; ///< of these, with less than a texel for eight pixels across: the budget was short
     uint64_t lights_without = 0; ///< that should have a shadow, and not even one texel a tile was left
     uint32_t smallest = 0, largest = 0; ///< side of a tile, texels
     uint64_t tiles_drawn = 0;    ///< in the last frame

@@ -277,7 +277,7 @@ void DeviceRenderer::tell_shadows(Stats& stats) const {
     shadows.casters_drawn = shadow_counts_.casters_drawn;
     stats.shadows = shadows;
     if (shadows.lights_reduced > 0)
-        stats.notes.push_back(fmt::format("shadow-budget: {} of {} lights have smaller shadow maps than they asked for",
+        stats.notes.push_back(fmt::format("shadow-budget: {} of {} lights have shadow maps with less than a texel for eight pixels across",
                                           shadows.lights_reduced, shadows.lights));
     if (shadows.lights_without > 0)
         stats.notes.push_back(fmt::format("shadow-budget: {} lights have no shadow, not a texel was left for them",
