@@ -278,7 +278,7 @@ private:
             document_.charge(item_.label(), primitive_.indices.size(), vertex_bytes());
             const Loan work(document_.budget(), Budget::Pool::geometry,
                             primitive_.indices.size() * tangent_work_bytes);
-            generate_tangents(primitive_, material().normal_texture.texcoord);
+            generate_tangents(primitive_, material().normal_texture);
         }
     }
 
