@@ -200,7 +200,7 @@ RendererInfo reference_info() {
                 {"texture-filter",
                  {"bilinear", "sampler"},
                  "bilinear",
-                 "level 0: always bilinear, or the sampler's magnification filter"},
+                 "always bilinear on level 0, or as samplers say, with mip maps (alpha masks stay on level 0)"},
             },
         .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light",
                   "light-count", "ambient-occlusion"},

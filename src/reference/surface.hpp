@@ -21,6 +21,7 @@ struct Surface {
     double metallic = 0;
     double roughness = 1; ///< perceptual, ≥ 0.089
     double environment_roughness = 1; ///< the same, without the least and the anti-aliasing of what lamps see
+    double gloss = 1;     ///< of `detailed`: factor on all that it reflects
     double occlusion = 1; ///< on ambient light; strength is worked in
     double visibility = 1; ///< what nearby surfaces let through of ambient light
     bool unlit = false;
@@ -37,9 +38,10 @@ double normal_spread(glm::dvec3 normal, glm::dvec3 across, glm::dvec3 down);
 /// What lamps see of the surface's roughness: as much rougher, and at least 0.089.
 void set_lamp_roughness(Surface& surface, double spread);
 
-/// Reads the material at a hit. `view` points towards the viewer.
+/// Reads the material at a hit. `view` points towards the viewer; `beside`: where the rays beside it meet the surface,
+/// for filters that need to know.
 /// Throws Error for a material whose shader is a user's file: this knows built-in ones alone.
 Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
-                         glm::dvec3 view);
+                         glm::dvec3 view, const Beside* beside = nullptr);
 
 } // namespace prelight::reference

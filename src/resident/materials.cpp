@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gpu/check.hpp>
 #include <prelight/error.hpp>
+#include <scene/tangents.hpp>
 #include <shared/bindings.h>
 #include <shared/frame.h>
 
@@ -41,7 +42,7 @@ shared::MaterialConstants constants_of(const Material& m, double exposure) {
     c.factors = glm::vec4(m.metallic, m.roughness, m.normal_scale, m.occlusion_strength);
     const auto place = [&](uint32_t binding, const TextureRef& ref) {
         c.uv_linear[binding - 1] = glm::vec4(ref.uv_linear[0], ref.uv_linear[1]);
-        c.uv_offset[binding - 1] = glm::vec4(ref.uv_offset, float(ref.texcoord), 0);
+        c.uv_offset[binding - 1] = glm::vec4(ref.uv_offset, float(ref.texcoord), share_tangents(ref, m.normal_texture) ? 1 : 0);
     };
     for (const Slot& slot : slots)
         place(slot.binding, m.*slot.ref);
