@@ -65,7 +65,7 @@ void main() {
         colour = surface && pixels != vec2(0.0) ? wheel(pixels) : vec3(0.0);
     } else if (view == VIEW_SPECULAR) {
         Reflectance r;
-        bool takes_light = stored_reflectance(value, value, r);
+        bool takes_light = stored_reflectance(gbuffer_layout == GBUFFER_WIDE ? vec4(0.0) : value, value, r);
         colour = surface && takes_light ? srgb_encode(r.f0) : vec3(0.0);
     } else if (view == VIEW_OCCLUSION) {
         colour = vec3(value.r);

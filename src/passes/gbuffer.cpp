@@ -1,6 +1,7 @@
 #include "gbuffer.hpp"
 #include "fullscreen.hpp"
 #include "surface_draws.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -9,7 +10,7 @@ namespace prelight::passes {
 namespace {
 
 /// Four bytes each for RT0 … RT3, depth and stencil: Valient's layout.
-void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, GBuffer& out) {
+void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, bool, GBuffer& out) {
     out.surface.format.normals = NormalEncoding::xy16f;
     out.surface.format.view_space = true;
     out.surface.format.stencil = true;
@@ -20,12 +21,18 @@ void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, GBuffer& 
     out.surface.roughness = out.motion;
 }
 
+/// Some material dims what it reflects.
+bool has_gloss(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const Material& material) { return material.shader && material.textures.contains("gloss_map"); });
+}
+
 /// What the lighting model needs to be exact.
-void make_wide(graph::FrameGraph& graph, VkExtent2D extent, bool stencil, GBuffer& out) {
+void make_wide(graph::FrameGraph& graph, VkExtent2D extent, bool stencil, bool gloss, GBuffer& out) {
     out.surface.format.stencil = stencil;
     out.surface.depth = make_depth(graph, extent, stencil);
     out.surface.normal = graph.image("normal", {VK_FORMAT_R8G8B8A8_UNORM, extent});
-    out.motion = graph.image("motion", {VK_FORMAT_R16G16_SFLOAT, extent});
+    out.motion = graph.image("motion", {gloss ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R16G16_SFLOAT, extent});
     out.albedo = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
     out.surface.roughness = out.surface.normal;
 }
@@ -45,7 +52,7 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     out.surface.format.position_from_ray = format.position_from_ray;
     out.surface.format.specular_antialiasing = format.specular_antialiasing;
     const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
-    make(graph, frame.extent(), format.stencil, out);
+    make(graph, frame.extent(), format.stencil, has_gloss(*frame.world().scene), out);
     out.surface.depth_source = out.surface.depth;
     const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
     out.light = graph.image("accumulated light", {light, frame.extent()});
