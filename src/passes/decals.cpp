@@ -61,10 +61,7 @@ private:
         pipeline.bind(pass.commands);
         pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
         pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-        // lavapipe's anisotropic filter takes its steps from neighbouring pixels, whatever textureGrad() tells it.
-        const resident::Materials& materials = frame_.materials();
-        const gpu::DescriptorSets& sets = frame_.context().is_software() ? materials.plain_sets : materials.sets;
-        pipeline.bind_set(pass.commands, SET_MATERIAL, sets[box.decal->material]);
+        pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets_for_gradients()[box.decal->material]);
         vkCmdSetCullMode(pass.commands, inside ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT);
         vkCmdSetFrontFace(pass.commands, box.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
         const shared::DecalConstants constants = decal_constants(box, frame_.eye(), inside);

@@ -86,7 +86,7 @@ public:
                 material = no_image;
             }
             if (first.material != material && (key(first) || material == no_image)) {
-                pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().plain_sets[first.material]);
+                pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets_for_gradients()[first.material]);
                 material = first.material;
             }
             uint32_t count = 1;

@@ -5,6 +5,7 @@
 #include "light_culling_choice.hpp"
 #include "occlusion_settings.hpp"
 #include "shadow_settings.hpp"
+#include "texture_settings.hpp"
 #include <passes/decals.hpp>
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
@@ -41,8 +42,6 @@ private:
         frame.motion = true;
         frame.culling = passes::light_culling(settings().get("light-culling"));
         frame.volumes = passes::volume_options(settings().all());
-        frame.texture_filter = settings().is("texture-filter", "bilinear") ? gpu::TextureFilter::bilinear
-                                                                           : gpu::TextureFilter::anisotropic;
         return frame;
     }
 
@@ -110,8 +109,7 @@ RendererInfo deferred_info() {
                      {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                      {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
                      specular_antialiasing_setting(),
-                     {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
-                      "bilinear: level 0 only, for comparing with the reference"}},
+                     texture_filter_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count", "ambient-occlusion"},
         .presets = {"killzone2"},
         .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}}};

@@ -1,6 +1,7 @@
 #include "device_renderer.hpp"
 #include "draw_settings.hpp"
 #include "shadow_settings.hpp"
+#include "texture_settings.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -50,6 +51,7 @@ CreatedObjects created_since(const gpu::Context& context, const CreatedObjects& 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
     : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)) {
     resolve_draw_settings(settings_, context_);
+    resolve_texture_filter(settings_, context_);
     const uint32_t limit = std::min(context_.limits().maxImageDimension2D,
                                     std::min(context_.limits().maxFramebufferWidth,
                                              context_.limits().maxFramebufferHeight));
@@ -74,6 +76,7 @@ resident::FrameSettings DeviceRenderer::frame_settings() const {
     return {.width = options_.width,
             .height = options_.height,
             .exposure = std::exp2(options_.exposure),
+            .texture_filter = texture_filter(settings_),
             .draws = draw_options(settings_),
             .shadows = shadow_options(settings_)};
 }

@@ -1,6 +1,7 @@
 #include "forward_renderer.hpp"
 #include "draw_settings.hpp"
 #include "shadow_settings.hpp"
+#include "texture_settings.hpp"
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -18,8 +19,6 @@ ForwardRenderer::ForwardRenderer(Device& device, const RenderOptions& options, S
 resident::FrameSettings ForwardRenderer::frame_settings() const {
     resident::FrameSettings frame = DeviceRenderer::frame_settings();
     frame.object_lights = order_;
-    frame.texture_filter = settings().is("texture-filter", "bilinear") ? gpu::TextureFilter::bilinear
-                                                                       : gpu::TextureFilter::anisotropic;
     return frame;
 }
 
@@ -65,8 +64,7 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twi
         {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
         {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
         specular_antialiasing_setting(),
-        {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
-         "bilinear: level 0 only, for comparing with the reference"}};
+        texture_filter_setting()};
     own.insert(own.end(), common.begin(), common.end());
     for (SettingInfo& setting : draw_settings(twice))
         own.push_back(std::move(setting));

@@ -8,6 +8,7 @@
 #include "occlusion_settings.hpp"
 #include <passes/light_list_compute.hpp>
 #include "shadow_settings.hpp"
+#include "texture_settings.hpp"
 #include <passes/decals.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/materials.hpp>
@@ -39,9 +40,6 @@ private:
             frame.light_scale = settings().number("light-scale");
         frame.culling = passes::light_culling(settings().get("light-culling"));
         frame.volumes = passes::volume_options(settings().all());
-        frame.texture_filter = settings().is("texture-filter", "bilinear")
-                                   ? gpu::TextureFilter::bilinear
-                                   : gpu::TextureFilter::anisotropic;
         return frame;
     }
 
@@ -124,8 +122,7 @@ RendererInfo light_prepass_info() {
                  passes::list_shading_setting(),
                  passes::list_contents_setting(),
                  specular_antialiasing_setting(),
-                 {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
-                  "bilinear: level 0 only, for comparing with the reference"}},
+                 texture_filter_setting()},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
                       "diffuse-sum", "specular-sum", "albedo", "light-count", "ambient-occlusion"},
             .presets = {"engel", "round2", "prelighting"},

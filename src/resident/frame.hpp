@@ -22,7 +22,7 @@ struct FrameSettings {
     LightCulling culling = LightCulling::volumes;
     VolumeOptions volumes = {};
     ObjectLights object_lights = ObjectLights::none;
-    gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
+    gpu::TextureFilter texture_filter = gpu::TextureFilter::trilinear;
     bool motion = false;             ///< fill Geometry::previous_positions
     DrawOptions draws = {};
     ShadowOptions shadows = {};
