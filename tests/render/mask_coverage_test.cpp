@@ -136,12 +136,17 @@ TEST(MaskCoverage, OneTextureServesTwoCutoffs) {
     Mesh copy = both.scene.meshes[0];
     copy.primitives[0].material = 1;
     both.scene.meshes.push_back(copy);
-    for (size_t i = 0; i < both.world.instances.size(); ++i)
+    std::vector<Instance> even, odd;
+    for (size_t i = 0; i < both.world.instances.size(); ++i) {
         both.world.instances[i].mesh = i % 2;
-    const Image a = render_linear(test_device(), wall.shot(14, "light-prepass")), b = render_linear(test_device(), other.shot(14, "light-prepass")),
-                c = render_linear(test_device(), both.shot(14, "light-prepass"));
-    EXPECT_NEAR(mean(c), (5 * mean(a) + 4 * mean(b)) / 9, 0.004);
-    EXPECT_GT(mean(a), 1.3 * mean(b));
+        (i % 2 ? odd : even).push_back(wall.world.instances[i]);
+    }
+    wall.world.instances = even;
+    other.world.instances = odd;
+    const auto shown = [](const MaskedWall& one) { return mean(render_linear(test_device(), one.shot(14, "light-prepass"))); };
+    const double a = shown(wall), b = shown(other);
+    EXPECT_NEAR(shown(both), a + b, 1e-6) << "squares do not meet: each as if it were alone";
+    EXPECT_GT(a, 1.3 * b);
 }
 
 TEST(MaskCoverage, OfACasterKeepsItsShadow) {
@@ -152,9 +157,12 @@ TEST(MaskCoverage, OfACasterKeepsItsShadow) {
     leaves.double_sided = true;
     leaves.base_colour_texture = {.image = world.add_image(512, 512, texels(512, patterns[0].alpha))};
     world.add_material(leaves);
-    world.add(square(1.5f), glm::translate(glm::dmat4(1), {2.4, 0, 2.4})); // aside: its shadow alone is seen
+    Primitive caster = square(1.5f);
+    for (glm::vec2& uv : caster.texcoords[0])
+        uv *= 4; // many texels under one of the map, and many of these
+    world.add(caster, glm::translate(glm::dmat4(1), {2.4, 0, 2.4})); // aside: its shadow alone is seen
     world.add_light({.kind = LightKind::directional, .intensity = 2}, {}, {-1, 0, -1});
-    Shot shot{.world = &world.world, .camera = front_camera(2.1, 1), .width = 96, .height = 96, .settings = {{"shadows", "on"}, {"shadow-budget", "4096"}}};
+    Shot shot{.world = &world.world, .camera = front_camera(2.1, 1), .width = 96, .height = 96, .settings = {{"shadows", "on"}, {"shadow-budget", "65536"}}};
     shot.settings["texture-filter"] = "auto";
     for (const char* renderer : {"light-prepass", "multipass"}) {
         shot.renderer = renderer;
@@ -183,7 +191,7 @@ TEST(MaskCoverage, OfADecalStaysToo) {
         Shot shot{.world = &world.world, .camera = front_camera(6), .width = 96, .height = 96, .renderer = renderer};
         shot.settings["texture-filter"] = "auto"; // 18 pixels each
         const double right = reference_mean(shot);
-        EXPECT_NEAR(mean(render_linear(test_device(), shot)), right, 0.12 * right) << renderer;
+        EXPECT_NEAR(mean(render_linear(test_device(), shot)), right, 0.16 * right) << renderer; // of 32 x 32 texels
     }
     expect_validation_clean(test_device());
 }
