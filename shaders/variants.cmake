@@ -37,6 +37,11 @@ set(PRELIGHT_SHADER_VARIANTS
     "light_list_clear+pair.comp|light_list_clear.comp|-DLIGHT_PAIR"
     "light_list+count.comp|light_list.comp|-DCOUNT_TARGET"
     "light_list+deferred.comp|light_list.comp|-DDEFERRED_TARGET"
+    # Rounds after the first, which add to what is there.
+    "light_list+added.comp|light_list.comp|-DADDED"
+    "light_list+packed+added.comp|light_list.comp|-DONE_TARGET -DADDED"
+    "light_list+pair+added.comp|light_list.comp|-DLIGHT_PAIR -DADDED"
+    "light_list+count+added.comp|light_list.comp|-DCOUNT_TARGET -DADDED"
     # Cells in the world instead of on the screen: no depth buffer is bound.
     "light_lists_coarse+grid.comp|light_lists_coarse.comp|-DGRID_CELLS"
     "light_lists_scatter+grid.comp|light_lists_scatter.comp|-DGRID_CELLS"
@@ -56,7 +61,7 @@ set(shadowed
     "forward.frag|forward.frag|"
     "forward_grid.frag|forward_grid.frag|"
     ${PRELIGHT_SHADER_VARIANTS})
-list(FILTER shadowed INCLUDE REGEX "^(light|light_list|light_loop|forward|forward_grid)(\\+packed|\\+pair|\\+deferred)?\\.(frag|comp)")
+list(FILTER shadowed INCLUDE REGEX "^(light|light_list|light_loop|forward|forward_grid)(\\+packed|\\+pair|\\+deferred)?(\\+added)?\\.(frag|comp)")
 list(TRANSFORM shadowed REPLACE "^([^|.]*)(\\.[a-z]+)" "\\1+shadows\\2")
 list(TRANSFORM shadowed APPEND " -DSHADOWS")
 

@@ -42,6 +42,7 @@
 #define INPUT_LIT_BLOCKS 19
 #define INPUT_LIT_BEFORE 20
 #define INPUT_STALE_BLOCKS 21
+#define INPUT_SECOND_BEFORE 22
 // index trimming on the device
 #define INPUT_TRIM_DRAWS 20
 #define INPUT_TRIM_GROUPS 21
@@ -125,7 +126,8 @@
 #define CONSTANT_LIST_SLICED 31
 #define CONSTANT_LIST_FILL 33
 #define CONSTANT_LIST_COARSE 37
-#define CONSTANT_LIST_EMPTY 38
+#define CONSTANT_LIST_TRIM 38
+#define CONSTANT_LIST_TRIM_LIGHTS 29
 #define CONSTANT_LIST_MASKED 39
 #define CONSTANT_LIST_ROWS 34
 #define CONSTANT_LIST_GROUP_ROWS 35
@@ -207,6 +209,11 @@
 #define STORAGE_UNORM8 1
 #define STORAGE_UNORM10 2
 #define STORAGE_FLOAT11 3
+
+// What is done to lists for measuring.
+#define LIST_TRIM_MARK 0  // lights that contribute to no pixel of their tile
+#define LIST_TRIM_KEEP 1  // the others only
+#define LIST_TRIM_EMPTY 2
 
 #define LIGHT_OUTPUT_LIGHT 0
 #define LIGHT_OUTPUT_COUNT 1

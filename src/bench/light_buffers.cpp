@@ -85,6 +85,7 @@ LightBufferFigures measure(Device& device, const bench::LightWall& wall, const R
                       {"light-buffer", row.light_buffer},
                       {"light-scale", fmt::format("{}", row.scale)},
                       {"light-writes", writes},
+                      {"light-sums", "target"},
                       {"specular", row.specular}},
          .views = {"diffuse-sum", "specular-sum"}});
     renderer->set_world(wall.world());

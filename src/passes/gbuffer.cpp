@@ -47,7 +47,9 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
     make(graph, frame.extent(), format.stencil, out);
     out.surface.depth_source = out.surface.depth;
-    const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
+    const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM
+                           : format.wide_light   ? VK_FORMAT_R32G32B32A32_SFLOAT
+                                                 : VK_FORMAT_R16G16B16A16_SFLOAT;
     out.light = graph.image("accumulated light", {light, frame.extent()});
 
     out.ambient_apart = format.ambient_apart;

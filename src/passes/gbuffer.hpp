@@ -24,6 +24,7 @@ struct GBufferFormat {
     bool position_from_ray = true;
     bool stencil = false;                       ///< killzone2 has it always
     bool specular_antialiasing = false;         ///< as in SurfaceFormat
+    bool wide_light = false;                    ///< RT0 in RGBA32F, for many lights that blending adds up
     bool ambient_apart = false;                 ///< ambient light waits in targets of its own for ambient_light_pass()
 };
 

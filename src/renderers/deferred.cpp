@@ -31,7 +31,12 @@ private:
                 .position_from_ray = settings().is("position", "ray"),
                 .stencil = settings().is("light-culling", "stencil"),
                 .specular_antialiasing = settings().is("specular-antialiasing", "on"),
+                .wide_light = light_sums().wide(),
                 .ambient_apart = occlusion_options(settings()).on};
+    }
+
+    uint32_t blended_adds(const resident::Frame& frame) const override {
+        return settings().is("accumulation", "rgba8") ? 0 : passes::light_adds(frame, true);
     }
 
     resident::FrameSettings frame_settings() const override {
@@ -109,6 +114,7 @@ RendererInfo deferred_info() {
                  passes::list_contents_setting(),
                      {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                      {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+                     light_sums_setting(),
                      specular_antialiasing_setting(),
                      {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
                       "bilinear: level 0 only, for comparing with the reference"}},

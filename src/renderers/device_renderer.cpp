@@ -14,6 +14,9 @@
 namespace prelight {
 namespace {
 
+/// Full floats end where half floats do, so that a picture does not depend on what its light was added up in.
+constexpr float half_max = 65504;
+
 Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D extent) {
     Image image(extent.width, extent.height);
     if (format == VK_FORMAT_R8G8B8A8_UNORM || format == VK_FORMAT_R8G8B8A8_SRGB) { // the bytes as stored
@@ -25,7 +28,7 @@ Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D e
     if (format == VK_FORMAT_R32G32B32A32_SFLOAT) {
         const auto* floats = reinterpret_cast<const float*>(texels.data());
         for (size_t i = 0; i < image.pixels.size(); ++i)
-            image.pixels[i] = {floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]};
+            image.pixels[i] = glm::clamp(glm::vec3(floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]), -half_max, half_max);
         return image;
     }
     const auto* halves = reinterpret_cast<const uint16_t*>(texels.data());
@@ -48,7 +51,7 @@ CreatedObjects created_since(const gpu::Context& context, const CreatedObjects& 
 } // namespace
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
-    : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)) {
+    : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)), light_sums_(settings_) {
     resolve_draw_settings(settings_, context_);
     const uint32_t limit = std::min(context_.limits().maxImageDimension2D,
                                     std::min(context_.limits().maxFramebufferWidth,
@@ -108,7 +111,7 @@ void DeviceRenderer::set_world(const World& world) {
 void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     if (!world_)
         throw Error("renderer: set_world() comes before set_lights()");
-    if (frame_->set_lights(lights, [&] { queue_->drain(); }) && graph_)
+    if (frame_->set_lights(lights, [&] { queue_->drain(); }) && graph_ && light_sums_.holds(blended_adds(*frame_)))
         return;
     drop_graph();
     build_graph();
@@ -135,6 +138,7 @@ void DeviceRenderer::build_graph() {
     auto graph = std::make_unique<graph::FrameGraph>(context_);
     for (const std::string& note : settings_.notes())
         graph->note(note);
+    light_sums_.choose(settings_, *graph, context_, blended_adds(*frame_));
     passes::index_trimming_passes(*graph, *frame_);
     views_ = build(*graph, *frame_);
     for (const auto& [name, image] : views_)

@@ -1,4 +1,5 @@
 #include "light_model_settings.hpp"
+#include "light_sums.hpp"
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 
@@ -108,6 +109,7 @@ std::vector<SettingInfo> light_model_settings() {
             {"light-scale", {"0.01 … 1000"}, "2", "rgb10a2, rgba8, packed-rgba8: the largest light that is stored"},
             {"light-writes", {"auto", "blended", "once"}, "auto",
              "lights blended one by one, or summed first and written once (fullscreen, tiles, clusters)"},
+            light_sums_setting(),
             {"specular", {"stored", "luv", "fifth-channel", "luminance", "bent"}, "stored",
              "phong: where a material's own shininess comes in [L5]"},
             {"model", {"auto", "weighted", "nv", "mono", "full"}, "auto",
@@ -128,6 +130,8 @@ passes::LightModel light_model(Settings& settings, Shading shading) {
     resolve_specular_antialiasing(settings, model);
     choose_fresnel(settings, model);
     choose_writes(settings, model);
+    if (model.fixed_point() && settings.is("light-sums", "float32"))
+        throw UsageError("--set light-sums=float32: light-buffer=" + settings.get("light-buffer") + " adds up codes");
     return model;
 }
 

@@ -33,6 +33,10 @@ public:
         : DeviceRenderer(device, options, std::move(settings)), model_(model) {}
 
 private:
+    uint32_t blended_adds(const resident::Frame& frame) const override {
+        return model_.fixed_point() ? 0 : passes::light_adds(frame, settings().is("light-writes", "blended"));
+    }
+
     resident::FrameSettings frame_settings() const override {
         resident::FrameSettings frame = DeviceRenderer::frame_settings();
         if (model_.fixed_point())
@@ -50,7 +54,8 @@ private:
         const auto decals = passes::decal_pass(graph, frame, surface);
         passes::decal_normal_pass(graph, frame, surface, decals);
         const auto list_shading = passes::list_shading(settings().get("list-shading"));
-        const auto light = passes::make_light_buffer(graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading));
+        const auto light = passes::make_light_buffer(
+            graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading) && !light_sums().wide(), light_sums().wide());
         const passes::LightingInputs lighting{.surface = surface,
                                         .model = model_,
                                         .target = light.target,

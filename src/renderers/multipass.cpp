@@ -12,17 +12,19 @@ public:
         : ForwardRenderer(device, options, std::move(settings), resident::ObjectLights::world_order) {}
 
 private:
+    uint32_t lights_per_pass() const { return static_cast<uint32_t>(settings().number("lights-per-pass")); } // [M2]
+    uint32_t blended_adds(const resident::Frame& frame) const override { return most_batches(frame, lights_per_pass()); }
     uint64_t draws(const resident::Frame& frame) const override {
         return ForwardRenderer::draws(frame) + ambient_draws_;
     }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const bool per_object = settings().is("ambient", "per-object"); // [M1]
-        const auto per_pass = static_cast<uint32_t>(settings().number("lights-per-pass")); // [M2]
+        const uint32_t per_pass = lights_per_pass();
         const auto plan = settings().is("order", "lights") ? passes::plan_by_lights : passes::plan_by_objects;
         decals_ = passes::decals_of_own(graph, frame);
         const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
-        const auto linear = passes::picture_image(graph, frame, {});
+        const auto linear = passes::picture_image(graph, frame, {}, light_sums().wide());
 
         ambient_draws_ = 0;
         passes::ForwardInputs lights = shading("lights", depth, linear);
@@ -38,7 +40,7 @@ private:
             passes::forward_pass(graph, frame, ambient);
             lights.load = graph::Load::keep;
         }
-        lights.plan = [=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); };
+        lights.plan = limited([=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); });
         passes::forward_pass(graph, frame, lights);
         Views views = linear_views(graph, frame, linear, depth);
         add_views(views, graph, frame, depth);
