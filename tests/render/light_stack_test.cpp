@@ -38,11 +38,15 @@ double largest_error(const Image& picture, const Image& right) {
 /// Of `shot`'s way, `lights` lights against one.
 double stack_error(Device& device, Shot shot, uint32_t lights, float range = 20) {
     const Stack one(1, range), many(lights, range);
-    shot.world = &one.world;
-    const Image right = render_linear(device, shot);
+    Shot exact = shot;
+    exact.world = &one.world;
+    if (shot.settings.contains("light-buffer") && shot.settings.at("light-buffer") == "r11g11b10f")
+        exact.settings["light-sums"] = "float32"; // one light alone is 0.8 % off there
+    const Image right = render_linear(device, exact);
     shot.world = &many.world;
     const double error = largest_error(render_linear(device, shot), right);
     std::printf("    %6u %s: %.3f %%\n", lights, name_of(shot).c_str(), error * 100);
+    std::fflush(stdout);
     return error;
 }
 
@@ -61,14 +65,35 @@ bool lists(const Shot& shot) {
 
 struct Many : testing::TestWithParam<uint32_t> {};
 
+/// Ways that draw light by light: as many as there is time for with validation. Half floats lose 6 % of 300 lights there.
+constexpr uint32_t most_drawn = 3000;
+
 TEST_P(Many, EqualLightsAreOneLightInEveryWay) {
     for (const Shot& shot : every_way(Stack(1).shot())) {
+        const bool grid = shot.settings.contains("lights") && shot.settings.at("lights") == "grid"; // slow: all its cells are listed
+        if (GetParam() > most_drawn && (!lists(shot) || (grid && GetParam() < 65536)))
+            continue;
         SCOPED_TRACE(name_of(shot));
         EXPECT_LE(stack_error(test_device(), shot, GetParam()), bound);
     }
     expect_validation_clean(test_device());
 }
 INSTANTIATE_TEST_SUITE_P(Lights, Many, testing::Values(1, 16, 17, 64, 1000, 3000, 20000, 40001, 65536));
+
+// One of each kind with more: a draw for all lights, a draw a light, a loop over all lights.
+TEST(LightStack, TensOfThousandsOfDrawnLightsAddUpToo) {
+    Shot shot = Stack(1).shot();
+    for (const char* culling : {"volumes", "rectangles"}) {
+        shot.settings = {{"light-culling", culling}};
+        EXPECT_LE(stack_error(test_device(), shot, 65536), bound);
+    }
+    shot.settings = {{"light-culling", "fullscreen"}, {"light-writes", "once"}};
+    EXPECT_LE(stack_error(test_device(), shot, 65536), bound);
+    shot.renderer = "multipass";
+    shot.settings = {{"order", "objects"}};
+    EXPECT_LE(stack_error(test_device(), shot, 20000), bound);
+    expect_validation_clean(test_device());
+}
 
 /// As every_way(), but what else there is.
 std::vector<Shot> other_ways() {
@@ -127,8 +152,16 @@ TEST(LightStack, CodesWrittenOnceCountEveryLight) {
         for (const char* culling : {"tiles", "clusters"}) {
             Shot shot = Stack(1).shot();
             shot.settings = {{"light-buffer", buffer}, {"light-culling", culling}, {"light-scale", "8"}};
-            // Rounds of lights add codes, each rounded to the nearest: a step for two of them.
-            EXPECT_LE(stack_error(test_device(), shot, 40001), 0.03) << buffer << " " << culling;
+            // Each round adds codes that are rounded to the nearest: half a step of 8/255 a pixel and round, which cancel.
+            const Stack one(1), many(40001);
+            const auto mean = [&](const Stack& stack) {
+                shot.world = &stack.world;
+                double sum = 0;
+                for (const glm::vec3& pixel : render_linear(test_device(), shot).pixels)
+                    sum += double(pixel.x + pixel.y + pixel.z);
+                return sum;
+            };
+            EXPECT_NEAR(mean(many) / mean(one), 1, 0.02) << buffer << " " << culling;
         }
 }
 
@@ -193,7 +226,6 @@ TEST(LightStack, LightsThatComeAndGoBuildNothingAnew) {
             made->stats();
             return calls.pipelines > 0;
         };
-        EXPECT_TRUE(built(40)); // the first frame
         for (const size_t count : {17, 16, 17, 12, 40, 9})
             EXPECT_FALSE(built(count)) << count << " lights";
         EXPECT_EQ(made->stats().settings.at("light-sums"), "float32");
@@ -269,24 +301,26 @@ TEST(LightRounds, AddUpToThePictureOfOneRound) {
             garden.add_light({.kind = LightKind::directional, .intensity = 0.05f}, garden.at(0, 0, 0), {0.1, -1, 0.1 * i});
         }
     }
+    // Turns for two rounds or three: a light with PCF takes 10 more on each pixel, and an invocation of compute has 8 pixels.
+    const auto plain = impatient_device(230), drawn = impatient_device(1050), computed = impatient_device(8000);
     for (const bool shadows : {false, true}) {
-        // A pixel's light with PCF takes 10 turns more.
-        const auto device = impatient_device(shadows ? 8000 : 230);
         Shot form = garden.shot();
         form.width = 96, form.height = 54;
         if (shadows)
             form.settings = {{"shadows", "on"}, {"shadow-budget", "1048576"}};
         for (const Shot& shot : every_way(form)) {
-            if (!lists(shot))
+            if (!lists(shot) || (shadows && shot.renderer != "light-prepass"))
                 continue;
             SCOPED_TRACE(name_of(shot));
-            const Image right = render_linear(test_device(), shot), image = render_linear(*device, shot);
+            const bool computes = shot.settings.contains("list-shading") && shot.settings.at("list-shading") == "compute";
+            Device& device = !shadows ? *plain : computes ? *computed : *drawn;
+            const Image right = render_linear(test_device(), shot), image = render_linear(device, shot);
             const Comparison c = compare(image, right, std::vector<uint8_t>(image.pixels.size(), 0));
             EXPECT_GE(c.psnr, 60);
             EXPECT_LE(c.block, 0.5);
             EXPECT_FALSE(image.pixels == right.pixels && shot.renderer == "light-prepass") << "there was one round";
+            expect_validation_clean(device);
         }
-        expect_validation_clean(*device);
     }
 }
 
