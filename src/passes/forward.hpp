@@ -17,6 +17,8 @@ struct ForwardInputs {
     graph::ImageId colour;              ///< picture_image(): scene-linear and exposed, or finished
     Display display = {};               ///< forward_grid_pass(): how `colour` was made
     graph::Load load = graph::Load::clear;
+    /// Of lights: `equal`, exact because vertex_position() is invariant, or `behind_or_at`, LESS_OR_EQUAL.
+    gpu::DepthTest lights_test = gpu::DepthTest::equal;
     std::vector<StepKind> kinds;        ///< what the plan has; with base among them depth is written
     /// The draws of a frame, made anew for each from the lights of its objects.
     std::function<ForwardPlan(const resident::LightReach&)> plan;

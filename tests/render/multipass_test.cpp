@@ -63,6 +63,25 @@ INSTANTIATE_TEST_SUITE_P(Multipass, MultipassForms,
                                          Form{"phong_reflection", Shading::phong, {{"specular-vector", "reflection"}}}),
                          [](const auto& form) { return std::string(form.param.name); });
 
+// [M1] An alpha mask's holes have another's depth: LESS_OR_EQUAL must not light what is not there, EQUAL cannot.
+TEST(Multipass, M1_LessOrEqualAndEqualGiveTheSamePicture) {
+    MixedMaterials mixed;
+    const Settings forms[] = {{{"ambient", "first"}}, {{"ambient", "per-object"}}, {{"ambient", "per-object"}, {"order", "objects"}}};
+    for (Settings settings : forms) {
+        const Shot by_default = multipass(mixed.shot(), settings);
+        settings["depth-test"] = "less-equal";
+        const Shot less = multipass(mixed.shot(), settings);
+        settings["depth-test"] = "equal";
+        const Shot equal = multipass(mixed.shot(), settings);
+        expect_agrees(less);
+        expect_agrees(equal);
+        const Image image = render_linear(test_device(), less);
+        EXPECT_TRUE(image.pixels == render_linear(test_device(), equal).pixels);
+        EXPECT_TRUE(image.pixels == render_linear(test_device(), by_default).pixels);
+        EXPECT_EQ(stats_of(by_default).settings.at("depth-test"), "less-equal");
+    }
+}
+
 // [M1] [M2] 14 lights are no multiple of 3 or 8; most objects are reached by more than eight.
 TEST(Multipass, M2_EveryOrderAmbientAndBatchGivesTheSamePicture) {
     Garden garden;
