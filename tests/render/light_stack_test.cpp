@@ -289,6 +289,14 @@ std::unique_ptr<Device> impatient_device(uint32_t turns) {
     return device;
 }
 
+// What keeps them: lavapipe, taken for a device that does not end loops, loses half of these lights.
+TEST(LightRounds, AreNeededByADriverThatEndsLoops) {
+    const auto device = impatient_device(0);
+    Shot shot = Stack(1).shot();
+    shot.settings = {{"light-culling", "tiles"}, {"list-shading", "compute"}};
+    EXPECT_GT(stack_error(*device, shot, 40001), 0.3);
+}
+
 // Lights in rounds, with every kind of light and with shadows: the same picture as in one.
 TEST(LightRounds, AddUpToThePictureOfOneRound) {
     Garden garden;
