@@ -53,8 +53,10 @@ void main() {
     } else if (view == VIEW_LIGHT || view == VIEW_SECOND_LIGHT) {
         // As a white diffuse surface would show it.
         colour = srgb_encode(tonemap_pbr_neutral(value.rgb * frame.light_buffer.x / 3.14159265));
+    } else if (view == VIEW_SPECULAR_LIGHT) {
+        colour = srgb_encode(tonemap_pbr_neutral(value.rgb * frame.light_buffer.z / 3.14159265));
     } else if (view == VIEW_LIGHT_ALPHA) {
-        colour = srgb_encode(tonemap_pbr_neutral(value.aaa * frame.light_buffer.x / 3.14159265));
+        colour = srgb_encode(tonemap_pbr_neutral(value.aaa * frame.light_buffer.z / 3.14159265));
     } else if (view == VIEW_LIGHT_LUV) {
         vec3 light = luv_decode(value.rg) * value.b;
         colour = srgb_encode(tonemap_pbr_neutral(light * frame.light_buffer.x / 3.14159265));

@@ -53,7 +53,7 @@ void BenchArguments::add(CLI::App& app) {
     sub.add_flag("--limit", limit_, "Scene: measure what the device could do, and give frames in units of F");
     option("--baseline", baseline_, "FILE", "Scene: print the change since a file of --json");
     option("--set", settings_, "KEY=VALUE", "Scene: a setting of every renderer that has it; repeatable");
-    option("--shading", shading_, "MODEL", "Scene: ggx (default) or phong");
+    option("--shading", shading_, "MODEL", "Scene: ggx or phong (default: each preset's, else ggx)");
     option("--time", time_, "SECONDS", "Scene: moment of its animations (default: at rest)");
     option("--animation", animation_, "NAME|INDEX", "Scene: only this animation, at --time or else at 0 s");
     add_environment_options(option, environment_);

@@ -41,14 +41,14 @@ report in FOLDER is replaced; a folder with other files is refused.)";
 
 /// Everything `render` is given as text, before it is checked.
 struct RenderText {
-    std::string size = "1280x720", shading = "ggx", tonemap = "pbr-neutral", output, stats;
+    std::string size = "1280x720", shading, tonemap = "pbr-neutral", output, stats;
     std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0", time;
     std::vector<std::string> settings, views, materials;
     EnvironmentText environment;
 };
 
 struct CompareText {
-    std::string size = "960x540", shading = "ggx", output, lights, time, seed = "1", frames = "5";
+    std::string size = "960x540", shading, output, lights, time, seed = "1", frames = "5";
     std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
     EnvironmentText environment;
 };
@@ -86,7 +86,7 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
            "Shade the glTF material NAME with a GLSL file of your own; repeatable (docs/materials.md)");
     add_environment_options(option, text.environment);
     option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
-    option("--shading", text.shading, "MODEL", "ggx (default) or phong");
+    option("--shading", text.shading, "MODEL", "ggx or phong (default: the preset's, else ggx)");
     option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
     option("--exposure", text.exposure, "EV", "Multiplies light by 2^EV (default 0)");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
@@ -126,7 +126,7 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
     option("--lights", text.lights, "N",
            "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
-    option("--shading", text.shading, "MODEL", "ggx (default) or phong");
+    option("--shading", text.shading, "MODEL", "ggx or phong (default: the preset's, else ggx)");
     option("--exposure", text.exposure, "EV", "Multiplies light by 2^EV (default 0)");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
     sub.add_flag("--validate", command.validate,
@@ -146,7 +146,8 @@ void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
 
 void finish(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
-    command.options.shading = parse_shading(text.shading);
+    if (!text.shading.empty())
+        command.options.shading = parse_shading(text.shading);
     command.options.tonemap = parse_word<Tonemap>(
         "--tonemap", text.tonemap,
         {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
@@ -175,7 +176,8 @@ void finish(RenderCommand& command, const RenderText& text) {
 void finish(CompareCommand& command, const CompareText& text) {
     command.folder = text.output;
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
-    command.options.shading = parse_shading(text.shading);
+    if (!text.shading.empty())
+        command.options.shading = parse_shading(text.shading);
     command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
     command.frames = parse_count("--frames", text.frames, 1);
     command.moment = parse_moment(text.time, command.animation);

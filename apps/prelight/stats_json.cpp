@@ -53,7 +53,7 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
         {"settings", Json(stats.settings)},
         {"size", {options.width, options.height}},
         {"msaa", options.msaa},
-        {"shading", options.shading == Shading::ggx ? "ggx" : "phong"},
+        {"shading", stats.shading == Shading::ggx ? "ggx" : "phong"},
         {"lights", stats.lights},
         {"triangles", stats.triangles},
         {"draws", stats.draws},
@@ -81,6 +81,11 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
     };
     if (stats.shadows)
         entry["shadows"] = shadows_json(*stats.shadows);
+    if (stats.light_buffer)
+        entry["light_buffer"] = {{"diffuse_scale", stats.light_buffer->diffuse_scale},
+                                 {"specular_scale", stats.light_buffer->specular_scale},
+                                 {"clipped_pixels", stats.light_buffer->clipped_pixels}};
+    entry["notes"] = stats.notes;
     return entry;
 }
 

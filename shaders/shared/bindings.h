@@ -64,6 +64,10 @@
 #define INPUT_OCCLUSION 32
 #define INPUT_AMBIENT_LIGHT 33
 #define INPUT_MIRRORED_LIGHT 34
+// the scale of fixed-point light buffers
+#define INPUT_LIGHT_HISTOGRAM 36
+#define INPUT_LIGHT_SCALE 37
+#define INPUT_FRAME_CONSTANTS 38
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -144,6 +148,12 @@
 #define CONSTANT_OCCLUSION_RADIUS 80
 #define CONSTANT_OCCLUSION_SCALE 81
 #define CONSTANT_OCCLUSION_AXIS 82
+#define CONSTANT_LIGHT_CODES 90
+#define CONSTANT_LIGHTS_BLENDED 91
+#define CONSTANT_CLIPPING_FIRST 92
+#define CONSTANT_CLIPPING_SECOND 93
+#define CONSTANT_LIGHT_MOST 94
+#define CONSTANT_LIGHT_SAMPLE_STEP 95
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -242,5 +252,6 @@
 #define VIEW_MOTION 10
 #define VIEW_SECOND_LIGHT 11  // the other half of a pair
 #define VIEW_OCCLUSION 16
+#define VIEW_SPECULAR_LIGHT 17  // light by the specular scale
 
 #endif

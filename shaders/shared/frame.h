@@ -18,7 +18,7 @@ struct FrameConstants {
     vec4 size;             // width, height, 1/width, 1/height in pixels
     vec4 ambient;          // rgb: radiance × exposure; w: largest value that one light stores
     vec4 light_buffer;     // x: scale that stored light is divided by (32 for float formats);
-                           // y: exposure factor
+                           // y: exposure factor; z: x of specular light
     mat4 previous_clip_from_world;  // what clip_from_world was one interval earlier, for positions
                                     // relative to this frame's camera; the same when it stood still
 };

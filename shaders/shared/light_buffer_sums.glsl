@@ -57,8 +57,8 @@ vec4 stored(vec4 value) {
 }
 
 void write_sums(ivec2 pixel, LightSums sums) {
-    float scale = 1.0 / frame.light_buffer.x;
-    float channel4 = luminance(sums.specular.rgb) * scale;
+    float scale = 1.0 / frame.light_buffer.x, specular_scale = 1.0 / frame.light_buffer.z;
+    float channel4 = luminance(sums.specular.rgb) * specular_scale;
 #ifdef ONE_TARGET
 #ifndef STORAGE_TARGET
     // Chromaticity does not add up: ambient light cannot be blended to it later.
@@ -71,7 +71,7 @@ void write_sums(ivec2 pixel, LightSums sums) {
         diffuse = vec3(luv_encode(diffuse), luminance(diffuse));
     write_first(pixel, stored(vec4(diffuse, channel4)));
 #elif defined(LIGHT_PAIR)
-    write_pair(pixel, stored(sums.diffuse * scale), stored(sums.specular * scale));
+    write_pair(pixel, stored(sums.diffuse * scale), stored(sums.specular * specular_scale));
 #else
     if (specular_way == SPECULAR_FIFTH_CHANNEL) {
         write_first(pixel, stored(vec4(sums.diffuse.rgb * scale, channel4)));
@@ -79,7 +79,7 @@ void write_sums(ivec2 pixel, LightSums sums) {
         return;
     }
     write_first(pixel, stored(sums.diffuse * scale));
-    write_second(pixel, stored(sums.specular * scale));
+    write_second(pixel, stored(sums.specular * specular_scale));
 #endif
 }
 #endif

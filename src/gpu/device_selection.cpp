@@ -119,6 +119,8 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     (candidate.optional.shuffle_lanes > 0 ? info.features : info.missing).push_back("subgroup shuffle");
     candidate.optional.conditional_rendering = conditional_rendering(physical);
     (candidate.optional.conditional_rendering ? info.features : info.missing).push_back("conditional rendering");
+    candidate.optional.stencil_export = has_extension(physical, VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
+    (candidate.optional.stencil_export ? info.features : info.missing).push_back("stencil export");
     const bool fragment_stores = features.features.fragmentStoresAndAtomics;
     const std::optional<uint32_t> family = graphics_queue_family(physical);
     if (!family)

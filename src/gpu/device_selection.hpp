@@ -15,6 +15,7 @@ struct OptionalFeatures {
     bool precise_occlusion = false;
     bool conditional_rendering = false; ///< VK_EXT_conditional_rendering
     bool store_without_format = false; ///< shaders write storage images of any format
+    bool stencil_export = false;       ///< VK_EXT_shader_stencil_export
     uint32_t shuffle_lanes = 0;        ///< size of a subgroup whose compute shaders can shuffle; 0: they cannot
 };
 

@@ -22,6 +22,7 @@ void set_stencil(VkPipelineDepthStencilStateCreateInfo& state, Stencil stencil) 
         state.back.depthFailOp = VK_STENCIL_OP_INCREMENT_AND_WRAP;
         state.front.depthFailOp = VK_STENCIL_OP_DECREMENT_AND_WRAP;
         break;
+    case Stencil::exported: state.front.passOp = state.back.passOp = VK_STENCIL_OP_REPLACE; break;
     case Stencil::marked_to_zero:
         for (VkStencilOpState* face : {&state.front, &state.back}) {
             face->compareOp = VK_COMPARE_OP_NOT_EQUAL;

@@ -114,14 +114,19 @@ void decal_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     if (!decals)
         return;
     graph::Pass& pass = graph.pass("decal-normal");
-    pass.depth_test(surface.depth).colour(surface.normal, graph::Load::keep);
+    const bool stencil = surface.format.roughness_in_stencil;
+    if (stencil)
+        pass.stencil(surface.depth).keeps_stencil(graph::Load::keep);
+    else
+        pass.depth_test(surface.depth);
+    pass.colour(surface.normal, graph::Load::keep);
     const bool apart = surface.roughness != surface.normal;
     if (apart)
         pass.colour(surface.roughness, graph::Load::keep);
     declare_decals(pass, decals);
     draw_surfaces(graph, pass, frame,
                   {.name = pass.name(),
-                   .fragment = apart ? "depth_normal+roughness.frag" : "depth_normal.frag",
+                   .fragment = stencil ? "depth_normal+stencil.frag" : apart ? "depth_normal+roughness.frag" : "depth_normal.frag",
                    .constants = surface.format.constants(),
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,

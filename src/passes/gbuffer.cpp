@@ -44,26 +44,28 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     out.surface.format.gbuffer = format.layout;
     out.surface.format.position_from_ray = format.position_from_ray;
     out.surface.format.specular_antialiasing = format.specular_antialiasing;
+    const auto reduced = [&](uint32_t size) { return (size + format.reduction - 1) / format.reduction; };
+    const VkExtent2D extent{reduced(frame.extent().width), reduced(frame.extent().height)};
     const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
-    make(graph, frame.extent(), format.stencil, out);
+    make(graph, extent, format.stencil, out);
     out.surface.depth_source = out.surface.depth;
     const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
-    out.light = graph.image("accumulated light", {light, frame.extent()});
+    out.light = graph.image("accumulated light", {light, extent});
 
     out.ambient_apart = format.ambient_apart;
     if (format.ambient_apart) {
         if (frame.context().limits().maxColorAttachments < 6)
             throw Error(fmt::format("{}: ambient light apart needs 6 colour attachments, and the device has {}", frame.context().name(),
                                     frame.context().limits().maxColorAttachments));
-        out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
-        out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+        out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
+        out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
     }
-    graph::Pass& pass = graph.pass("geometry");
+    graph::Pass& pass = graph.pass(format.reduction > 1 ? "geometry-small" : "geometry");
     pass.depth_write(out.surface.depth);
     for (const graph::ImageId target : out.targets())
         pass.colour(target, graph::Load::clear);
     draw_surfaces(graph, pass, frame,
-                  {.name = "geometry",
+                  {.name = pass.name(),
                    .fragment = out.fragment(),
                    .constants = out.surface.format.constants(),
                    .motion = true});

@@ -77,8 +77,11 @@ void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const Lightin
 void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
     pass.sample(INPUT_DEPTH, inputs.surface.depth_source)
         .sample(INPUT_NORMAL, inputs.surface.normal)
-        .sample(INPUT_ROUGHNESS, inputs.surface.roughness)
         .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    if (inputs.surface.format.roughness_in_stencil)
+        pass.sample_stencil(INPUT_ROUGHNESS, inputs.surface.depth);
+    else
+        pass.sample(INPUT_ROUGHNESS, inputs.surface.roughness);
     if (inputs.target.variant == "+deferred")
         pass.sample(INPUT_MATERIAL, inputs.material).sample(INPUT_ALBEDO, inputs.albedo);
     if (inputs.target.variant != "+count")
@@ -87,7 +90,8 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
 
 std::string lighting_shader(const LightingInputs& inputs, const std::string& shader, const char* ending) {
     const bool counts = inputs.target.variant == "+count", lit = shader != "light_ambient";
-    return shader + inputs.target.variant + (counts || !lit ? "" : shadow_variant(inputs.shadows)) + ending;
+    const char* stencil = lit && inputs.surface.format.roughness_in_stencil ? "+stencil" : "";
+    return shader + inputs.target.variant + (counts || !lit ? "" : shadow_variant(inputs.shadows)) + stencil + ending;
 }
 
 gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs) {

@@ -50,6 +50,7 @@ CreatedObjects created_since(const gpu::Context& context, const CreatedObjects& 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
     : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)) {
     resolve_draw_settings(settings_, context_);
+    settings_.refuse_without_effect();
     const uint32_t limit = std::min(context_.limits().maxImageDimension2D,
                                     std::min(context_.limits().maxFramebufferWidth,
                                              context_.limits().maxFramebufferHeight));
@@ -236,6 +237,7 @@ Stats DeviceRenderer::stats() const {
     stats.device = context_.name();
     stats.driver = context_.driver();
     stats.settings = settings_.all();
+    stats.shading = settings_.shading();
     stats.notes = graph_->notes();
     stats.lights = frame_->placed_lights().size();
     stats.triangles = triangles_;
@@ -265,6 +267,7 @@ Stats DeviceRenderer::stats() const {
     stats.host_ms = HostTimes{spread(host_.lights), spread(host_.culling), spread(host_.objects), spread(host_.record)};
     count_pairs(stats);
     tell_shadows(stats);
+    add_figures(stats);
     return stats;
 }
 

@@ -44,6 +44,9 @@ protected:
     /// Stats::draws of the last frame.
     virtual uint64_t draws(const resident::Frame& frame) const { return frame.visible().batches.size(); }
 
+    /// What an architecture alone knows of the last frame, which is done.
+    virtual void add_figures(Stats&) const {}
+
     const gpu::Context& context() const { return context_; }
     const RenderOptions& options() const { return options_; }
     const Settings& settings() const { return settings_; }

@@ -8,7 +8,7 @@ namespace prelight {
 ForwardRenderer::ForwardRenderer(Device& device, const RenderOptions& options, Settings settings,
                                  resident::ObjectLights order)
     : DeviceRenderer(device, options, std::move(settings)), order_(order) {
-    model_.shading = options.shading;
+    model_.shading = this->settings().shading();
     model_.fresnel = this->settings().is("model", "nv") ? passes::FresnelModel::nv : passes::FresnelModel::full;
     model_.step_gate = this->settings().is("specular-gate", "step");
     model_.reflection_vector = this->settings().is("specular-vector", "reflection");

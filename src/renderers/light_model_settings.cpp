@@ -105,7 +105,8 @@ void choose_writes(Settings& settings, const LightModel& model) {
 std::vector<SettingInfo> light_model_settings() {
     return {{"light-buffer", {"rgba16f", "r11g11b10f", "rgb10a2", "rgba8", "packed-rgba16f", "packed-rgba8"}, "rgba16f",
              "diffuse and specular pair, or specular packed into alpha (equation 8.5.2)"},
-            {"light-scale", {"0.01 … 1000"}, "2", "rgb10a2, rgba8, packed-rgba8: the largest light that is stored"},
+            {"light-scale", {"auto", "0.01 … 1000"}, "auto",
+             "rgb10a2, rgba8, packed-rgba8: the largest light that is stored; auto: from the light of each frame"},
             {"light-writes", {"auto", "blended", "once"}, "auto",
              "lights blended one by one, or summed first and written once (fullscreen, tiles, clusters)"},
             {"specular", {"stored", "luv", "fifth-channel", "luminance", "bent"}, "stored",

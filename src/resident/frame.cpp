@@ -72,10 +72,10 @@ Frame::Frame(const gpu::Context& context, const World& world, const FrameSetting
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)),
       decals_(decal_boxes(world)),
       geometry_(upload_geometry(context, world, settings.motion, settings.draws.trims_on_device(), materials_.shaders, decals_)) {
-    for (Slot& slot : slots_) {
-        slot.constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
-                                     VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);
-    }
+    for (gpu::Buffer& constants : constants_)
+        constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
+                                VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | (settings.measures_light ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0),
+                                gpu::BufferPlace::upload);
     make_draw_buffers();
     if (settings_.shadows.on)
         make_shadows();
@@ -192,7 +192,7 @@ void Frame::make_light_buffers(size_t lights) {
     }
     std::vector<std::vector<gpu::Binding>> sets;
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
-        sets.push_back({gpu::Binding::uniform(FRAME_CONSTANTS, slots_[s].constants.handle()),
+        sets.push_back({gpu::Binding::uniform(FRAME_CONSTANTS, constants_[s].handle()),
                         gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle())});
@@ -281,8 +281,8 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     const glm::vec3 ambient = environment() ? glm::vec3(0) : world_.ambient; // the environment is in its place
     next.ambient = glm::vec4(ambient * static_cast<float>(settings_.exposure),
                              half_max / static_cast<float>(settings_.light_scale));
-    next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, 0, 0);
-    *target.constants.mapped<shared::FrameConstants>() = next;
+    next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, settings_.light_scale, 0);
+    *constants_[slot].mapped<shared::FrameConstants>() = next;
     clip_from_world_ = next.clip_from_world;
 
     const double start = thread_ms();

@@ -49,7 +49,7 @@ Json heading(const BenchCommand& command, const Device& device, const std::strin
             {"seed", command.seed},
             {"time", command.moment ? Json(command.moment->time) : Json(nullptr)},
             {"size", {command.options.width, command.options.height}},
-            {"shading", command.options.shading == Shading::ggx ? "ggx" : "phong"},
+            {"shading", command.options.shading.value_or(Shading::ggx) == Shading::ggx ? "ggx" : "phong"},
             {"triangles", measured.triangles},
             {"frames", *command.frames},
             {"steady_time", type == "software" ? "cpu_ms" : "gpu_ms"}};

@@ -67,7 +67,7 @@ void take(RunReport& run, Device& device, const World& world, const PlacedCamera
     renderer->render(camera);
     run.stats = renderer->stats();
 
-    const ReferenceForm form = reference_form(run.options.shading, run.stats.settings);
+    const ReferenceForm form = reference_form(run.stats.shading, run.stats.settings);
     run.form = form_name(form);
     const References::Picture& reference = references.of(form);
     Image errors;
@@ -97,38 +97,16 @@ std::string PictureStore::add(const std::string& name, const Image& display) {
     return known->second;
 }
 
-/// The preset finds a material's shininess in a way that only [phong] has.
-bool is_of_phong(const RunReport& run) {
-    const auto preset = run.info.preset_settings.find(run.variant.preset);
-    if (preset == run.info.preset_settings.end())
-        return false;
-    const auto way = preset->second.find("specular");
-    return way != preset->second.end() && way->second != "stored";
-}
-
 void take_pictures(RunReport& run, Device& device, const World& world, const PlacedCamera& camera,
                    References& references, PictureStore& store) {
-    const Shading wanted = run.options.shading;
-    std::vector<Shading> models{wanted};
-    if (!run.variant.preset.empty() && wanted == Shading::ggx)
-        models.insert(is_of_phong(run) ? models.begin() : models.end(), Shading::phong);
-    for (const Shading shading : models) {
-        run.options.shading = shading;
-        try {
-            take(run, device, world, camera, references, store);
-            run.error.clear();
-            run.wrong_usage = false;
-            return;
-        } catch (const UsageError& error) {
-            if (run.error.empty()) // of the model that was asked for
-                run.error = error.what();
-            run.wrong_usage = true;
-        } catch (const Error& error) {
-            run.error = error.what();
-            return;
-        }
+    try {
+        take(run, device, world, camera, references, store);
+    } catch (const UsageError& error) {
+        run.error = error.what();
+        run.wrong_usage = true;
+    } catch (const Error& error) {
+        run.error = error.what();
     }
-    run.options.shading = wanted;
 }
 
 void take_reference_pictures(Report& report, const World& world, const PlacedCamera& camera,

@@ -85,7 +85,6 @@ Json run_json(const Report& report, const RunReport& run) {
         return json;
     }
     json.update(entry(report, run, run.stats));
-    json["notes"] = run.stats.notes;
     json["reference_form"] = run.form;
     json["difference"] = difference_json(run.difference);
     json["pictures"] = Json(run.pictures);
@@ -169,7 +168,7 @@ Json report_json(const Report& report) {
                  {"scene", report.scene},
                  {"camera", report.camera},
                  {"size", {command.options.width, command.options.height}},
-                 {"shading", command.options.shading == Shading::ggx ? "ggx" : "phong"},
+                 {"shading", command.options.shading.value_or(Shading::ggx) == Shading::ggx ? "ggx" : "phong"},
                  {"exposure", command.options.exposure},
                  {"seed", command.seed},
                  {"time", command.moment ? Json(command.moment->time) : Json(nullptr)},

@@ -25,7 +25,7 @@ function showHeading(report, runs) {
   document.title = `${headline} · Prelight compare`;
   document.getElementById("headline").textContent = headline;
   document.getElementById("facts").textContent =
-    `The same scene, camera “${report.camera}” and lighting model (${report.shading}) in every row: ` +
+    `The same scene and camera “${report.camera}” in every row, lighting model ${report.shading} unless a preset has its own: ` +
     (report.time === null ? "" : `at ${figure(report.time)} s, `) + `${report.size.join("×")} pixels, ${whole.format(report.triangles)} triangles` +
     (report.lights_added ? `, ${whole.format(report.lights_added)} of the lights scattered at random` : "") +
     `. Rendered on ${report.device}, checked against a ray-cast reference.`;
