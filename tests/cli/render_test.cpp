@@ -220,6 +220,28 @@ TEST(Render, SettingsAndPresetsReachTheStats) {
     EXPECT_EQ(stats.at("shading"), "phong");
 }
 
+TEST(Render, APresetShadesAsItsTextAndWhatItsLightBufferLosesIsTold) {
+    const TemporaryFolder folder;
+    const auto stats_of = [&](std::vector<std::string> more) {
+        const std::vector<std::string> rest = {"-o", "a.png", "--stats", "a.json", "--preset", "prelighting"};
+        more.insert(more.begin(), rest.begin(), rest.end());
+        const Result result = run(small(more), folder.path);
+        EXPECT_TRUE(succeeded(result));
+        return std::pair(Json::parse(bytes_of(folder.path / "a.json")), result.err);
+    };
+    const auto [automatic, quiet] = stats_of({});
+    EXPECT_EQ(automatic.at("shading"), "phong");
+    EXPECT_EQ(automatic.at("settings").at("light-scale"), "auto");
+    EXPECT_GT(automatic.at("light_buffer").at("diffuse_scale"), 0);
+    EXPECT_EQ(automatic.at("notes"), Json::array());
+    EXPECT_EQ(quiet, "");
+    const auto [fixed, told] = stats_of({"--set", "light-scale=0.02", "--shading", "ggx"});
+    EXPECT_EQ(fixed.at("shading"), "ggx");
+    EXPECT_GT(fixed.at("light_buffer").at("clipped_pixels"), 0);
+    EXPECT_THAT(told, HasSubstr("note: light-scale: "));
+    EXPECT_EQ(fixed.at("notes").size(), 1u);
+}
+
 TEST(Render, LightsAreAddedToAFileAndSetForABuiltin) {
     const TemporaryFolder folder;
     const auto lights = [&](std::vector<std::string> arguments) {

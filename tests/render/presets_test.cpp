@@ -69,10 +69,13 @@ TEST_P(Presets, AgreeWithTheReferenceOfTheirForm) {
 
 TEST_P(Presets, HaveTheirSettingsInForce) {
     PresetGarden garden;
-    const Rendered ours = render(garden, options_for(GetParam().name, Shading::phong));
+    RenderOptions options = options_for(GetParam().name, Shading::phong);
+    options.shading.reset(); // the source text's own
+    const Rendered ours = render(garden, options);
     for (const auto& [key, value] : GetParam().settings)
         EXPECT_EQ(ours.stats.settings.at(key), value) << key;
     EXPECT_TRUE(ours.stats.notes.empty());
+    EXPECT_EQ(ours.stats.shading, Shading::phong);
 }
 
 TEST_P(Presets, AreListedAndGiveWayToTheUser) {
