@@ -60,7 +60,7 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
         out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
         out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
     }
-    graph::Pass& pass = graph.pass(format.reduction > 1 ? "geometry-small" : "geometry");
+    graph::Pass& pass = graph.pass(format.pass);
     pass.depth_write(out.surface.depth);
     for (const graph::ImageId target : out.targets())
         pass.colour(target, graph::Load::clear);

@@ -26,6 +26,7 @@ struct GBufferFormat {
     bool specular_antialiasing = false;         ///< as in SurfaceFormat
     bool ambient_apart = false;                 ///< ambient light waits in targets of its own for ambient_light_pass()
     uint32_t reduction = 1;                     ///< pixels of the frame, along an axis, for each of the buffers'
+    const char* pass = "geometry";              ///< its name
 };
 
 /// The geometry pass: every object once, into four targets and depth. Ambient and emissive light, and

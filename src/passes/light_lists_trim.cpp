@@ -12,7 +12,7 @@ void trim_light_lists(graph::FrameGraph& graph, const resident::Frame& frame, co
     declare_light_lists(pass, lists, true);
     gpu::Constants constants = list_lighting_constants(frame, inputs, lists);
     constants.emplace_back(CONSTANT_LIST_EMPTY, empty);
-    dispatch_lists(pass, frame, lists.constants, 
+    dispatch_lists(pass, frame, lists.constants,
                    inputs.surface.format.roughness_in_stencil ? "light_lists_perfect+stencil.comp" : "light_lists_perfect.comp", constants,
                    [cells = lists.constants](const graph::PassContext& context) {
                        vkCmdDispatch(context.commands, (cells->cells.w + LIST_GROUP - 1) / LIST_GROUP, 1, 1);

@@ -1,9 +1,9 @@
 #include "light_scale.hpp"
-#include "light_draws.hpp"
 #include <algorithm>
 #include <bit>
 #include <fmt/format.h>
 #include <gpu/compute_pipeline.hpp>
+#include <shared/bindings.h>
 #include <shared/light_scale.h>
 
 namespace prelight::passes {

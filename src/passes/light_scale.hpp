@@ -14,7 +14,7 @@ FixedPoint fixed_point(const LightModel& model);
 /// RT0 of a G-buffer.
 FixedPoint fixed_point_of_deferred();
 
-/// The scale of light in fixed point [L4]: Engel's "scale value", found for each frame from the light that its surfaces
+/// The scale of light in fixed point: Engel's "scale value", found for each frame from the light that its surfaces
 /// get, and a count of the pixels that the target does not hold. Alive as long as the frame graph.
 class LightScale {
 public:

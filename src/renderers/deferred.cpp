@@ -72,6 +72,7 @@ private:
             return;
         passes::GBufferFormat small = format();
         small.light_in_bytes = small.ambient_apart = false;
+        small.pass = "geometry-small";
         small.reduction = shared::light_sample_step(options().width, options().height);
         scale_->measure(graph, frame, lighting_of(passes::gbuffer_pass(graph, frame, small), shadows));
     }

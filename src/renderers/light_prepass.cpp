@@ -31,7 +31,7 @@ passes::SurfaceFormat surface_format(const Settings& settings) {
             .specular_antialiasing = settings.is("specular-antialiasing", "on")};
 }
 
-/// Way 1 in stencil [L5], where the device's fragments can write it and lights do not.
+/// The first way to a specular power of the material's own, in stencil, where the device's fragments can write it and lights do not.
 void choose_roughness(Settings& settings, const Device& device) {
     if (!settings.is("roughness", "stencil"))
         return;

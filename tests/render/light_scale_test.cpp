@@ -105,17 +105,14 @@ struct Lit : Garden {
     }
 };
 
-/// Every target in fixed point, light by light and written once.
+/// Targets in fixed point, light by light and written once.
 std::vector<std::pair<const char*, Words>> fixed_point_targets() {
-    std::vector<std::pair<const char*, Words>> all;
-    for (const char* buffer : {"rgba8", "packed-rgba8", "rgb10a2"})
-        for (const char* writes : {"blended", "once"})
-            all.push_back({"light-prepass", {{"light-buffer", buffer}, {"light-writes", writes}}});
-    all.push_back({"light-prepass", {{"light-buffer", "rgba8"}, {"light-culling", "fullscreen"}, {"light-writes", "once"}}});
-    for (const char* culling : {"volumes", "tiles"})
-        for (const char* layout : {"wide", "killzone2"})
-            all.push_back({"deferred", {{"accumulation", "rgba8"}, {"light-culling", culling}, {"g-buffer", layout}}});
-    return all;
+    return {{"light-prepass", {{"light-buffer", "rgba8"}, {"light-writes", "blended"}}},
+            {"light-prepass", {{"light-buffer", "rgba8"}, {"light-writes", "once"}, {"light-culling", "fullscreen"}}},
+            {"light-prepass", {{"light-buffer", "packed-rgba8"}}}, // written once, by tiles
+            {"light-prepass", {{"light-buffer", "rgb10a2"}, {"light-writes", "blended"}}},
+            {"deferred", {{"accumulation", "rgba8"}, {"light-culling", "volumes"}}},
+            {"deferred", {{"accumulation", "rgba8"}, {"g-buffer", "killzone2"}}}};
 }
 
 std::string name_of(const std::pair<const char*, Words>& target) {
@@ -126,37 +123,34 @@ std::string name_of(const std::pair<const char*, Words>& target) {
 }
 
 TEST(LightScale, FitsTheLightOfAnyScene) {
-    for (const auto& target : fixed_point_targets())
-        for (const Shading shading : {Shading::ggx, Shading::phong}) {
-            SCOPED_TRACE(name_of(target));
-            // The same scene under a thousandth and a thousand times the light, exposed alike: the scale follows.
-            std::vector<Image> pictures;
-            for (const double ev : {-10.0, 0.0, 10.0}) {
-                const Lit garden(static_cast<float>(std::exp2(-ev)));
-                RenderOptions options = garden.options(target.second, shading);
-                options.exposure = ev;
-                const Picture picture = draw(garden.world, garden.camera, options, target.first);
-                EXPECT_THAT(notes_of(picture.stats), testing::Not(HasSubstr(clipped_line)));
-                pictures.push_back(picture.linear);
-            }
-            EXPECT_GE(compare(pictures[0], pictures[1]).psnr, 50);
-            EXPECT_GE(compare(pictures[2], pictures[1]).psnr, 50);
-            // And of a picture that is four stops brighter or darker.
-            for (const double ev : {-4.0, 4.0}) {
-                const Lit garden;
-                RenderOptions options = garden.options(target.second, shading);
-                options.exposure = ev;
-                const Image eight = draw(garden.world, garden.camera, options, target.first).linear;
-                for (const char* key : {"light-buffer", "accumulation"})
-                    if (options.settings.contains(key))
-                        options.settings[key] = options.settings[key].starts_with("packed") ? "packed-rgba16f" : "rgba16f";
-                if (target.second.contains("light-buffer") && target.second.at("light-buffer") == "rgb10a2" && shading == Shading::ggx)
-                    options.settings["model"] = "nv";
-                const Image half = draw(garden.world, garden.camera, options, target.first).linear;
-                EXPECT_GE(compare(eight, half).psnr, 33) << ev;
-                EXPECT_NEAR(mean(eight) / mean(half), 1, 0.02) << ev;
-            }
+    for (const auto& target : fixed_point_targets()) {
+        SCOPED_TRACE(name_of(target));
+        // The same scene under a thousandth and a thousand times the light, exposed alike: the scale follows.
+        std::vector<Image> pictures;
+        for (const double ev : {-10.0, 0.0, 10.0}) {
+            const Lit garden(static_cast<float>(std::exp2(-ev)));
+            RenderOptions options = garden.options(target.second);
+            options.exposure = ev;
+            const Picture picture = draw(garden.world, garden.camera, options, target.first);
+            EXPECT_THAT(notes_of(picture.stats), testing::Not(HasSubstr(clipped_line)));
+            pictures.push_back(picture.linear);
         }
+        EXPECT_GE(compare(pictures[0], pictures[1]).psnr, 50);
+        EXPECT_GE(compare(pictures[2], pictures[1]).psnr, 50);
+        // And of a picture that is brighter by three stops.
+        const Lit garden;
+        RenderOptions options = garden.options(target.second);
+        options.exposure = 3;
+        const Image eight = draw(garden.world, garden.camera, options, target.first).linear;
+        for (const char* key : {"light-buffer", "accumulation"})
+            if (options.settings.contains(key))
+                options.settings[key] = options.settings[key].starts_with("packed") ? "packed-rgba16f" : "rgba16f";
+        const Image half = draw(garden.world, garden.camera, options, target.first).linear;
+        const double psnr = compare(eight, half).psnr, ratio = mean(eight) / mean(half);
+        std::printf("    %s: %.1f dB, %.3f of the light\n", name_of(target).c_str(), psnr, ratio);
+        EXPECT_GE(psnr, 36);
+        EXPECT_NEAR(ratio, 1, 0.02);
+    }
     expect_validation_clean(test_device());
 }
 

@@ -35,12 +35,10 @@ void expect_same_bytes(Shot shot) {
 
 TEST(PowerInStencil, IsTheSamePictureAsBesideTheNormal) {
     const GlossyGarden garden;
-    for (const Shading shading : {Shading::ggx, Shading::phong})
-        for (const Words& settings :
-             {Words{}, {{"normals", "rgb8"}}, {{"normals", "spherical"}}, {{"geometry", "two-passes"}}, {{"depth", "r32f"}},
-              {{"geometry", "two-passes"}, {"depth", "rgba8"}}, {{"light-buffer", "packed-rgba16f"}}, {{"light-buffer", "rgba8"}},
-              {{"position", "matrix"}, {"normal-space", "view"}}})
-            expect_same_bytes(lit(garden, settings, shading));
+    expect_same_bytes(lit(garden, {}, Shading::ggx));
+    for (const Words& settings : {Words{}, {{"normals", "rgb8"}, {"normal-space", "view"}}, {{"geometry", "two-passes"}}, {{"depth", "r32f"}},
+                                  {{"geometry", "two-passes"}, {"depth", "rgba8"}}, {{"light-buffer", "packed-rgba16f"}}, {{"light-buffer", "rgba8"}}})
+        expect_same_bytes(lit(garden, settings));
 }
 
 TEST(PowerInStencil, IsReadByEveryWayInWhichLightsFindTheirPixels) {
@@ -48,11 +46,9 @@ TEST(PowerInStencil, IsReadByEveryWayInWhichLightsFindTheirPixels) {
     garden.add_light(garden.spot(0.7f, 10, 9), {3.5, 5, 1.6}, {-0.1, -1, -0.2});
     garden.add_light({.kind = LightKind::directional, .intensity = 0.2f}, {0, 0, 0}, {-0.3, -1, -0.5});
     for (const char* culling : {"fullscreen", "rectangles", "volumes", "tiles", "clusters"})
-        for (const char* shadows : {"off", "on"}) {
-            expect_same_bytes(lit(garden, {{"light-culling", culling}, {"shadows", shadows}}));
-            Shot shot = lit(garden, {{"light-culling", culling}, {"roughness", "stencil"}}, Shading::ggx);
-            expect_agrees(shot);
-        }
+        expect_agrees(lit(garden, {{"light-culling", culling}, {"roughness", "stencil"}}, Shading::ggx));
+    for (const char* culling : {"volumes", "tiles"})
+        expect_same_bytes(lit(garden, {{"light-culling", culling}, {"shadows", "on"}}));
     expect_same_bytes(lit(garden, {{"light-culling", "tiles"}, {"list-shading", "fragment"}}));
     expect_same_bytes(lit(garden, {{"light-culling", "tiles"}, {"light-lists", "perfect"}}));
     expect_same_bytes(lit(garden, {{"light-culling", "fullscreen"}, {"light-writes", "once"}}));
@@ -60,10 +56,10 @@ TEST(PowerInStencil, IsReadByEveryWayInWhichLightsFindTheirPixels) {
 
 TEST(PowerInStencil, AgreesWithTheReferenceWithoutATargetOfItsOwn) {
     const GlossyGarden garden;
-    for (const char* normals : {"oct32", "rgb10a2", "oct16", "xy16f"}) {
+    for (const char* normals : {"oct32", "rgb10a2"}) {
         SCOPED_TRACE(normals);
         Shot shot = lit(garden, {{"normals", normals}, {"roughness", "stencil"}}, Shading::ggx);
-        expect_agrees(shot, std::string(normals) == "oct16" ? Bound{.psnr = 40, .off_share = 1, .block = 255} : half_float_bound);
+        expect_agrees(shot);
         const auto bytes = [&](const Shot& one) {
             const auto renderer = create_renderer("light-prepass", &test_device(), options_of(one));
             renderer->set_world(garden.world);
