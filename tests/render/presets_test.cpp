@@ -101,16 +101,16 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Preset{"engel",
                            {{"normals", "spherical"}, {"normal-space", "world"}, {"light-buffer", "packed-rgba8"},
                             {"specular", "luminance"}, {"light-culling", "volumes"}},
-                           40},
+                           50},
                     Preset{"round2",
                            {{"depth", "r32f"}, {"normals", "rgb10a2"}, {"position", "ray"}, {"ambient", "light"},
                             {"light-buffer", "packed-rgba8"}, {"specular-vector", "reflection"},
                             {"light-culling", "volumes"}, {"spot-volume", "cone"}, {"volume-depth-test", "off"}},
-                           40},
+                           50},
                     Preset{"prelighting",
                            {{"normals", "rgb8"}, {"normal-space", "view"}, {"light-buffer", "rgba8"},
                             {"specular", "stored"}, {"light-culling", "rectangles"}},
-                           35}),
+                           50}),
     [](const auto& preset) { return std::string(preset.param.name); });
 
 TEST(L4L5Presets, EngelTakesEachOfItsThreeWays) {
