@@ -36,6 +36,9 @@ struct Environment {
     float intensity = 1;    ///< factor on the image's radiance, ≥ 0 and finite
     double rotation = 0;    ///< radians about +Y, counter-clockwise seen from above: π/2 puts the middle along −X
     bool background = true; ///< seen where nothing is drawn
+    /// What is seen there in place of `image`, as wide as high twice over too, with the same intensity and rotation. It lights
+    /// nothing. Empty: `image`.
+    Image backdrop{};
 };
 
 /// Four of the joints that move each vertex. A vertex's place is the sum over all sets of weight ×
@@ -153,6 +156,7 @@ struct World {
     std::vector<PlacedLight> lights; ///< of the nodes, then of the emitters' particles
     std::vector<PlacedDecal> decals{}; ///< by Decal::order: later ones lie over earlier ones
     std::vector<PlacedCamera> cameras;
+    bool framed = false;            ///< cameras[0] is resolve()'s own frame(): the scene has none
     glm::vec3 ambient{0};           ///< uniform environment radiance; unused where the scene has an environment
     glm::dvec3 bounds_min{0};       ///< of all triangles' vertices
     glm::dvec3 bounds_max{0};
@@ -164,11 +168,15 @@ struct World {
     }
 };
 
+/// Whether anything shines in one of the scene's trees: a node with a light or an emitter, ambient light, an environment.
+bool is_lit(const Scene& scene, std::optional<uint32_t> scene_index = {});
+
 /// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
-/// camera gets one named "framed" that shows its bounds from (1, 0.6, 1.4) with 0.87 rad or, when the
-/// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One without lights,
-/// without ambient and without environment gets the documented key light (directional, 3 lux, from the upper left behind
-/// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25.
+/// camera gets one named "framed" (frame() in framing.hpp, for a square picture) or, when the
+/// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One that is not is_lit()
+/// gets the documented key light (directional, 3 lux, from the upper left behind
+/// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25. Whoever would rather have the studio gives the scene
+/// make_environment("studio") (scene_io.hpp) before.
 /// Without a `moment` nodes and morph weights are as the file gives them (skins are in the pose of
 /// their joints) and nothing has moved. With one they are as the animations put them at its time, and
 /// the "previous" members of instances, vertices and cameras tell where things were one interval

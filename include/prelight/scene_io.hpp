@@ -21,6 +21,19 @@ void save_glb(const Scene& scene, const std::filesystem::path& path);
 /// ending. Throws Error "FILE: REASON": not twice as wide as high, wider than 16,384, a value negative or not finite.
 Environment load_environment(const std::filesystem::path& path);
 
+struct BuiltinEnvironment {
+    std::string_view name;
+    std::string_view description;
+};
+/// studio.
+std::vector<BuiltinEnvironment> builtin_environments();
+
+/// A built-in environment, with soft_backdrop() behind it; the same name gives the same map. Throws UsageError for an unknown one.
+Environment make_environment(std::string_view name);
+
+/// A backdrop that does not compete with what stands before it: grey, lighter around the horizon. For Environment::backdrop.
+Image soft_backdrop();
+
 struct BuiltinScene {
     std::string_view name;
     std::string_view description;

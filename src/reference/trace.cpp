@@ -108,7 +108,7 @@ private:
         picture.mask_outcome[at] = hit.mask_outcome;
         if (!found) {
             if (environment_.is_background())
-                picture.linear.pixels[at] = glm::vec3(environment_.radiance(glm::normalize(ray.direction)) * factor_);
+                picture.linear.pixels[at] = glm::vec3(environment_.background(glm::normalize(ray.direction)) * factor_);
             return;
         }
         const Draw& draw = scene_.draw(hit.draw);

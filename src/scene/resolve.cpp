@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <prelight/error.hpp>
+#include <prelight/framing.hpp>
 #include <prelight/scene.hpp>
 #include <map>
 #include <scene/deform.hpp>
@@ -287,10 +288,12 @@ private:
     }
 
     void add_defaults() {
-        if (world_.cameras.empty())
-            world_.cameras.push_back(camera_inside(world_).value_or(
-                framed_camera(world_.bounds_min, world_.bounds_max)));
-        if (world_.lights.empty() && world_.ambient == glm::vec3(0) && !scene_.environment) {
+        if (world_.cameras.empty()) {
+            const std::optional<PlacedCamera> inside = camera_inside(world_);
+            world_.framed = !inside;
+            world_.cameras.push_back(inside ? *inside : frame(world_, 1));
+        }
+        if (!is_lit(scene_, scene_index_)) {
             PlacedLight key;
             key.light.name = "key";
             key.light.kind = LightKind::directional;

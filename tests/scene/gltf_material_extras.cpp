@@ -92,6 +92,21 @@ TEST(GltfEnvironment, FactorTurnAndBackgroundComeThroughToo) {
     EXPECT_FALSE(again.environment->background);
 }
 
+TEST(GltfEnvironment, ItsBackdropComesThroughInRgbe) {
+    Scene scene = make_scene("materials", 1, 1);
+    Environment changed = *scene.environment;
+    changed.backdrop = soft_backdrop();
+    scene.environment = std::make_shared<Environment>(changed);
+    const test::TemporaryFolder folder;
+    save_glb(scene, folder.path / "a.glb");
+    const Scene again = load_gltf(folder.path / "a.glb");
+    ASSERT_TRUE(again.environment);
+    EXPECT_TRUE(again.environment->image.pixels == scene.environment->image.pixels);
+    ASSERT_EQ(again.environment->backdrop.pixels.size(), changed.backdrop.pixels.size());
+    for (size_t i = 0; i < changed.backdrop.pixels.size(); ++i)
+        ASSERT_NEAR(again.environment->backdrop.pixels[i].g, changed.backdrop.pixels[i].g, 1.0 / 256);
+}
+
 TEST(GltfEnvironment, WithAWrongFactorIsRefused) {
     GltfBuilder b = GltfBuilder::textured_triangle();
     b.add_image(png(4, 2, solid(4, 2, {9, 9, 9, 128})));

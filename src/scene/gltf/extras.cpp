@@ -21,11 +21,17 @@ void read_environment(const Document& document, const Item& own, Textures& textu
     const auto object = own.object("environment");
     if (!object)
         return;
-    const TextureImage picture = textures.take(object->required_index("source", document.count(Table::images)));
-    if (picture.width != 2 * picture.height)
-        object->fail(fmt::format("an environment map is twice as wide as high, and this one has {}x{} pixels",
-                                 picture.width, picture.height));
-    Environment environment = from_picture(picture);
+    const auto take = [&](uint32_t index, std::string_view what) {
+        TextureImage picture = textures.take(index);
+        if (picture.width != 2 * picture.height)
+            object->fail(fmt::format("an environment {} is twice as wide as high, and this one has {}x{} pixels", what,
+                                     picture.width, picture.height));
+        return picture;
+    };
+    const TextureImage picture = take(object->required_index("source", document.count(Table::images)), "map");
+    Environment environment{.name = picture.name, .image = from_picture(picture)};
+    if (const auto backdrop = object->index("backdrop", document.count(Table::images)))
+        environment.backdrop = from_picture(take(*backdrop, "backdrop"));
     environment.intensity = object->real("intensity", 1);
     environment.rotation = object->number("rotation", 0);
     environment.background = object->flag("background", true);

@@ -54,9 +54,9 @@ void add_images(const Scene& scene, Document& document) {
     std::vector<const TextureImage*> images;
     for (const TextureImage& image : scene.images)
         images.push_back(&image);
-    TextureImage environment;
+    TextureImage environment, backdrop;
     if (scene.environment) {
-        environment = to_picture(*scene.environment);
+        environment = to_picture(scene.environment->name, scene.environment->image);
         Json& written = document.root["extras"]["prelight"]["environment"];
         written = {{"source", images.size()}};
         if (scene.environment->intensity != 1)
@@ -66,6 +66,11 @@ void add_images(const Scene& scene, Document& document) {
         if (!scene.environment->background)
             written["background"] = false;
         images.push_back(&environment);
+        if (!scene.environment->backdrop.pixels.empty()) {
+            backdrop = to_picture("backdrop", scene.environment->backdrop);
+            written["backdrop"] = images.size();
+            images.push_back(&backdrop);
+        }
     }
     for (size_t i = 0; i < images.size(); ++i) {
         const TextureImage& image = *images[i];
