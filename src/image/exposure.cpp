@@ -5,7 +5,7 @@
 namespace prelight {
 namespace {
 
-constexpr double middle_grey = 0.18, white = 1;
+constexpr double middle_grey = 0.18, white = 1, largest = 65504;
 constexpr double darker_at_most = 2;      ///< EV
 constexpr double brightest_share = 0.02;
 constexpr double far_below = 1.0 / 65536; ///< of the brightest: in no light at all, and in no mean of logarithms
@@ -14,14 +14,14 @@ double luminance(const glm::vec3& p) { return 0.2126 * p.r + 0.7152 * p.g + 0.07
 
 } // namespace
 
-double auto_exposure(const Image& linear, const std::vector<bool>& surface) {
+std::optional<double> auto_exposure(const Image& linear, const std::vector<bool>& surface) {
     const bool any = std::find(surface.begin(), surface.end(), true) != surface.end();
     std::vector<double> lit;
     for (size_t i = 0; i < linear.pixels.size(); ++i)
-        if (const double y = luminance(linear.pixels[i]); (!any || surface[i]) && std::isfinite(y) && y > 0)
-            lit.push_back(y);
+        if (const double y = luminance(linear.pixels[i]); (!any || surface[i]) && y > 0) // no NaN
+            lit.push_back(std::min(y, largest));
     if (lit.empty())
-        return 0;
+        return {};
     std::sort(lit.begin(), lit.end());
     const double bright = lit[size_t((1 - brightest_share) * double(lit.size() - 1))];
     double sum = 0, count = 0;

@@ -1,5 +1,5 @@
 // The built-in environment `studio`: a grey room with soft boxes, to judge materials in. Everything in it is grey, so that white
-// stays white; a white wall that faces the front sends on about 0.9, so that base colours come out as they are.
+// stays white; a white wall that faces the usual camera sends on a little less than 1: base colours come out as they are.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,13 +23,15 @@ struct SoftBox {
     double edge;               ///< degrees over which it ends
 };
 
-/// Key from the upper left, a weaker and larger fill from the right, a strip from either side behind that draws the outline, and one overhead.
-constexpr std::array<SoftBox, 5> boxes{{
-    {-40, 34, 40, 30, 6.5, 4},
+/// Key from the upper left, a weaker and larger fill from the right, a strip from either side behind that draws the outline, one overhead,
+/// and a wide dim reflector behind the camera, so that rough metals that face it are not dull.
+constexpr std::array<SoftBox, 6> boxes{{
+    {-40, 34, 40, 30, 5.6, 4},
     {74, 14, 26, 52, 2.4, 8},
     {-122, 20, 14, 58, 4.5, 4},
     {142, 24, 18, 54, 5.0, 4},
     {20, 86, 40, 24, 3.0, 8},
+    {15, 4, 96, 64, 0.32, 48},
 }};
 
 glm::dvec3 direction_to(double azimuth, double elevation) {
@@ -65,7 +67,7 @@ Image paint(uint32_t width, const Radiance& radiance) {
     Image image(width, width / 2);
     for (uint32_t y = 0; y < image.height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
-            const double azimuth = std::numbers::pi - (x + 0.5) / width * 2 * std::numbers::pi; // the middle is −Z, and +X to its right
+            const double azimuth = -(x + 0.5) / width * 2 * std::numbers::pi; // the middle is −Z, and +X to its right
             const double elevation = (0.5 - (y + 0.5) / image.height) * std::numbers::pi;
             image.at(x, y) = glm::vec3(float(radiance(azimuth, elevation)));
         }

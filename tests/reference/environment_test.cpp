@@ -168,6 +168,12 @@ TEST(Studio, ShowsWhiteAsWhiteFromTheFrontAndLeavesFormFromTheOtherSides) {
     };
     const double front = from(25, 15), above = from(0, 90), below = from(0, -90);
     std::printf("    front %.3f, left %.3f, right %.3f, behind %.3f, above %.3f, below %.3f\n", front, from(-60, 15), from(90, 0), from(-155, 0), above, below);
+    const auto shine = [&](double azimuth, double elevation) {
+        const double a = azimuth * pi / 180, e = elevation * pi / 180;
+        return light.radiance({std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)}).g;
+    };
+    EXPECT_GT(shine(-40, 34), 5) << "the key, from the upper left of the camera";
+    EXPECT_LT(shine(40, 34), 1);
     EXPECT_GT(front, 0.8);
     EXPECT_LT(front, 1);
     for (int azimuth = -180; azimuth < 180; azimuth += 60)
