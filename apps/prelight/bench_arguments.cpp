@@ -57,6 +57,7 @@ void BenchArguments::add(CLI::App& app) {
     option("--time", time_, "SECONDS", "Scene: moment of its animations (default: at rest)");
     option("--animation", animation_, "NAME|INDEX", "Scene: only this animation, at --time or else at 0 s");
     add_environment_options(option, environment_);
+    add_view_options(option, view_);
     sub.add_flag("--count-pairs", count_pairs_,
                  "Scene: light x pixel pairs are always counted, in a frame that is not timed");
     option("-o,--output", output_, "PAGE", "report: the page to write, .html");
@@ -88,6 +89,8 @@ void BenchArguments::check_kind(Kind kind) const {
                              {"--environment-intensity", !environment_.intensity.empty(), scene},
                              {"--environment-rotation", !environment_.rotation.empty(), scene},
                              {"--background", !environment_.background.empty(), scene},
+                             {"--view-from", !view_.from.empty(), scene},
+                             {"--fit", !view_.fit.empty(), scene},
                              {"--count-pairs", count_pairs_, scene},
                              {"--scene", !table_scene_.empty(), table}, {"--frames", !frames_.empty(), both},
                              {"--json", !json_.empty(), both}, {"--camera", !camera_.empty(), both},
@@ -128,6 +131,7 @@ BenchCommand BenchArguments::command() const {
     BenchCommand command{.kind = kind_of(what_), .what = what_};
     check_kind(command.kind);
     command.camera = camera_;
+    command.framing = parse_view(view_, camera_);
     command.device = device_;
     command.validate = validate_;
     command.seed = parse_seed("--seed", seed_);

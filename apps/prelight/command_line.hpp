@@ -1,6 +1,7 @@
 #pragma once
 #include "environment_choice.hpp"
 #include "variant.hpp"
+#include "view_choice.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -40,6 +41,8 @@ struct RenderCommand {
     /// `--material NAME=FILE`, in the order given.
     std::vector<std::pair<std::string, std::filesystem::path>> materials;
     EnvironmentChoice environment;
+    std::optional<Framing> framing; ///< absent: the scene's camera
+    bool auto_exposure = false;     ///< options.exposure comes from the picture
 };
 
 /// `prelight compare`
@@ -59,6 +62,8 @@ struct CompareCommand {
     std::vector<uint32_t> light_counts; ///< rising; may be empty
     double frame_limit = 1; ///< seconds; a slower frame ends a variant's series of light counts
     EnvironmentChoice environment;
+    std::optional<Framing> framing; ///< absent: the scene's camera
+    bool auto_exposure = false;     ///< options.exposure comes from the picture
 };
 
 /// `prelight make`
@@ -106,6 +111,7 @@ struct BenchCommand {
     bool limit = false;
     std::filesystem::path baseline; ///< empty: none
     EnvironmentChoice environment;
+    std::optional<Framing> framing; ///< absent: the scene's camera
 
     // Of Kind::report.
     std::vector<std::filesystem::path> files;

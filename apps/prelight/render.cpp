@@ -1,5 +1,6 @@
 #include "argument.hpp"
 #include "commands.hpp"
+#include "meter.hpp"
 #include "output.hpp"
 #include "own_materials.hpp"
 #include "renderer_info.hpp"
@@ -63,10 +64,25 @@ void write(const std::vector<Picture>& pictures) {
     }
 }
 
-void render_once(Session& session, const RenderCommand& command, const LoadedScene& loaded, StartUp& start_up) {
+/// Of the scene's picture as it is displayed, when that is what was asked for.
+void warn_of_picture(const RenderCommand& command, const Picture& picture, const World& world) {
+    if (command.view != "final" && command.view != "linear")
+        return;
+    const bool linear = lower_extension(picture.file) == ".exr";
+    warn_of_extremes(linear ? tonemap(picture.image, command.options.tonemap) : picture.image, picture.file.string(), world,
+                     command.auto_exposure);
+}
+
+void render_once(Session& session, RenderCommand& command, const LoadedScene& loaded, StartUp& start_up) {
     Stopwatch watch;
     const PlacedCamera& camera = command.camera.empty() ? loaded.world.cameras.at(0)
                                                         : find_camera(loaded.world, command.camera);
+    if (command.auto_exposure) {
+        command.options.exposure = meter_exposure(session.device.get(), loaded.world, camera, command.options);
+        print_exposure(command.options.exposure);
+        session.renderer.reset(); // before another is there: it holds memory
+        session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+    }
     session.renderer->set_world(loaded.world);
     start_up.world = watch.lap();
     session.renderer->render(camera, command.frames);
@@ -80,6 +96,7 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     if (session.device)
         check_validation(*session.device);
     write(pictures);
+    warn_of_picture(command, pictures[0], loaded.world);
     start_up.picture = watch.lap();
     if (!command.stats.empty())
         save_text(stats_json(command, stats, start_up), command.stats);
@@ -103,7 +120,8 @@ std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
 
 } // namespace
 
-void run(const RenderCommand& command) {
+void run(const RenderCommand& given) {
+    RenderCommand command = given;
     const RendererInfo info = find_renderer(command.renderer);
     check_before_work(command, info);
 
@@ -115,7 +133,9 @@ void run(const RenderCommand& command) {
     if (names_builtin(command.scene))
         built_in = std::async(std::launch::async, [&] { return make_builtin(command.scene, command.lights, command.seed); });
     OwnMaterials materials(command.materials);
-    const SceneEdit edit = [&, environment = environment_edit(command.environment)](Scene& scene) {
+    // Added lights are lights too: whoever wants the studio beside them says so.
+    const bool studio_where_dark = names_file(command.scene) && !command.lights;
+    const SceneEdit edit = [&, environment = environment_edit(command.environment, studio_where_dark)](Scene& scene) {
         materials.assign(scene);
         environment(scene);
     };
@@ -129,10 +149,11 @@ void run(const RenderCommand& command) {
     FileWatch watch(files_of(command));
     start_up.device = clock.lap();
     const SceneTime time{command.moment, command.animation};
+    const SceneView view{double(command.options.width) / command.options.height, command.framing};
     const auto load = [&] {
-        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit);
+        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit, view);
     };
-    std::unique_ptr<LoadedScene> loaded = built_in.valid() ? resolve_builtin(built_in.get(), time, edit) : load();
+    std::unique_ptr<LoadedScene> loaded = built_in.valid() ? resolve_builtin(built_in.get(), time, edit, view) : load();
     start_up.scene = clock.lap();
     render_once(session, command, *loaded, start_up);
 

@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <prelight/framing.hpp>
 #include <prelight/scene.hpp>
 #include <string>
 
@@ -34,13 +35,20 @@ struct SceneTime {
 /// What is done to a scene before it is resolved; may be empty.
 using SceneEdit = std::function<void(Scene&)>;
 
+/// How the picture is framed.
+struct SceneView {
+    double aspect = 16.0 / 9;       ///< width / height
+    std::optional<Framing> framing; ///< in place of the scene's cameras; absent: where it has none, the default one
+};
+
 /// Loads a file or makes a built-in scene, resolves it at that time, and adds lights to it as
-/// `--lights` says, `max_lights` at most.
+/// `--lights` says, `max_lights` at most. Where the scene has no camera, or `view` asks for another, cameras[0] is that of `view`.
 /// Warnings of the loader go to stderr. Throws Error; UsageError for an animation that is not there.
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
                                         uint64_t seed, uint64_t max_lights, const SceneTime& time = {},
-                                        const SceneEdit& edit = {});
+                                        const SceneEdit& edit = {}, const SceneView& view = {});
 /// The same for a built-in scene that make_builtin() has made already.
-std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time, const SceneEdit& edit = {});
+std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time, const SceneEdit& edit = {},
+                                             const SceneView& view = {});
 
 } // namespace prelight::app

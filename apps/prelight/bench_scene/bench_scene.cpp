@@ -75,7 +75,7 @@ void bench_scene(const BenchCommand& given) {
     const std::string type = type_of(*device);
     const bool software = type == "software";
     const SceneSeries scenes(command.scene, command.lights, command.seed, {command.moment, command.animation},
-                             environment_edit(command.environment));
+                             environment_edit(command.environment), {double(command.options.width) / command.options.height, command.framing});
     const std::vector<Stop> stops = stops_of(command, scenes);
     check_light_counts(jobs, stops, *device);
     const Measured measured = measure(jobs, stops, scenes, command, *device, software);

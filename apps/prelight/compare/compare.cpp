@@ -1,6 +1,7 @@
 // `prelight compare`: every architecture on one scene, as a page that needs no server.
 #include "commands.hpp"
 #include "device_type.hpp"
+#include "meter.hpp"
 #include "output.hpp"
 #include "page.hpp"
 #include "pictures.hpp"
@@ -35,6 +36,15 @@ std::vector<RunReport> make_runs(const CompareCommand& command) {
         runs.push_back(std::move(run));
     }
     return runs;
+}
+
+/// One exposure for all, found by looking at the scene.
+void take_exposure(Report& report, Device& device, const World& world) {
+    RenderOptions& options = report.command.options;
+    options.exposure = meter_exposure(&device, world, camera_of(world, report.command.camera), options);
+    print_exposure(options.exposure);
+    for (RunReport& run : report.runs)
+        run.options.exposure = options.exposure;
 }
 
 void take_all_pictures(Report& report, Device& device, const World& world, ReportFolder& folder,
@@ -72,13 +82,16 @@ void make_report(Report& report, ReportFolder& folder) {
     report.driver = device->driver();
     report.device_type = type_of(*device);
     const SceneSeries scenes(command.scene, command.lights, command.seed,
-                             {command.moment, command.animation}, environment_edit(command.environment));
+                             {command.moment, command.animation}, environment_edit(command.environment),
+                             {double(command.options.width) / command.options.height, command.framing});
     {
         Progress progress;
         const auto scene = scenes.make();
         report.lights = scene->world.lights.size();
         report.lights_added = scenes.added();
         report.triangles = scene->world.triangles;
+        if (command.auto_exposure)
+            take_exposure(report, *device, scene->world);
         take_all_pictures(report, *device, scene->world, folder, progress);
         check_any(report);
         take_times(report, *device, scenes, scene->world, progress, share_of_pictures);
