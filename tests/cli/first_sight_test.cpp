@@ -1,6 +1,7 @@
 // What a file looks like when nothing is said about light, view and exposure.
 #include "process.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -41,7 +42,9 @@ protected:
     void save(const Scene& scene, const char* name = "s.glb") { save_glb(scene, folder.path / name); }
     /// The picture of s.glb with these options more, and what the program said.
     Result render(std::vector<std::string> more) {
-        std::vector<std::string> arguments{"render", "s.glb", "--size", "96x54", "-o", "a.png"};
+        std::vector<std::string> arguments{"render", "s.glb", "-o", "a.png"};
+        if (std::find(more.begin(), more.end(), "--size") == more.end())
+            arguments.insert(arguments.end(), {"--size", "96x54"});
         arguments.insert(arguments.end(), more.begin(), more.end());
         Result result = run(arguments, folder.path);
         EXPECT_TRUE(succeeded(result));
