@@ -54,7 +54,9 @@ std::shared_ptr<const MaterialShader> find_material_shader(std::string_view name
 std::shared_ptr<const MaterialShader> parse_material_shader(std::string name, std::string file, std::string source);
 /// Reads a file, at most 1 MiB. Throws Error.
 std::shared_ptr<const MaterialShader> load_material_shader(const std::filesystem::path& file);
-/// Compiles it for every pass that may draw with it. Throws Error "FILE:LINE: REASON".
+/// Compiles it, without optimising, for a pass that reads sums of light and for one that makes them, so that a
+/// mistake is told before a scene is loaded. The passes that draw with it compile it when they are made. Throws
+/// Error "FILE:LINE: REASON".
 void check_material_shader(const MaterialShader& shader);
 
 /// Checks a material's parameters and textures against its shader. Throws Error that begins with `object`.
