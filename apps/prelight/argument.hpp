@@ -46,6 +46,10 @@ std::string builtin_names();
 
 /// Sorts the texts of --view into the command: the buffer for `output`, and those with files.
 void take_views(RenderCommand& command, const std::vector<std::string>& texts);
+/// Throws UsageError for a name like "f-%03d.png" or "f.####.png".
+void refuse_pattern(std::string_view option, const std::filesystem::path& file);
+/// All files that the command writes.
+std::vector<std::filesystem::path> outputs_of(const RenderCommand& command);
 /// Each output has an extension that suits its content, and no two outputs are one file.
 void check_outputs(const RenderCommand& command);
 

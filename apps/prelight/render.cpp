@@ -1,8 +1,11 @@
 #include "argument.hpp"
 #include "commands.hpp"
+#include "device_type.hpp"
+#include "memory_check.hpp"
 #include "output.hpp"
 #include "own_materials.hpp"
 #include "renderer_info.hpp"
+#include "scene_files.hpp"
 #include "scene_source.hpp"
 #include "stats_json.hpp"
 #include "validation.hpp"
@@ -29,6 +32,18 @@ struct Picture {
     std::filesystem::path file;
 };
 
+/// What the command reads by name: --watch looks at these.
+std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
+    std::vector<std::filesystem::path> files;
+    if (names_file(command.scene))
+        files.emplace_back(command.scene);
+    for (const auto& [name, file] : command.materials)
+        files.push_back(file);
+    if (!command.environment.file.empty())
+        files.push_back(command.environment.file);
+    return files;
+}
+
 void check_before_work(const RenderCommand& command, const RendererInfo& info) {
     for (const std::string& view : command.options.views)
         if (view != "final" && view != "linear" &&
@@ -37,11 +52,13 @@ void check_before_work(const RenderCommand& command, const RendererInfo& info) {
                 fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
     if (command.watch && !names_file(command.scene) && command.materials.empty() && command.environment.file.empty())
         throw UsageError(fmt::format("--watch: {} is not a file that could change", command.scene));
-    check_writable(command.output);
-    for (const ViewFile& more : command.more_views)
-        check_writable(more.file);
-    if (!command.stats.empty())
-        check_writable(command.stats);
+    const std::vector<std::filesystem::path> outputs = outputs_of(command);
+    std::vector<std::filesystem::path> inputs = files_of(command);
+    for (std::filesystem::path& file : files_named_in(command.scene))
+        inputs.push_back(std::move(file));
+    check_distinct(outputs, inputs);
+    for (const std::filesystem::path& output : outputs)
+        check_writable(output);
 }
 
 std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& command) {
@@ -67,6 +84,8 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     Stopwatch watch;
     const PlacedCamera& camera = command.camera.empty() ? loaded.world.cameras.at(0)
                                                         : find_camera(loaded.world, command.camera);
+    if (session.device && type_of(*session.device) == "software")
+        check_memory_for(loaded.scene);
     session.renderer->set_world(loaded.world);
     start_up.world = watch.lap();
     session.renderer->render(camera, command.frames);
@@ -89,26 +108,15 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     std::fflush(stdout);
 }
 
-/// What --watch looks at.
-std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
-    std::vector<std::filesystem::path> files;
-    if (names_file(command.scene))
-        files.emplace_back(command.scene);
-    for (const auto& [name, file] : command.materials)
-        files.push_back(file);
-    if (!command.environment.file.empty())
-        files.push_back(command.environment.file);
-    return files;
-}
-
 } // namespace
 
 void run(const RenderCommand& command) {
     const RendererInfo info = find_renderer(command.renderer);
+    check_scene_name(command.scene);
     check_before_work(command, info);
 
-    // The renderer comes before a file: wrong usage is told before a long load. A built-in scene is
-    // made meanwhile.
+    // The renderer comes before a file, and so do materials: wrong usage and mistakes are told before a long
+    // load. A built-in scene is made meanwhile.
     StartUp start_up;
     Stopwatch clock;
     std::future<Scene> built_in;
@@ -124,8 +132,10 @@ void run(const RenderCommand& command) {
         throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
                                      command.validate ? "--validate" : "--device", info.name));
     if (info.needs_device)
-        session.device = Device::create({.select = command.device, .validate = command.validate});
+        session.device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
+                                     command.options.height, command.options.msaa);
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+    materials.check();
     FileWatch watch(files_of(command));
     start_up.device = clock.lap();
     const SceneTime time{command.moment, command.animation};

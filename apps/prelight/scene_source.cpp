@@ -36,6 +36,11 @@ bool names_builtin(const std::string& name) {
     return !names_file(name) && find_builtin(builtin_scenes(), name);
 }
 
+void check_scene_name(const std::string& name) {
+    if (!names_file(name) && !find_builtin(builtin_scenes(), name))
+        throw UsageError(fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
+}
+
 Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed) {
     const std::vector<BuiltinScene> scenes = builtin_scenes();
     const BuiltinScene* builtin = find_builtin(scenes, name);
@@ -55,10 +60,8 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
                                         uint64_t seed, uint64_t max_lights, const SceneTime& time,
                                         const SceneEdit& edit) {
     auto loaded = std::make_unique<LoadedScene>();
+    check_scene_name(name);
     const bool file = names_file(name);
-    if (!file && !find_builtin(builtin_scenes(), name))
-        throw Error(
-            fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
     loaded->scene = file ? load_gltf(name) : make_builtin(name, lights, seed);
     resolve_at(*loaded, time, edit);
     if (file && lights) {

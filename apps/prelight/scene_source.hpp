@@ -22,6 +22,9 @@ bool names_file(const std::string& name);
 /// Makes a built-in scene with `lights` or its own default count. Throws UsageError.
 Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed);
 
+/// Throws UsageError for what is neither a file's name nor a built-in scene's.
+void check_scene_name(const std::string& name);
+
 /// True when `name` is a built-in scene's and no file's.
 bool names_builtin(const std::string& name);
 

@@ -1,6 +1,7 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <algorithm>
@@ -16,6 +17,25 @@ namespace {
 constexpr const char* channel_names[3] = {"R", "G", "B"};
 constexpr float half_max = 65504;
 
+/// OpenEXR goes back to fill in where its lines begin, so that the file grows here before it is written.
+class MemoryStream final : public Imf::OStream {
+public:
+    MemoryStream() : Imf::OStream("picture") {}
+    void write(const char bytes[], int count) override {
+        const auto size = static_cast<size_t>(count);
+        bytes_.resize(std::max(bytes_.size(), at_ + size));
+        std::copy_n(bytes, size, bytes_.begin() + static_cast<ptrdiff_t>(at_));
+        at_ += size;
+    }
+    uint64_t tellp() override { return at_; }
+    void seekp(uint64_t position) override { at_ = position; }
+    const std::vector<char>& bytes() const { return bytes_; }
+
+private:
+    std::vector<char> bytes_;
+    size_t at_ = 0;
+};
+
 } // namespace
 
 void save_exr(const Image& linear, const std::filesystem::path& path) {
@@ -28,6 +48,7 @@ void save_exr(const Image& linear, const std::filesystem::path& path) {
     for (const glm::vec3& pixel : linear.pixels)
         for (int channel = 0; channel < 3; ++channel)
             halves.push_back(Imath::half(std::clamp(pixel[channel], -half_max, half_max)));
+    MemoryStream stream;
     try {
         Imf::Header header(static_cast<int>(linear.width), static_cast<int>(linear.height));
         header.compression() = Imf::ZIP_COMPRESSION;
@@ -39,13 +60,14 @@ void save_exr(const Image& linear, const std::filesystem::path& path) {
                                      3 * sizeof(Imath::half),
                                      3 * sizeof(Imath::half) * linear.width));
         }
-        Imf::OutputFile output(file.temporary().c_str(), header, 0);
+        Imf::OutputFile output(stream, header, 0);
         output.setFrameBuffer(buffer);
         output.writePixels(static_cast<int>(linear.height));
     } catch (const std::exception& error) {
         throw Error(
             fmt::format("{}: cannot be written as OpenEXR ({})", path.string(), error.what()));
     }
+    file.write(stream.bytes().data(), stream.bytes().size());
     file.commit();
 }
 
