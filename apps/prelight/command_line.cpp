@@ -256,6 +256,8 @@ Command parse_command_line(int argc, const char* const* argv) {
         return render;
     }
     if (app.got_subcommand("compare")) {
+        for (int i = 1; i < argc; ++i)
+            compare.arguments += fmt::format("{}\n", argv[i]);
         finish(compare, compare_text);
         return compare;
     }

@@ -45,6 +45,7 @@ struct RenderCommand {
 /// `prelight compare`
 struct CompareCommand {
     std::string scene; ///< a file, or the name of a built-in scene
+    std::string arguments; ///< the whole command line
     std::filesystem::path folder;
     RenderOptions options; ///< what all variants share
     std::string camera;    ///< name or index; empty: the scene's first
