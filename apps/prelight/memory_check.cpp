@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr uint64_t mebi = 1 << 20;
 /// A software device with its compiler, measured with a frame of 64x36: what it writes to, and what it reserves.
-constexpr uint64_t driver_bytes = 90 * mebi, driver_reserves = 380 * mebi;
+constexpr uint64_t driver_bytes = 90 * mebi, driver_reserves = 330 * mebi;
 /// Images of a frame with those that the host reads, a pixel and sample (1280x720 to 3840x2160).
 constexpr uint64_t bytes_per_sample = 48;
 

@@ -160,6 +160,8 @@ TEST_F(CompareReport, TimesEachNumberOfLights) {
         }
         EXPECT_EQ(lights, (std::vector<int>{4, 5, 8}));
         EXPECT_TRUE(line.at("us_per_light").is_number());
+        EXPECT_GT(line.at("us_per_light_error"), 0);
+        EXPECT_GT(line.at("cpu_us_per_light_error"), 0);
         EXPECT_TRUE(line.at("stopped").is_null());
     }
     // The z pre-pass lights and shades in one pass; the others have one for lights alone.

@@ -34,8 +34,7 @@ TEST(TooLittleMemory, IsAnErrorAndNeverASignal) {
         EXPECT_EQ(result.signal, 0);
         EXPECT_TRUE(result.status == 0 || result.status == 1) << result.status;
         EXPECT_EQ(folder.entries(), result.status == 0 ? 1u : 0u);
-        if (result.status == 1)
-            EXPECT_THAT(result.err, HasSubstr("prelight: "));
+        EXPECT_EQ(result.err.find("prelight: ") != std::string::npos, result.status == 1);
     }
 }
 
@@ -86,7 +85,7 @@ void expect_last_words(const std::function<void()>& end, const char* words) {
 int depth(volatile int* below) {
     volatile int here[256] = {};
     here[0] = *below + 1;
-    return depth(here) + here[0];
+    return *below < 0 ? 0 : depth(here) + here[0]; // never below 0: it goes on until the stack ends
 }
 
 TEST(LastWords, OfEverySignal) {

@@ -36,7 +36,7 @@ KeptSteps::KeptSteps(std::string key) {
     if (before.is_object() && before.contains("key") && before["key"] == key && before.contains("steps") &&
         before["steps"].is_object())
         state_ = std::move(before);
-    found_ = state_["steps"].size();
+    found_ = state_["steps"].size() - state_["steps"].count("pictures"); // which is of all steps
 }
 
 const Json* KeptSteps::find(const std::string& step) const {
