@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <new>
 #include <prelight/error.hpp>
+#include <sys/resource.h>
 #include <system_error>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -23,6 +24,10 @@ void keep_heap() {
 #ifdef __GLIBC__
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    // Each thread's heap of its own reserves 64 MiB: where address space is limited, that is what runs out first.
+    rlimit limit = {};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        mallopt(M_ARENA_MAX, 1);
 #endif
 }
 
