@@ -139,6 +139,25 @@ keep environment
 convert "$work/ssao-half.png" "$work/ssao-rays.png" -append "$work/ssao.png"
 keep ssao
 
+# Every scene that others made, as it shows without an option; what burns out at EV 0, metered.
+shared=${PRELIGHT_SHARED_SCENES:-../shared/scenes}
+if [ -d "$shared" ]; then
+    tiles=()
+    for file in "$shared"/*.glb; do
+        name=$(basename "$file" .glb)
+        "$prelight" render "$file" --size 480x270 -o "$work/$name.png" 2> "$work/said"
+        label=$name
+        if grep -q 'burnt out' "$work/said"; then
+            exposure=$("$prelight" render "$file" --size 480x270 --exposure auto -o "$work/$name.png" 2> /dev/null | sed -n 's/^exposure: auto is --exposure //p')
+            label="$name, EV $exposure"
+        fi
+        tiles+=(-label "$label" "$work/$name.png")
+    done
+    montage "${tiles[@]}" -resize 240x135 -geometry +4+4 -tile 6x -background '#202020' -fill '#c8c8c8' -pointsize 11 "$work/sheet.png"
+    convert "$work/sheet.png" -strip -dither FloydSteinberg -define dither:diffusion-amount=40% -colors 256 \
+        -define png:compression-level=9 "PNG8:$out/contact-sheet.png"
+fi
+
 too_large=$(find "$out" -name '*.png' -size +400k)
 if [ -n "$too_large" ]; then
     printf 'pictures: larger than 400 KiB:\n%s\n' "$too_large" >&2

@@ -56,6 +56,11 @@ void main() {
     vec4 base = material.base_colour;
     if (has(FEATURE_BASE_COLOUR_TEXTURE))
         base *= look_up(base_colour_map, MATERIAL_BASE_COLOUR, uv);
+    if (has(FEATURE_ALPHA_MASK)) {
+        if (base.a < material.emissive.w)
+            discard;
+        base.a = 1.0;
+    }
     vec2 factors = material.factors.xy;
     if (has(FEATURE_METALLIC_ROUGHNESS_TEXTURE))
         factors *= look_up(metallic_roughness_map, MATERIAL_METALLIC_ROUGHNESS, uv).bg;

@@ -1,5 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#ifdef STENCIL_ROUGHNESS
+#extension GL_ARB_shader_stencil_export : require
+#endif
 // Stage 1: the shading normal and roughness of the nearest surface; the only place that discards.
 // Compiled with NO_NORMAL_TARGET it is the first of two passes [L9]: depth alone.
 #if !defined(DEPTH_TARGET) && !defined(OWN_MATERIAL)
@@ -43,6 +46,9 @@ void main() {
 #endif
 #ifdef ROUGHNESS_TARGET
     out_roughness = roughness;
+#endif
+#ifdef STENCIL_ROUGHNESS
+    gl_FragStencilRefARB = int(roughness_encode(roughness) * 255.0 + 0.5);
 #endif
 #ifdef DEPTH_TARGET
     out_depth = linear_depth_encode(depth_source, dot(in_world, frame.forward.xyz));

@@ -18,7 +18,7 @@ bool may_be_lit() {
     do { // left at its end: see light_list.comp
         uint index = begin + gl_SubgroupInvocationID;
         ivec3 low, high;
-        light_extent(bounds_of(lights[light_order[min(index, max(count, 1u) - 1u)]]), low, high);
+        light_extent(bounds_of(lights[light_order[lists.round.x + min(index, max(count, 1u) - 1u)]]), low, high);
         ivec3 at = ivec3(gl_WorkGroupID);
         reached = reached || (index < count && all(lessThanEqual(low, at)) && all(lessThanEqual(at, high)));
         begin += gl_SubgroupSize;

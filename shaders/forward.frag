@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Forward shading of up to eight lights, which come as push constants [M2] [Z2]. Fresnel of each
-// light at V·H (model=full), or at N·V (nv). Depth test EQUAL: nothing here discards.
+// light at V·H (model=full), or at N·V (nv). Depth test EQUAL needs no alpha mask, for a hole's depth is another's; LESS_OR_EQUAL
+// does.
 #include "shared/forward.h"
 #include "shared/forward_light.glsl"
 
@@ -13,6 +14,8 @@ layout(location = 0) out vec4 out_colour;
 
 void main() {
     ForwardSurface s = forward_surface();
+    if (is_masked(s.surface))
+        discard;
     LampSums sums = no_lamps();
     uint contributing = 0u;
     for (uint i = 0u; i < batch.count; ++i) {

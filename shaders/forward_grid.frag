@@ -6,6 +6,8 @@
 #include "shared/forward_light.glsl"
 #include "shared/light_lists.glsl"
 
+layout(constant_id = CONSTANT_FORWARD_BASE) const bool with_base = true; // ambient and emissive too
+
 layout(early_fragment_tests) in;
 layout(location = 0) out vec4 out_colour;
 
@@ -33,5 +35,5 @@ void main() {
         return;
     }
     // Each half of what a half float holds.
-    out_colour = stored_colour(forward_colour(s, sums, true, 32752.0));
+    out_colour = stored_colour(forward_colour(s, sums, with_base, 32752.0));
 }

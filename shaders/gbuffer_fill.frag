@@ -9,6 +9,10 @@
 
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
 
+#ifndef SURFACE_GLOSS // a material's factor on what it reflects
+#define SURFACE_GLOSS(p) 1.0
+#endif
+
 layout(location = 5) in vec3 in_previous; // where in_world was at the previous state
 
 layout(location = 0) out vec4 out_light;
@@ -41,7 +45,7 @@ void main() {
     vec3 n = s.normal;
     if (view_space)
         n = mat3(frame.view_from_world) * n;
-    GBufferTexels texels = gbuffer_encode(n, roughness, motion(), s.base, s.metallic, s.occlusion, has(FEATURE_UNLIT));
+    GBufferTexels texels = gbuffer_encode(n, roughness, motion(), s.base, s.metallic, SURFACE_GLOSS(p), s.occlusion, has(FEATURE_UNLIT));
     out_normal = texels.normal;
     out_motion = texels.motion;
     out_albedo = texels.albedo;

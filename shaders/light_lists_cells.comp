@@ -31,6 +31,15 @@ uint visit(LightCell coarse, bool wanted, LightCell cell, Piece piece, uint to) 
     return count;
 }
 
+// A driver may end loops after many turns (LightRounds). A cell whose slices together would take more has one list for all of
+// its depths instead; of a subgroup all cells or none, for its invocations walk together.
+bool one_list(uint slices, uint candidates) {
+    uint most = 0u;
+    while (most < LIST_SLICES && subgroupAny(uint(bitCount(slices)) > most))
+        ++most;
+    return sliced && most > 1u && most * (candidates + candidates / 4u + 4u) > lists.round.y;
+}
+
 void main() {
     uvec3 at = cell_at(gl_WorkGroupID, gl_LocalInvocationIndex);
     bool inside = all(lessThan(at, lists.cells.xyz));
@@ -41,19 +50,23 @@ void main() {
     uint slices = fill ? cell.slices : slices_in_use(at, cell);
     if (!inside)
         slices = 0u;
-    uint used = sliced ? uint(bitCount(slices)) : 0u; // places for the ends of lists
+    bool whole = fill ? sliced && slices == 0u && inside && cell.count > 0u && cell.first != lists.lights.x
+                      : one_list(slices, coarse.count);
+    if (whole)
+        slices = fill || slices != 0u ? 1u : 0u; // to be visited once
+    uint used = sliced && !whole ? uint(bitCount(slices)) : 0u; // places for the ends of lists
     uint count = used, end = 0u;
     uint left = slices;
     do {
-        Piece piece = cell_piece(at, cell, min(uint(findLSB(left)), LIST_SLICES - 1u));
+        Piece piece = cell_piece(at, cell, min(uint(findLSB(left)), LIST_SLICES - 1u), whole);
         count += visit(coarse, left != 0u, cell, piece, cell.first + count);
-        if (fill && sliced && left != 0u)
+        if (fill && sliced && !whole && left != 0u)
             light_entries[cell.first + end] = count;
         ++end;
         left &= left - 1u;
     } while (sliced && subgroupAny(left != 0u));
     if (!fill && inside) {
-        light_cells[index].slices = slices;
+        light_cells[index].slices = whole ? 0u : slices;
         light_cells[index].count = count;
     }
 }

@@ -24,7 +24,7 @@ void main() {
         cells[t] = light_cells[index_of(t)];
         if (!all(lessThan(tile_at(t), lists.cells.xyz)))
             cells[t].depths = 0u;
-        pieces[t] = cell_piece(min(tile_at(t), lists.cells.xyz - 1u), cells[t], 0u);
+        pieces[t] = cell_piece(min(tile_at(t), lists.cells.xyz - 1u), cells[t], 0u, false);
         counts[t] = 0u;
     }
     bool fits = coarse.first != lists.lights.x;

@@ -12,7 +12,7 @@ void main() {
     if (index >= all)
         return;
     index = min(index, all - 1u);
-    uint light_index = light_order[index];
+    uint light_index = light_order[lists.round.x + index];
     light_entries[index] = light_index;
     if (index < lists.lights.x)
         return;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// All lights of a frame on every pixel, summed in registers and written once.
+// All lights of a frame, or of a round of them, on every pixel, summed in registers and written once.
 #include "shared/light_loop.h"
 #include "shared/light_sums.glsl"
 
@@ -14,8 +14,8 @@ void main() {
         add_ambient(sums);
     LitPixel p = read_pixel(pixel);
     uint contributing = 0u;
-    for (uint i = 0u; i < loop.count; ++i)
+    for (uint i = loop.first; i < loop.end; ++i)
         contributing += add_light(sums, p, lamp_of(lights[light_order[i]])) ? 1u : 0u;
-    count_lights(pixel, loop.count, contributing);
+    count_lights(pixel, loop.end - loop.first, contributing);
     write_sums(pixel, sums);
 }

@@ -5,6 +5,8 @@ set(PRELIGHT_SHADER_VARIANTS
     "depth_normal+roughness.frag|depth_normal.frag|-DROUGHNESS_TARGET=1"
     "depth_normal+depth.frag|depth_normal.frag|-DDEPTH_TARGET=1"
     "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
+    "depth_normal+stencil.frag|depth_normal.frag|-DSTENCIL_ROUGHNESS"
+    "depth_normal+stencil+depth.frag|depth_normal.frag|-DSTENCIL_ROUGHNESS -DDEPTH_TARGET=1"
     "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
     "surface+motion.vert|surface.vert|-DMOTION"
     "gbuffer_fill+occlusion.frag|gbuffer_fill.frag|-DOCCLUSION"
@@ -37,11 +39,17 @@ set(PRELIGHT_SHADER_VARIANTS
     "light_list_clear+pair.comp|light_list_clear.comp|-DLIGHT_PAIR"
     "light_list+count.comp|light_list.comp|-DCOUNT_TARGET"
     "light_list+deferred.comp|light_list.comp|-DDEFERRED_TARGET"
+    # Rounds after the first, which add to what is there.
+    "light_list+added.comp|light_list.comp|-DADDED"
+    "light_list+packed+added.comp|light_list.comp|-DONE_TARGET -DADDED"
+    "light_list+pair+added.comp|light_list.comp|-DLIGHT_PAIR -DADDED"
+    "light_list+count+added.comp|light_list.comp|-DCOUNT_TARGET -DADDED"
     # Cells in the world instead of on the screen: no depth buffer is bound.
     "light_lists_coarse+grid.comp|light_lists_coarse.comp|-DGRID_CELLS"
     "light_lists_scatter+grid.comp|light_lists_scatter.comp|-DGRID_CELLS"
     "light_lists_candidates+grid.comp|light_lists_candidates.comp|-DGRID_CELLS"
     "light_lists_cells+grid.comp|light_lists_cells.comp|-DGRID_CELLS"
+    "light_peaks+deferred.comp|light_peaks.comp|-DDEFERRED_TARGET -DSMALL_PICTURE"
     "light_loop+packed.frag|light_loop.frag|-DONE_TARGET"
     "light_loop+count.frag|light_loop.frag|-DCOUNT_TARGET"
     "plain_forward+textured.vert|plain_forward.vert|-DTEXTURED"
@@ -53,12 +61,28 @@ set(shadowed
     "light_list.frag|light_list.frag|"
     "light_list.comp|light_list.comp|"
     "light_loop.frag|light_loop.frag|"
+    "light_peaks.comp|light_peaks.comp|"
     "forward.frag|forward.frag|"
     "forward_grid.frag|forward_grid.frag|"
     ${PRELIGHT_SHADER_VARIANTS})
-list(FILTER shadowed INCLUDE REGEX "^(light|light_list|light_loop|forward|forward_grid)(\\+packed|\\+pair|\\+deferred)?\\.(frag|comp)")
+list(FILTER shadowed INCLUDE REGEX "^(light|light_list|light_loop|light_peaks|forward|forward_grid)(\\+packed|\\+pair|\\+deferred)?(\\+added)?\\.(frag|comp)")
 list(TRANSFORM shadowed REPLACE "^([^|.]*)(\\.[a-z]+)" "\\1+shadows\\2")
 list(TRANSFORM shadowed APPEND " -DSHADOWS")
+
+# The same again where stencil holds the roughness of surfaces: unsigned integers.
+set(stencilled
+    "light.frag|light.frag|"
+    "light_list.frag|light_list.frag|"
+    "light_list.comp|light_list.comp|"
+    "light_loop.frag|light_loop.frag|"
+    "light_peaks.comp|light_peaks.comp|"
+    "light_lists_perfect.comp|light_lists_perfect.comp|"
+    "view.frag|view.frag|"
+    ${PRELIGHT_SHADER_VARIANTS} ${shadowed})
+list(FILTER stencilled INCLUDE REGEX "^(light|light_list|light_loop|light_peaks|light_lists_perfect|view)(\\+packed|\\+pair|\\+count)?(\\+added)?(\\+shadows)?\\.(frag|comp)")
+list(FILTER stencilled EXCLUDE REGEX "^view\\+pair")
+list(TRANSFORM stencilled REPLACE "^([^|.]*)(\\.[a-z]+)" "\\1+stencil\\2")
+list(TRANSFORM stencilled APPEND " -DSTENCIL_ROUGHNESS")
 
 # The same again for objects that decals reach: they read the decal buffer.
 set(decorated
@@ -68,7 +92,7 @@ set(decorated
     "forward.frag|forward.frag|"
     "forward_grid.frag|forward_grid.frag|"
     ${PRELIGHT_SHADER_VARIANTS} ${shadowed})
-set(decorated_stages "^(depth_normal(\\+roughness)?|material[^|/]*|gbuffer_fill(\\+occlusion)?|forward(_grid)?(\\+shadows)?|forward_base)\\.frag")
+set(decorated_stages "^(depth_normal(\\+roughness|\\+stencil)?|material[^|/]*|gbuffer_fill(\\+occlusion)?|forward(_grid)?(\\+shadows)?|forward_base)\\.frag")
 list(FILTER decorated INCLUDE REGEX "${decorated_stages}")
 list(TRANSFORM decorated REPLACE "^([^|]*)\\.frag" "\\1+decals.frag")
 list(TRANSFORM decorated REPLACE "^([^|]*\\|[^|]*\\|[^|]*)" "\\1 -DDECALS")
@@ -81,7 +105,7 @@ set(untextured
 list(FILTER untextured INCLUDE REGEX "^(depth_normal|material_)")
 list(TRANSFORM untextured REPLACE "^([^|]*)\\.frag" "\\1+untextured.frag")
 list(TRANSFORM untextured REPLACE "^([^|]*\\|[^|]*\\|[^|]*)" "\\1 -DNO_TEXTURES")
-list(APPEND PRELIGHT_SHADER_VARIANTS ${untextured} ${shadowed} ${decorated})
+list(APPEND PRELIGHT_SHADER_VARIANTS ${untextured} ${shadowed} ${stencilled} ${decorated})
 
 # The vertex shaders that go with all of these: passes::SurfaceDraws picks them.
 foreach(world "" "+noworld")
@@ -106,6 +130,8 @@ set(PRELIGHT_MATERIAL_STAGES
     "depth_normal+roughness.frag|depth_normal.frag|-DROUGHNESS_TARGET=1"
     "depth_normal+depth.frag|depth_normal.frag|-DDEPTH_TARGET=1"
     "depth_normal+roughness+depth.frag|depth_normal.frag|-DROUGHNESS_TARGET=1 -DDEPTH_TARGET=2"
+    "depth_normal+stencil.frag|depth_normal.frag|-DSTENCIL_ROUGHNESS"
+    "depth_normal+stencil+depth.frag|depth_normal.frag|-DSTENCIL_ROUGHNESS -DDEPTH_TARGET=1"
     "linear_depth.frag|depth_normal.frag|-DNO_NORMAL_TARGET -DDEPTH_TARGET=0"
     "depth_mask.frag|depth_mask.frag|"
     "material.frag|material.frag|"

@@ -53,8 +53,10 @@ void main() {
     } else if (view == VIEW_LIGHT || view == VIEW_SECOND_LIGHT) {
         // As a white diffuse surface would show it.
         colour = srgb_encode(tonemap_pbr_neutral(value.rgb * frame.light_buffer.x / 3.14159265));
+    } else if (view == VIEW_SPECULAR_LIGHT) {
+        colour = srgb_encode(tonemap_pbr_neutral(value.rgb * frame.light_buffer.z / 3.14159265));
     } else if (view == VIEW_LIGHT_ALPHA) {
-        colour = srgb_encode(tonemap_pbr_neutral(value.aaa * frame.light_buffer.x / 3.14159265));
+        colour = srgb_encode(tonemap_pbr_neutral(value.aaa * frame.light_buffer.z / 3.14159265));
     } else if (view == VIEW_LIGHT_LUV) {
         vec3 light = luv_decode(value.rg) * value.b;
         colour = srgb_encode(tonemap_pbr_neutral(light * frame.light_buffer.x / 3.14159265));
@@ -65,10 +67,13 @@ void main() {
         colour = surface && pixels != vec2(0.0) ? wheel(pixels) : vec3(0.0);
     } else if (view == VIEW_SPECULAR) {
         Reflectance r;
-        bool takes_light = stored_reflectance(value, value, r);
+        bool takes_light = stored_reflectance(gbuffer_layout == GBUFFER_WIDE ? vec4(0.0) : value, value, r);
         colour = surface && takes_light ? srgb_encode(r.f0) : vec3(0.0);
     } else if (view == VIEW_OCCLUSION) {
         colour = vec3(value.r);
+    } else if (view == VIEW_SUN_OCCLUSION) {
+        // A layout without that channel hides no surface from the sun.
+        colour = vec3(!surface ? 0.0 : gbuffer_layout == GBUFFER_KILLZONE2 ? value.a : 1.0);
     } else if (view == VIEW_COUNT) {
         colour = heat(value.g);
     } else {

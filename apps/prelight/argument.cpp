@@ -1,12 +1,13 @@
 #include "argument.hpp"
 
+#include "output.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <prelight/scene_io.hpp>
-#include <set>
 
 namespace prelight::app {
 namespace {
@@ -73,6 +74,21 @@ uint64_t parse_seed(std::string_view option, const std::string& text) {
     return value;
 }
 
+uint64_t parse_memory(std::string_view option, const std::string& text) {
+    if (text.empty())
+        return 0;
+    constexpr std::string_view letters = "KMGT";
+    std::string_view digits = text;
+    const size_t letter = letters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(text.back()))));
+    if (letter != std::string_view::npos)
+        digits.remove_suffix(1);
+    const uint64_t shift = letter == std::string_view::npos ? 0 : 10 * (letter + 1);
+    uint64_t value = 0;
+    if (!whole_number(digits, value) || value == 0 || value > std::numeric_limits<uint64_t>::max() >> shift)
+        refuse(option, text, "not a number of bytes, as in 512M or 4G");
+    return value << shift;
+}
+
 double parse_number(std::string_view option, const std::string& text, double least, double most) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -110,6 +126,14 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
+void refuse_pattern(std::string_view option, const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    const size_t percent = name.find('%');
+    const size_t digits = percent == std::string::npos ? percent : name.find_first_not_of("0123456789", percent + 1);
+    if (name.find("##") != std::string::npos || (digits != std::string::npos && name[digits] == 'd'))
+        refuse(option, file.string(), "names a series of pictures; this command writes one");
+}
+
 std::string builtin_names() {
     std::string names;
     for (const BuiltinScene& scene : builtin_scenes())
@@ -139,12 +163,16 @@ void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
     command.options.views.erase(repeated.begin(), repeated.end());
 }
 
+std::vector<std::filesystem::path> outputs_of(const RenderCommand& command) {
+    std::vector<std::filesystem::path> files{command.output};
+    for (const ViewFile& more : command.more_views)
+        files.push_back(more.file);
+    if (!command.stats.empty())
+        files.push_back(command.stats);
+    return files;
+}
+
 void check_outputs(const RenderCommand& command) {
-    std::set<std::filesystem::path> seen;
-    const auto once = [&](const std::filesystem::path& file) {
-        if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
-            throw UsageError(file.string() + ": named for two outputs");
-    };
     const std::string extension = lower_extension(command.output);
     if (extension != ".png" && extension != ".exr")
         refuse("-o", command.output.string(), "the name must end in .png or .exr");
@@ -155,16 +183,15 @@ void check_outputs(const RenderCommand& command) {
         refuse("--view", command.view, "an EXR holds the final picture only; use .png");
     if (extension == ".png" && linear)
         refuse("--view", command.view, "scene-linear values need a name ending in .exr");
-    once(command.output);
+    refuse_pattern("-o", command.output);
     for (const ViewFile& more : command.more_views) {
         if (lower_extension(more.file) != (more.view == "linear" ? ".exr" : ".png"))
             refuse("--view", more.view + "=" + more.file.string(),
                    more.view == "linear" ? "the name must end in .exr"
                                          : "the name must end in .png");
-        once(more.file);
+        refuse_pattern("--view", more.file);
     }
-    if (!command.stats.empty())
-        once(command.stats);
+    check_distinct(outputs_of(command), {});
 }
 
 } // namespace prelight::app

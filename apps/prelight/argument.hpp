@@ -18,6 +18,8 @@ uint32_t parse_count(std::string_view option, const std::string& text, uint32_t 
 std::vector<uint32_t> parse_light_counts(std::string_view option, const std::string& text);
 /// A whole decimal number of 64 bits.
 uint64_t parse_seed(std::string_view option, const std::string& text);
+/// Bytes: a whole number above 0 with K, M, G or T (times 1,024 each), or none; 0 for an empty text.
+uint64_t parse_memory(std::string_view option, const std::string& text);
 /// A finite decimal number, `least` … `most`.
 double parse_number(std::string_view option, const std::string& text, double least, double most);
 /// "KEY=VALUE", neither empty.
@@ -46,6 +48,10 @@ std::string builtin_names();
 
 /// Sorts the texts of --view into the command: the buffer for `output`, and those with files.
 void take_views(RenderCommand& command, const std::vector<std::string>& texts);
+/// Throws UsageError for a name like "f-%03d.png" or "f.####.png".
+void refuse_pattern(std::string_view option, const std::filesystem::path& file);
+/// All files that the command writes.
+std::vector<std::filesystem::path> outputs_of(const RenderCommand& command);
 /// Each output has an extension that suits its content, and no two outputs are one file.
 void check_outputs(const RenderCommand& command);
 

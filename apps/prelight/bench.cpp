@@ -2,7 +2,10 @@
 
 #include "bench_scene/bench_scene.hpp"
 #include "commands.hpp"
+#include "memory_check.hpp"
 #include "output.hpp"
+#include "scene_files.hpp"
+#include "scene_source.hpp"
 #include "validation.hpp"
 
 #include <algorithm>
@@ -41,14 +44,18 @@ void run(const BenchCommand& command) {
     if (command.kind == BenchCommand::Kind::report)
         return bench_report(command);
     const auto bench = std::ranges::find(benches, std::string_view(command.what), &Bench::name);
+    check_scene_name(command.scene);
+    std::vector<std::filesystem::path> inputs = files_named_in(command.scene);
+    inputs.emplace_back(command.scene);
+    check_distinct(std::array{command.json}, inputs);
     if (!command.json.empty())
         check_writable(command.json);
-    const auto device = Device::create({.select = command.device, .validate = command.validate});
-    nlohmann::ordered_json json = {
-        {"bench", command.what}, {"device", device->name()}, {"driver", device->driver()}};
     BenchCommand sized = command;
     if (command.width == 0)
         std::tie(sized.width, sized.height) = std::pair(bench->width, bench->height);
+    const auto device = open_device({.select = command.device, .validate = command.validate}, sized.width, sized.height);
+    nlohmann::ordered_json json = {
+        {"bench", command.what}, {"device", device->name()}, {"driver", device->driver()}};
     json.update(bench->run(sized, *device));
     check_validation(*device);
     // A file name may hold any bytes; JSON holds UTF-8 only.

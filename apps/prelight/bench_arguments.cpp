@@ -53,16 +53,19 @@ void BenchArguments::add(CLI::App& app) {
     sub.add_flag("--limit", limit_, "Scene: measure what the device could do, and give frames in units of F");
     option("--baseline", baseline_, "FILE", "Scene: print the change since a file of --json");
     option("--set", settings_, "KEY=VALUE", "Scene: a setting of every renderer that has it; repeatable");
-    option("--shading", shading_, "MODEL", "Scene: ggx (default) or phong");
+    option("--shading", shading_, "MODEL", "Scene: ggx or phong (default: each preset's, else ggx)");
     option("--time", time_, "SECONDS", "Scene: moment of its animations (default: at rest)");
     option("--animation", animation_, "NAME|INDEX", "Scene: only this animation, at --time or else at 0 s");
     add_environment_options(option, environment_);
+    add_file_options(sub, option, reading_);
+    add_view_options(option, view_);
     sub.add_flag("--count-pairs", count_pairs_,
                  "Scene: light x pixel pairs are always counted, in a frame that is not timed");
     option("-o,--output", output_, "PAGE", "report: the page to write, .html");
     option("--frames", frames_, "N", "Frames of each way to time, interleaved (default 9; claims 5)");
     option("--json", json_, "FILE", "Write the figures as JSON too");
-    option("--scene", table_scene_, "SCENE", "Tables: file or built-in scene (default spheres)");
+    option("--scene", table_scene_, "SCENE",
+           "Tables: file or built-in scene (default spheres). Scene: which of the file's scenes, NAME|INDEX");
     option("--camera", camera_, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--size", size_, "WxH", "Picture size in pixels (default 1280x720; a table has its own)");
     option("--lights", lights_, "N", "Light count of a built-in scene; adds N random point lights to any other");
@@ -88,8 +91,12 @@ void BenchArguments::check_kind(Kind kind) const {
                              {"--environment-intensity", !environment_.intensity.empty(), scene},
                              {"--environment-rotation", !environment_.rotation.empty(), scene},
                              {"--background", !environment_.background.empty(), scene},
-                             {"--count-pairs", count_pairs_, scene},
-                             {"--scene", !table_scene_.empty(), table}, {"--frames", !frames_.empty(), both},
+                             {"--view-from", !view_.from.empty(), scene},
+                             {"--fit", !view_.fit.empty(), scene},
+                             {"--count-pairs", count_pairs_, scene}, {"--strict", reading_.strict, scene},
+                             {"--log-level", !reading_.log_level.empty(), scene},
+                             {"--memory-limit", !reading_.memory_limit.empty(), scene},
+                             {"--scene", !table_scene_.empty(), both}, {"--frames", !frames_.empty(), both},
                              {"--json", !json_.empty(), both}, {"--camera", !camera_.empty(), both},
                              {"--size", !size_.empty(), both}, {"--lights", !lights_.empty(), both},
                              {"--validate", validate_, both}})
@@ -120,6 +127,8 @@ void BenchArguments::take_scene(BenchCommand& command) const {
     command.moment = parse_moment(time_, animation_);
     command.animation = animation_;
     command.environment = parse_environment(environment_);
+    command.reading = parse_reading(reading_);
+    command.reading.scene = table_scene_;
     command.limit = limit_;
     command.baseline = baseline_;
 }
@@ -128,6 +137,7 @@ BenchCommand BenchArguments::command() const {
     BenchCommand command{.kind = kind_of(what_), .what = what_};
     check_kind(command.kind);
     command.camera = camera_;
+    command.framing = parse_view(view_, camera_);
     command.device = device_;
     command.validate = validate_;
     command.seed = parse_seed("--seed", seed_);

@@ -24,6 +24,8 @@ private:
     std::string renderers_, light_counts_, shading_, time_, animation_, baseline_, output_;
     std::vector<std::string> settings_, files_;
     EnvironmentText environment_;
+    SceneReadingText reading_;
+    ViewText view_;
     bool limit_ = false, count_pairs_ = false, validate_ = false;
 };
 

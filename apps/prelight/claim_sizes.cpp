@@ -10,7 +10,7 @@ constexpr double pixels = 1280.0 * 720; ///< the text's picture
 Stats stats_of(const ClaimScene& scene, RenderOptions options) {
     options.width = scene.width;
     options.height = scene.height;
-    options.shading = Shading::phong; // the presets' own
+    options.shading = Shading::phong; // the presets' own, and the same for all
     const auto renderer = create_renderer("light-prepass", &scene.device, options);
     renderer->set_world(scene.world);
     renderer->render(scene.camera);

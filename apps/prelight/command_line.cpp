@@ -26,6 +26,7 @@ constexpr const char* render_footer = R"(Examples:
   prelight render fox.glb --animation Run --time 0.4 -o fox.png
   prelight render city --view diffuse-light -o light.png
   prelight render helmet.glb --environment sky.hdr --environment-rotation 90 -o helmet.png
+  prelight render helmet.glb --view-from 0,90 --fit 0.95 --exposure auto -o above.png
   prelight render helmet.glb --material Visor=toon.glsl -o helmet.png --watch
   prelight render city --renderer reference --size 320x180 -o truth.exr
 A name ending in .exr receives exposed scene-linear values, without tone mapping.
@@ -41,16 +42,20 @@ report in FOLDER is replaced; a folder with other files is refused.)";
 
 /// Everything `render` is given as text, before it is checked.
 struct RenderText {
-    std::string size = "1280x720", shading = "ggx", tonemap = "pbr-neutral", output, stats;
+    std::string size = "1280x720", shading, tonemap = "pbr-neutral", output, stats;
     std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0", time;
     std::vector<std::string> settings, views, materials;
     EnvironmentText environment;
+    SceneReadingText reading;
+    ViewText view;
 };
 
 struct CompareText {
-    std::string size = "960x540", shading = "ggx", output, lights, time, seed = "1", frames = "5";
+    std::string size = "960x540", shading, output, lights, time, seed = "1", frames = "5";
     std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
     EnvironmentText environment;
+    SceneReadingText reading;
+    ViewText view;
 };
 
 struct MakeText {
@@ -85,10 +90,12 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--material", text.materials, "NAME=FILE",
            "Shade the glTF material NAME with a GLSL file of your own; repeatable (docs/materials.md)");
     add_environment_options(option, text.environment);
+    add_reading_options(sub, option, text.reading);
+    add_view_options(option, text.view);
     option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
-    option("--shading", text.shading, "MODEL", "ggx (default) or phong");
+    option("--shading", text.shading, "MODEL", "ggx or phong (default: the preset's, else ggx)");
     option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
-    option("--exposure", text.exposure, "EV", "Multiplies light by 2^EV (default 0)");
+    option("--exposure", text.exposure, "EV|auto", "Multiplies light by 2^EV (default 0); auto: what suits the picture");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
     option("--stats", text.stats, "FILE", "Write the run's figures as JSON");
     sub.add_flag("--count-pairs", command.options.count_pairs,
@@ -118,6 +125,8 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
            "A slower frame ends a variant's line in the chart (default 1)");
     option("--frames", text.frames, "N", "Frames of each variant to time, interleaved (default 5)");
     add_environment_options(option, text.environment);
+    add_reading_options(sub, option, text.reading);
+    add_view_options(option, text.view);
     option("--size", text.size, "WxH", "Picture size in pixels (default 960x540)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
@@ -126,8 +135,8 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
     option("--lights", text.lights, "N",
            "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
-    option("--shading", text.shading, "MODEL", "ggx (default) or phong");
-    option("--exposure", text.exposure, "EV", "Multiplies light by 2^EV (default 0)");
+    option("--shading", text.shading, "MODEL", "ggx or phong (default: the preset's, else ggx)");
+    option("--exposure", text.exposure, "EV|auto", "Multiplies light by 2^EV (default 0); auto: what suits the picture");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
     sub.add_flag("--validate", command.validate,
                  "Run with Vulkan validation; any message is a failure");
@@ -144,13 +153,21 @@ void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
     sub.add_option("--seed", text.seed, "Seed of what is random (default 1)")->type_name("S");
 }
 
+template <class AnyCommand>
+void take_exposure(AnyCommand& command, const std::string& text) {
+    command.auto_exposure = text == "auto";
+    if (!command.auto_exposure)
+        command.options.exposure = parse_number("--exposure", text, -64, 64);
+}
+
 void finish(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
-    command.options.shading = parse_shading(text.shading);
+    if (!text.shading.empty())
+        command.options.shading = parse_shading(text.shading);
     command.options.tonemap = parse_word<Tonemap>(
         "--tonemap", text.tonemap,
         {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
-    command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
+    take_exposure(command, text.exposure);
     command.options.msaa = parse_count("--msaa", text.msaa, 1);
     command.frames = parse_count("--frames", text.frames, 1);
     command.moment = parse_moment(text.time, command.animation);
@@ -166,6 +183,8 @@ void finish(RenderCommand& command, const RenderText& text) {
         command.materials.emplace_back(name, file);
     }
     command.environment = parse_environment(text.environment);
+    command.reading = parse_reading(text.reading);
+    command.framing = parse_view(text.view, command.camera);
     command.output = text.output;
     command.stats = text.stats;
     take_views(command, text.views);
@@ -175,8 +194,9 @@ void finish(RenderCommand& command, const RenderText& text) {
 void finish(CompareCommand& command, const CompareText& text) {
     command.folder = text.output;
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
-    command.options.shading = parse_shading(text.shading);
-    command.options.exposure = parse_number("--exposure", text.exposure, -64, 64);
+    if (!text.shading.empty())
+        command.options.shading = parse_shading(text.shading);
+    take_exposure(command, text.exposure);
     command.frames = parse_count("--frames", text.frames, 1);
     command.moment = parse_moment(text.time, command.animation);
     command.seed = parse_seed("--seed", text.seed);
@@ -185,6 +205,8 @@ void finish(CompareCommand& command, const CompareText& text) {
     if (!text.renderers.empty())
         command.variants = parse_variants("--renderers", text.renderers);
     command.environment = parse_environment(text.environment);
+    command.reading = parse_reading(text.reading);
+    command.framing = parse_view(text.view, command.camera);
     command.light_counts = parse_light_counts("--light-counts", text.light_counts);
     command.frame_limit = parse_number("--frame-limit", text.frame_limit, 0, 1e6);
 }
@@ -256,6 +278,8 @@ Command parse_command_line(int argc, const char* const* argv) {
         return render;
     }
     if (app.got_subcommand("compare")) {
+        for (int i = 1; i < argc; ++i)
+            compare.arguments += fmt::format("{}\n", argv[i]);
         finish(compare, compare_text);
         return compare;
     }

@@ -1,6 +1,7 @@
 #pragma once
 #include "environment_choice.hpp"
 #include "variant.hpp"
+#include "view_choice.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -40,11 +41,15 @@ struct RenderCommand {
     /// `--material NAME=FILE`, in the order given.
     std::vector<std::pair<std::string, std::filesystem::path>> materials;
     EnvironmentChoice environment;
+    SceneReading reading;
+    std::optional<Framing> framing; ///< absent: the scene's camera
+    bool auto_exposure = false;     ///< options.exposure comes from the picture
 };
 
 /// `prelight compare`
 struct CompareCommand {
     std::string scene; ///< a file, or the name of a built-in scene
+    std::string arguments; ///< the whole command line
     std::filesystem::path folder;
     RenderOptions options; ///< what all variants share
     std::string camera;    ///< name or index; empty: the scene's first
@@ -59,6 +64,9 @@ struct CompareCommand {
     std::vector<uint32_t> light_counts; ///< rising; may be empty
     double frame_limit = 1; ///< seconds; a slower frame ends a variant's series of light counts
     EnvironmentChoice environment;
+    SceneReading reading;
+    std::optional<Framing> framing; ///< absent: the scene's camera
+    bool auto_exposure = false;     ///< options.exposure comes from the picture
 };
 
 /// `prelight make`
@@ -106,6 +114,8 @@ struct BenchCommand {
     bool limit = false;
     std::filesystem::path baseline; ///< empty: none
     EnvironmentChoice environment;
+    SceneReading reading;
+    std::optional<Framing> framing; ///< absent: the scene's camera
 
     // Of Kind::report.
     std::vector<std::filesystem::path> files;

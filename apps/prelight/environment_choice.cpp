@@ -2,6 +2,8 @@
 
 #include "argument.hpp"
 
+#include <algorithm>
+#include <fmt/ranges.h>
 #include <numbers>
 #include <prelight/scene_io.hpp>
 
@@ -25,33 +27,67 @@ private:
     std::filesystem::file_time_type time_{};
 };
 
+/// A built-in name, "none", or empty for what must be a file.
+std::string environment_name(const std::string& text) {
+    std::vector<std::string> names{"none"};
+    for (const BuiltinEnvironment& one : builtin_environments())
+        names.emplace_back(one.name);
+    if (std::ranges::find(names, text) != names.end())
+        return text;
+    std::error_code ignored;
+    if (!text.empty() && std::filesystem::path(text).extension().empty() && !std::filesystem::exists(text, ignored))
+        throw UsageError(fmt::format("--environment {}: neither a file nor one of {}", text, fmt::join(names, ", ")));
+    return {};
+}
+
+/// The environment that the scene is to have, before anything is changed about it; null: none.
+std::shared_ptr<const Environment> chosen(const EnvironmentChoice& choice, KeptEnvironment& kept, const Scene& scene, bool studio_where_dark) {
+    if (!choice.file.empty())
+        return std::make_shared<const Environment>(kept.get(choice.file));
+    if (choice.name == "none")
+        return nullptr;
+    if (!choice.name.empty())
+        return std::make_shared<const Environment>(make_environment(choice.name));
+    if (studio_where_dark && !is_lit(scene))
+        return std::make_shared<const Environment>(make_environment("studio"));
+    return scene.environment;
+}
+
 } // namespace
 
 EnvironmentChoice parse_environment(const EnvironmentText& text) {
-    EnvironmentChoice choice{.file = text.file, .intensity = {}, .rotation = {}, .background = {}};
+    EnvironmentChoice choice{.name = environment_name(text.file), .file = {}, .intensity = {}, .rotation = {}, .background = {}};
+    if (choice.name.empty())
+        choice.file = text.file;
     if (!text.intensity.empty())
         choice.intensity = static_cast<float>(parse_number("--environment-intensity", text.intensity, 0, 1e6));
     if (!text.rotation.empty())
         choice.rotation = parse_number("--environment-rotation", text.rotation, -36000, 36000) * std::numbers::pi / 180;
     if (!text.background.empty())
-        choice.background = parse_word<bool>("--background", text.background, {{"environment", true}, {"black", false}});
+        choice.background = parse_word<Background>(
+            "--background", text.background,
+            {{"environment", Background::environment}, {"backdrop", Background::backdrop}, {"black", Background::black}});
     return choice;
 }
 
-SceneEdit environment_edit(const EnvironmentChoice& choice) {
-    return [choice, kept = std::make_shared<KeptEnvironment>()](Scene& scene) {
-        if (choice.file.empty() && !choice.intensity && !choice.rotation && !choice.background)
+SceneEdit environment_edit(const EnvironmentChoice& choice, bool studio_where_dark) {
+    return [choice, studio_where_dark, kept = std::make_shared<KeptEnvironment>()](Scene& scene) {
+        scene.environment = chosen(choice, *kept, scene, studio_where_dark);
+        if (!choice.intensity && !choice.rotation && !choice.background)
             return;
-        if (choice.file.empty() && !scene.environment)
-            throw UsageError(fmt::format("{}: {} has no environment (--environment FILE gives it one)",
+        if (!scene.environment)
+            throw UsageError(fmt::format("{}: {} has no environment (--environment NAME|FILE gives it one)",
                                          choice.intensity  ? "--environment-intensity"
                                          : choice.rotation ? "--environment-rotation"
                                                            : "--background",
                                          scene.name));
-        Environment environment = choice.file.empty() ? *scene.environment : kept->get(choice.file);
+        Environment environment = *scene.environment;
         environment.intensity = choice.intensity.value_or(environment.intensity);
         environment.rotation = choice.rotation.value_or(environment.rotation);
-        environment.background = choice.background.value_or(environment.background);
+        if (choice.background) {
+            environment.background = *choice.background != Background::black;
+            environment.backdrop = *choice.background == Background::backdrop ? soft_backdrop() : Image();
+        }
         scene.environment = std::make_shared<const Environment>(std::move(environment));
     };
 }

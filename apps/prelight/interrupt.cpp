@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <image/atomic_file.hpp>
 #include <prelight/error.hpp>
 #include <unistd.h>
 
@@ -34,14 +35,19 @@ bool tell_listener(unsigned char byte) {
 extern "C" void on_interrupt(int signal) {
     if (tell_listener(static_cast<unsigned char>(signal)))
         return;
-    waiting = signal;
-    if (writing == 0)
+    const bool again = waiting.exchange(signal) != 0; // whoever asks twice does not wait for a slow disk
+    if (writing == 0 || again) {
+        remove_temporary_files();
         die_by(signal);
+    }
 }
 
 } // namespace
 
 void handle_interrupts() {
+    // A write that fails for these reasons then says so itself.
+    for (const int signal : {SIGPIPE, SIGXFSZ})
+        std::signal(signal, SIG_IGN);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before = {};
         sigaction(signal, nullptr, &before);
@@ -63,7 +69,11 @@ WriteGuard::~WriteGuard() {
         die_by(waiting);
 }
 
-RemovedOnInterrupt::RemovedOnInterrupt(std::filesystem::path folder) : folder_(std::move(folder)) {
+bool is_writing() {
+    return writing != 0;
+}
+
+RemovedOnInterrupt::RemovedOnInterrupt(std::filesystem::path folder) : folder_(std::move(folder)), crash_(folder_) {
     int ends[2] = {-1, -1};
     if (pipe2(ends, O_CLOEXEC) != 0)
         throw Error(fmt::format("{}: no pipe for signals", folder_.string()));
@@ -87,6 +97,7 @@ void RemovedOnInterrupt::wait_for_signal() {
     if (read(wakes_, &signal, 1) != 1 || signal == 0)
         return;
     const auto lock = hold();
+    remove_temporary_files();
     std::error_code ignored; // nothing more can be done about what stays
     std::filesystem::remove_all(folder_, ignored);
     die_by(signal);

@@ -1,4 +1,6 @@
 #pragma once
+#include "crash.hpp"
+
 #include <filesystem>
 #include <mutex>
 #include <thread>
@@ -6,7 +8,8 @@
 namespace prelight::app {
 
 /// Ctrl-C and the like end the program at once, but not while a file is being written: then right
-/// after. Call once, before the first WriteGuard.
+/// after, or when they come a second time. A closed pipe or a limit of a file's size ends nothing: the write
+/// fails. Call once, before the first WriteGuard.
 void handle_interrupts();
 
 /// While one lives, an interrupt waits. When the last one goes, a waiting interrupt ends the
@@ -19,7 +22,10 @@ public:
     WriteGuard& operator=(const WriteGuard&) = delete;
 };
 
-/// While one lives, an interrupt removes a folder with all that is in it and then ends the program at
+/// True while a WriteGuard lives.
+bool is_writing();
+
+/// While one lives, an interrupt or a crash removes a folder with all that is in it and then ends the program at
 /// once, whatever the program is doing. At most one at a time.
 class RemovedOnInterrupt {
 public:
@@ -36,6 +42,7 @@ private:
     void wait_for_signal();
 
     std::filesystem::path folder_;
+    RemovedOnCrash crash_;
     std::mutex mutex_;
     int wakes_ = -1; ///< the end of a pipe that the signal handler's byte comes from
     std::thread thread_;

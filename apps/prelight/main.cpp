@@ -1,10 +1,16 @@
 #include "commands.hpp"
+#include "crash.hpp"
 #include "interrupt.hpp"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <new>
 #include <prelight/error.hpp>
+#include <sys/resource.h>
+#include <system_error>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -18,18 +24,30 @@ void keep_heap() {
 #ifdef __GLIBC__
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    // Each thread's heap of its own reserves 64 MiB: where address space is limited, that is what runs out first.
+    rlimit limit = {};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        mallopt(M_ARENA_MAX, 1);
 #endif
 }
 
+/// Started with a standard stream closed, the first file that is opened would take its number, and what is
+/// printed would go into that file.
+void keep_standard_streams() {
+    for (int stream = 0; stream <= 2; ++stream)
+        if (fcntl(stream, F_GETFD) < 0)
+            open("/dev/null", O_RDONLY); // the lowest free number, which is this one; a write to it fails
+}
+
 /// One line on stderr, whatever the reason holds, and the exit status.
-int fail(std::string reason, int status) {
-    while (!reason.empty() && reason.back() == '\n')
-        reason.pop_back();
-    for (char& c : reason)
-        if (c == '\n' || c == '\r')
-            c = ' ';
-    fmt::print(stderr, "prelight: {}\n", reason);
+int fail(std::string_view reason, int status) {
+    std::fputs(fmt::format("prelight: {}\n", prelight::escaped(reason)).c_str(), stderr); // fmt::print would throw if it can't
     return status;
+}
+
+/// A write to standard output that failed, whatever has noticed it.
+int fail_to_print(int error) {
+    return fail(fmt::format("standard output: cannot be written ({})", std::strerror(error)), 1);
 }
 
 } // namespace
@@ -37,17 +55,19 @@ int fail(std::string reason, int status) {
 int main(int argc, char** argv) {
     using namespace prelight;
     keep_heap();
+    keep_standard_streams();
     try {
+        app::handle_crashes();
         app::handle_interrupts();
         std::visit([](const auto& command) { app::run(command); },
                    app::parse_command_line(argc, argv));
-        if (std::fflush(stdout) != 0)
-            throw Error("standard output: cannot be written");
-        return 0;
+        return std::fflush(stdout) == 0 ? 0 : fail_to_print(errno);
     } catch (const UsageError& error) {
         return fail(error.what(), 2);
     } catch (const std::bad_alloc&) {
         return fail("out of memory", 1);
+    } catch (const std::system_error& error) {
+        return std::ferror(stdout) ? fail_to_print(error.code().value()) : fail(error.what(), 1);
     } catch (const std::exception& error) {
         return fail(error.what(), 1);
     }

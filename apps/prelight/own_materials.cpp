@@ -4,19 +4,14 @@
 #include <prelight/error.hpp>
 
 namespace prelight::app {
-namespace {
-
-std::shared_ptr<const MaterialShader> load_checked(const std::filesystem::path& file) {
-    auto shader = load_material_shader(file);
-    check_material_shader(*shader);
-    return shader;
-}
-
-} // namespace
-
 OwnMaterials::OwnMaterials(const Files& files) : files_(files) {
     for (const auto& [name, file] : files)
-        shaders_.push_back(load_checked(file));
+        shaders_.push_back(load_material_shader(file));
+}
+
+void OwnMaterials::check() const {
+    for (const auto& shader : shaders_)
+        check_material_shader(*shader);
 }
 
 void OwnMaterials::take_changes() {
@@ -28,7 +23,7 @@ void OwnMaterials::take_changes() {
             check_material_shader(*shader);
             shaders_[i] = std::move(shader);
         } catch (const Error& error) {
-            fmt::print(stderr, "prelight: {}; {} stays as it was\n", error.what(), files_[i].first);
+            fmt::print(stderr, "prelight: {}; {} stays as it was\n", error.what(), escaped(files_[i].first));
         }
     }
 }

@@ -9,8 +9,10 @@ namespace prelight::app {
 class OwnMaterials {
 public:
     using Files = std::vector<std::pair<std::string, std::filesystem::path>>;
-    /// Reads and compiles all of them. Throws Error: a mistake in one of them.
+    /// Reads what they declare. Throws Error: a mistake in one of them.
     explicit OwnMaterials(const Files& files);
+    /// Compiles them once, for their mistakes. Throws Error.
+    void check() const;
     /// Reads them again. One with a mistake stays as it was, and the mistake is told on stderr.
     void take_changes();
     /// Gives them to the scene's materials. Throws UsageError for a name that the scene does not have.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
+#include <string>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -23,26 +24,56 @@ size_t columns() {
     return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
+/// "0:12", "1:03:20".
+std::string clock(double seconds) {
+    const auto whole = static_cast<unsigned long>(seconds);
+    return whole < 3600 ? fmt::format("{}:{:02d}", whole / 60, whole % 60)
+                        : fmt::format("{}:{:02d}:{:02d}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+/// Seconds without a line after which a step says that it is still at work.
+constexpr double longest_silence = 30;
+
 } // namespace
 
-Progress::Progress() : shown_(isatty(STDERR_FILENO) == 1), start_(now()) {}
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1), start_(now()) {}
 
 Progress::~Progress() {
-    if (shown_)
-        fmt::print(stderr, "\r\033[K");
+    if (terminal_)
+        std::fputs("\r\033[K", stderr);
+}
+
+void Progress::step(double share, std::string_view what) {
+    if (first_ < 0)
+        first_ = share;
+    terminal_ ? draw_bar(share, what) : print_line(share, what);
 }
 
 void Progress::show(double share, std::string_view what) {
-    if (!shown_)
-        return;
+    if (terminal_)
+        draw_bar(share, what);
+    else if (now() - said_ > longest_silence)
+        print_line(share, what);
+}
+
+void Progress::draw_bar(double share, std::string_view what) const {
     const double part = std::clamp(share, 0.0, 1.0);
     const auto filled = static_cast<size_t>(part * double(bar_width));
-    const auto seconds = static_cast<unsigned>(now() - start_);
-    std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3d} % {}:{:02d}  {}", "", filled, "",
-                                   bar_width - filled, static_cast<int>(part * 100), seconds / 60,
-                                   seconds % 60, what);
+    std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3d} % {}  {}", "", filled, "", bar_width - filled,
+                                   static_cast<int>(part * 100), clock(now() - start_), what);
     line.resize(std::min(line.size(), columns() - 1));
-    fmt::print(stderr, "\r{}\033[K", line);
+    std::fputs(fmt::format("\r{}\033[K", line).c_str(), stderr);
+    std::fflush(stderr);
+}
+
+void Progress::print_line(double share, std::string_view what) {
+    said_ = now();
+    const double gone = said_ - start_, done = std::clamp(share, 0.0, 1.0) - std::max(first_, 0.0);
+    const double left = done > 0 ? gone / done * (1 - std::clamp(share, 0.0, 1.0)) : 0;
+    std::fputs(fmt::format("[{:3d} %] {}{}: {}\n", static_cast<int>(share * 100), clock(gone),
+                           gone > 1 && done > 0.02 ? fmt::format(", about {} left", clock(left)) : "", what)
+                   .c_str(),
+               stderr);
     std::fflush(stderr);
 }
 

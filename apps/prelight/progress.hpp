@@ -3,7 +3,8 @@
 
 namespace prelight::app {
 
-/// A bar on stderr, redrawn in place; silent where stderr is no terminal (a log keeps no bars).
+/// How far a long command is, on stderr: on a terminal a bar, redrawn in place; elsewhere a line a step, with the time
+/// that is left as far as it can be told.
 class Progress {
 public:
     Progress();
@@ -12,12 +13,19 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// `share` of the work, 0 … 1, is done, and `what` begins.
+    /// `share` of the work, 0 … 1, is done, and a step begins: `what`.
+    void step(double share, std::string_view what);
+    /// Within a step. Off a terminal it is told when nothing has been for a while.
     void show(double share, std::string_view what);
 
 private:
-    bool shown_ = false;
-    double start_ = 0; ///< seconds
+    void draw_bar(double share, std::string_view what) const;
+    void print_line(double share, std::string_view what);
+
+    bool terminal_ = false;
+    double start_ = 0;       ///< seconds
+    double said_ = 0;        ///< when the last line was printed
+    double first_ = -1;      ///< share of the work that was there at the first step
 };
 
 } // namespace prelight::app

@@ -1,8 +1,12 @@
 #include "argument.hpp"
 #include "commands.hpp"
+#include "device_type.hpp"
+#include "memory_check.hpp"
+#include "meter.hpp"
 #include "output.hpp"
 #include "own_materials.hpp"
 #include "renderer_info.hpp"
+#include "scene_files.hpp"
 #include "scene_source.hpp"
 #include "stats_json.hpp"
 #include "validation.hpp"
@@ -29,6 +33,18 @@ struct Picture {
     std::filesystem::path file;
 };
 
+/// What the command reads by name: --watch looks at these.
+std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
+    std::vector<std::filesystem::path> files;
+    if (names_file(command.scene))
+        files.emplace_back(command.scene);
+    for (const auto& [name, file] : command.materials)
+        files.push_back(file);
+    if (!command.environment.file.empty())
+        files.push_back(command.environment.file);
+    return files;
+}
+
 void check_before_work(const RenderCommand& command, const RendererInfo& info) {
     for (const std::string& view : command.options.views)
         if (view != "final" && view != "linear" &&
@@ -37,11 +53,13 @@ void check_before_work(const RenderCommand& command, const RendererInfo& info) {
                 fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
     if (command.watch && !names_file(command.scene) && command.materials.empty() && command.environment.file.empty())
         throw UsageError(fmt::format("--watch: {} is not a file that could change", command.scene));
-    check_writable(command.output);
-    for (const ViewFile& more : command.more_views)
-        check_writable(more.file);
-    if (!command.stats.empty())
-        check_writable(command.stats);
+    const std::vector<std::filesystem::path> outputs = outputs_of(command);
+    std::vector<std::filesystem::path> inputs = files_of(command);
+    for (std::filesystem::path& file : files_named_in(command.scene))
+        inputs.push_back(std::move(file));
+    check_distinct(outputs, inputs);
+    for (const std::filesystem::path& output : outputs)
+        check_writable(output);
 }
 
 std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& command) {
@@ -63,10 +81,27 @@ void write(const std::vector<Picture>& pictures) {
     }
 }
 
-void render_once(Session& session, const RenderCommand& command, const LoadedScene& loaded, StartUp& start_up) {
+/// Of the scene's picture as it is displayed, when that is what was asked for.
+void warn_of_picture(const RenderCommand& command, const Picture& picture, const World& world) {
+    if (command.view != "final" && command.view != "linear")
+        return;
+    const bool linear = lower_extension(picture.file) == ".exr";
+    warn_of_extremes(Log(command.reading.log_level), linear ? tonemap(picture.image, command.options.tonemap) : picture.image, picture.file.string(), world,
+                     command.auto_exposure);
+}
+
+void render_once(Session& session, RenderCommand& command, const LoadedScene& loaded, StartUp& start_up) {
     Stopwatch watch;
     const PlacedCamera& camera = command.camera.empty() ? loaded.world.cameras.at(0)
                                                         : find_camera(loaded.world, command.camera);
+    if (command.auto_exposure) {
+        command.options.exposure = meter_exposure(session.device.get(), loaded.world, camera, command.options);
+        print_exposure(command.options.exposure);
+        session.renderer.reset(); // before another is there: it holds memory
+        session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+    }
+    if (session.device && type_of(*session.device) == "software")
+        check_memory_for(loaded.scene);
     session.renderer->set_world(loaded.world);
     start_up.world = watch.lap();
     session.renderer->render(camera, command.frames);
@@ -74,48 +109,41 @@ void render_once(Session& session, const RenderCommand& command, const LoadedSce
     start_up.frames = watch.lap();
     const std::vector<Picture> pictures = read_pictures(*session.renderer, command);
     for (const std::string& note : stats.notes)
-        fmt::print(stderr, "note: {}\n", note);
+        Log(command.reading.log_level).note(note);
     if (command.validate && !command.watch)
         session.renderer.reset(); // taking everything down is checked too
     if (session.device)
         check_validation(*session.device);
     write(pictures);
+    warn_of_picture(command, pictures[0], loaded.world);
     start_up.picture = watch.lap();
     if (!command.stats.empty())
-        save_text(stats_json(command, stats, start_up), command.stats);
+        save_text(stats_json(command, stats, start_up, warnings_of(loaded.world)), command.stats);
     fmt::print("{}: {}x{}, {}, {} lights, {} triangles, {:.1f} ms a frame on {}\n",
-               command.output.string(), command.options.width, command.options.height,
+               escaped(command.output.string()), command.options.width, command.options.height,
                command.renderer, stats.lights, stats.triangles, stats.wall_ms.median, stats.device);
     std::fflush(stdout);
 }
 
-/// What --watch looks at.
-std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
-    std::vector<std::filesystem::path> files;
-    if (names_file(command.scene))
-        files.emplace_back(command.scene);
-    for (const auto& [name, file] : command.materials)
-        files.push_back(file);
-    if (!command.environment.file.empty())
-        files.push_back(command.environment.file);
-    return files;
-}
-
 } // namespace
 
-void run(const RenderCommand& command) {
+void run(const RenderCommand& given) {
+    RenderCommand command = given;
     const RendererInfo info = find_renderer(command.renderer);
+    check_scene_name(command.scene);
     check_before_work(command, info);
 
-    // The renderer comes before a file: wrong usage is told before a long load. A built-in scene is
-    // made meanwhile.
+    // The renderer comes before a file, and so do materials: wrong usage and mistakes are told before a long
+    // load. A built-in scene is made meanwhile.
     StartUp start_up;
     Stopwatch clock;
     std::future<Scene> built_in;
     if (names_builtin(command.scene))
         built_in = std::async(std::launch::async, [&] { return make_builtin(command.scene, command.lights, command.seed); });
     OwnMaterials materials(command.materials);
-    const SceneEdit edit = [&, environment = environment_edit(command.environment)](Scene& scene) {
+    // Added lights are lights too: whoever wants the studio beside them says so.
+    const bool studio_where_dark = names_file(command.scene) && !command.lights;
+    const SceneEdit edit = [&, environment = environment_edit(command.environment, studio_where_dark)](Scene& scene) {
         materials.assign(scene);
         environment(scene);
     };
@@ -124,15 +152,18 @@ void run(const RenderCommand& command) {
         throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
                                      command.validate ? "--validate" : "--device", info.name));
     if (info.needs_device)
-        session.device = Device::create({.select = command.device, .validate = command.validate});
+        session.device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
+                                     command.options.height, command.options.msaa);
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+    materials.check();
     FileWatch watch(files_of(command));
     start_up.device = clock.lap();
-    const SceneTime time{command.moment, command.animation};
+    const SceneTime time{command.moment, command.animation, command.reading};
+    const SceneView view{double(command.options.width) / command.options.height, command.framing};
     const auto load = [&] {
-        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit);
+        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit, view);
     };
-    std::unique_ptr<LoadedScene> loaded = built_in.valid() ? resolve_builtin(built_in.get(), time, edit) : load();
+    std::unique_ptr<LoadedScene> loaded = built_in.valid() ? resolve_builtin(built_in.get(), time, edit, view) : load();
     start_up.scene = clock.lap();
     render_once(session, command, *loaded, start_up);
 

@@ -14,13 +14,17 @@ const BuiltinScene* find_builtin(const std::vector<BuiltinScene>& scenes, const 
     return found == scenes.end() ? nullptr : &*found;
 }
 
-void resolve_at(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edit) {
+void resolve_at(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edit, const SceneView& view) {
+    if (!time.reading.scene.empty())
+        loaded.scene.default_scene = find_scene(loaded.scene, time.reading.scene); // the edit looks at its lights
     if (edit)
         edit(loaded.scene);
     std::optional<uint32_t> animation;
     if (!time.animation.empty())
         animation = find_animation(loaded.scene, time.animation);
     loaded.world = resolve(loaded.scene, {}, time.moment, animation);
+    if (view.framing || loaded.world.framed)
+        loaded.world.cameras = {frame(loaded.world, view.aspect, view.framing.value_or(Framing{}))};
 }
 
 } // namespace
@@ -36,6 +40,11 @@ bool names_builtin(const std::string& name) {
     return !names_file(name) && find_builtin(builtin_scenes(), name);
 }
 
+void check_scene_name(const std::string& name) {
+    if (!names_file(name) && !find_builtin(builtin_scenes(), name))
+        throw UsageError(fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
+}
+
 Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed) {
     const std::vector<BuiltinScene> scenes = builtin_scenes();
     const BuiltinScene* builtin = find_builtin(scenes, name);
@@ -44,31 +53,35 @@ Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint
     return make_scene(name, lights.value_or(builtin->default_lights), seed);
 }
 
-std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time, const SceneEdit& edit) {
+std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time, const SceneEdit& edit,
+                                             const SceneView& view) {
     auto loaded = std::make_unique<LoadedScene>();
     loaded->scene = std::move(scene);
-    resolve_at(*loaded, time, edit);
+    resolve_at(*loaded, time, edit, view);
     return loaded;
 }
 
 std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
                                         uint64_t seed, uint64_t max_lights, const SceneTime& time,
-                                        const SceneEdit& edit) {
+                                        const SceneEdit& edit, const SceneView& view) {
     auto loaded = std::make_unique<LoadedScene>();
+    check_scene_name(name);
     const bool file = names_file(name);
-    if (!file && !find_builtin(builtin_scenes(), name))
-        throw Error(
-            fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
-    loaded->scene = file ? load_gltf(name) : make_builtin(name, lights, seed);
-    resolve_at(*loaded, time, edit);
+    const LoadOptions options{.strict = time.reading.strict, .memory_limit = time.reading.memory_limit};
+    loaded->scene = file ? load_gltf(name, options) : make_builtin(name, lights, seed);
+    resolve_at(*loaded, time, edit, view);
     if (file && lights) {
         if (*lights > max_lights)
             throw Error(fmt::format("{}: --lights {}: the renderer holds {}", name, *lights, max_lights));
         scatter_lights(loaded->world, *lights, seed);
     }
     // After all that can fail: a failure is one line.
-    for (const std::string& warning : loaded->scene.warnings)
-        fmt::print(stderr, "warning: {}\n", warning);
+    const std::vector<std::string> warnings = warnings_of(loaded->world);
+    if (time.reading.strict && !warnings.empty())
+        throw Error(warnings.front());
+    const Log log(time.reading.log_level);
+    for (const std::string& warning : warnings)
+        log.warning(warning);
     return loaded;
 }
 

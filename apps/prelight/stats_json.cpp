@@ -53,7 +53,8 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
         {"settings", Json(stats.settings)},
         {"size", {options.width, options.height}},
         {"msaa", options.msaa},
-        {"shading", options.shading == Shading::ggx ? "ggx" : "phong"},
+        {"exposure", options.exposure},
+        {"shading", stats.shading == Shading::ggx ? "ggx" : "phong"},
         {"lights", stats.lights},
         {"triangles", stats.triangles},
         {"draws", stats.draws},
@@ -81,6 +82,11 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
     };
     if (stats.shadows)
         entry["shadows"] = shadows_json(*stats.shadows);
+    if (stats.light_buffer)
+        entry["light_buffer"] = {{"diffuse_scale", stats.light_buffer->diffuse_scale},
+                                 {"specular_scale", stats.light_buffer->specular_scale},
+                                 {"clipped_pixels", stats.light_buffer->clipped_pixels}};
+    entry["notes"] = stats.notes;
     return entry;
 }
 
@@ -88,11 +94,13 @@ std::string json_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string stats_json(const RenderCommand& command, const Stats& stats, const StartUp& start_up) {
+std::string stats_json(const RenderCommand& command, const Stats& stats, const StartUp& start_up,
+                       const std::vector<std::string>& warnings) {
     Json entry = stats_entry(command.scene, command.renderer, command.options, stats);
     entry["start_up_ms"] = {{"device", start_up.device}, {"scene", start_up.scene},
                             {"world", start_up.world},   {"frames", start_up.frames},
                             {"picture", start_up.picture}, {"total", start_up.total()}};
+    entry["warnings"] = warnings;
     return json_text(entry);
 }
 

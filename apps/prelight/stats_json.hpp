@@ -17,6 +17,8 @@ nlohmann::ordered_json stats_entry(const std::string& scene, const std::string& 
 std::string json_text(const nlohmann::ordered_json& json);
 
 /// The run's figures as `--stats` writes them; times in milliseconds, memory in bytes.
-std::string stats_json(const RenderCommand& command, const Stats& stats, const StartUp& start_up);
+/// `warnings`: about the scene's file.
+std::string stats_json(const RenderCommand& command, const Stats& stats, const StartUp& start_up,
+                       const std::vector<std::string>& warnings);
 
 } // namespace prelight::app

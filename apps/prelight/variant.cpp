@@ -37,15 +37,16 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-/// The words of a setting; a range of numbers is left to the renderer's own check.
+/// The words of a setting; a value that may be a number is left to the renderer's own check.
 void check_setting(std::string_view option, const RendererInfo& info, const std::string& key,
                    const std::string& value) {
     const auto setting = std::ranges::find(info.settings, key, &SettingInfo::key);
     if (setting == info.settings.end())
         throw UsageError(fmt::format("{} {}@{}={}: {} has no setting {}", option, info.name, key,
                                      value, info.name, key));
-    if (setting->values.size() > 1 &&
-        std::ranges::find(setting->values, value) == setting->values.end())
+    const bool takes_numbers =
+        std::ranges::any_of(setting->values, [](const std::string& one) { return one.find(" … ") != std::string::npos; });
+    if (!takes_numbers && std::ranges::find(setting->values, value) == setting->values.end())
         throw UsageError(fmt::format("{} {}@{}={}: allowed is {}", option, info.name, key, value,
                                      fmt::join(setting->values, ", ")));
 }

@@ -1,5 +1,7 @@
 #include "watch.hpp"
 
+#include "watchdog.hpp"
+
 #include <chrono>
 #include <thread>
 
@@ -23,6 +25,7 @@ std::optional<FileWatch::States> FileWatch::look() const {
 
 void FileWatch::wait() {
     using namespace std::chrono_literals;
+    const WatchdogPause pause;
     std::optional<States> before = known_;
     for (;;) {
         std::this_thread::sleep_for(200ms);

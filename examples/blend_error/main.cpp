@@ -77,6 +77,7 @@ Pair render_both(Device& device, const World& world, const PlacedCamera& camera,
     options.width = width;
     options.height = height;
     options.views = {"linear"};
+    options.settings = {{"light-culling", "volumes"}, {"light-sums", "target"}}; // blended in half floats, however many lights
     const auto renderer = create_renderer("light-prepass", &device, options);
     renderer->set_world(world);
     renderer->render(camera);

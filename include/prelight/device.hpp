@@ -23,6 +23,8 @@ struct DeviceOptions {
     bool validate = false;       ///< core and synchronization validation; see validation_messages
     /// VkFormat values to treat as missing: shows what a device without them gets.
     std::vector<uint32_t> hidden_formats = {};
+    /// The same of optional extensions, by name.
+    std::vector<std::string> hidden_extensions = {};
 };
 
 /// A Vulkan 1.3 device with its queue, allocator and caches. The Vulkan side is in src/gpu.

@@ -1,14 +1,19 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace prelight {
 
-/// The work failed: a bad scene, a lost device, no memory. `what()` is one line that names the file
+/// Text fit for one line of a terminal: control characters, bytes that are no UTF-8 and characters that
+/// turn the direction of text are written as escapes (\n, \x1b, \u202e). What has been escaped stays as it is.
+std::string escaped(std::string_view text);
+
+/// The work failed: a bad scene, a lost device, no memory. `what()` is one line, escaped, that names the file
 /// (or device), the object in it, and the reason. The program ends with exit status 1.
 class Error : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit Error(std::string_view message) : std::runtime_error(escaped(message)) {}
 };
 
 /// The request itself was wrong: an unknown setting, a value out of range, a combination that no

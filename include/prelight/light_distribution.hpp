@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <glm/mat3x3.hpp>
+#include <optional>
 #include <prelight/scene.hpp>
 #include <span>
 #include <string>
@@ -52,8 +53,10 @@ inline bool has_distribution(const Light& light) { return light.cookie != no_coo
 /// Widest outer cone of a spot with a cookie: 85°, for the square around 90° has no end.
 inline constexpr float widest_cookie_cone = 1.48352986f;
 
-/// Throws Error "OBJECT: REASON" for a cookie or profile on a directional light, an image that is not there, not 2 : 1
-/// or 6 : 1 on a point light, a spot too wide for one, a size that is no radius.
+/// What is wrong with a light: a cookie or profile on a directional one, an image that is not there, not 2 : 1
+/// or 6 : 1 on a point light, a spot too wide for one, a size that is no radius. Nothing: it is as it should be.
+std::optional<std::string> light_fault(const Scene& scene, const Light& light);
+/// Throws that as an Error "OBJECT: REASON".
 void check_light(const Scene& scene, const Light& light, const std::string& object);
 
 /// The same of all lights of a world, before a renderer takes them: "SCENE: light NAME: REASON".

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <prelight/material.hpp>
 #include <string>
 #include <string_view>
@@ -54,10 +55,14 @@ std::shared_ptr<const MaterialShader> find_material_shader(std::string_view name
 std::shared_ptr<const MaterialShader> parse_material_shader(std::string name, std::string file, std::string source);
 /// Reads a file, at most 1 MiB. Throws Error.
 std::shared_ptr<const MaterialShader> load_material_shader(const std::filesystem::path& file);
-/// Compiles it for every pass that may draw with it. Throws Error "FILE:LINE: REASON".
+/// Compiles it, without optimising, for a pass that reads sums of light and for one that makes them, so that a
+/// mistake is told before a scene is loaded. The passes that draw with it compile it when they are made. Throws
+/// Error "FILE:LINE: REASON".
 void check_material_shader(const MaterialShader& shader);
 
-/// Checks a material's parameters and textures against its shader. Throws Error that begins with `object`.
+/// What of a material's parameters and textures does not fit its shader; nothing: all does.
+std::optional<std::string> material_fault(const Material& material);
+/// Throws that as an Error that begins with `object`.
 void check_material(const Material& material, const std::string& object);
 
 /// Gives all materials of that name the shader, and tangents to what they are on. Throws UsageError when there

@@ -23,7 +23,9 @@ struct ReferenceForm {
     /// pixel's row and column (Tokuyoshi and Kaplanyan 2019).
     bool specular_antialiasing = false;
     double occlusion_radius = 0;      ///< metres: ambient light is occluded by what is nearer; 0: by nothing
-    bool bilinear_level0 = true;      ///< textures: bilinear on level 0, whatever the sampler says
+    /// Textures: bilinear on level 0, whatever the sampler says; false: as samplers say, with mip maps but for alpha masks
+    /// and decals.
+    bool bilinear_level0 = true;
     /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.
     enum class Specular { stored, luv, fifth_channel, luminance, bent } specular = Specular::stored;
@@ -56,7 +58,7 @@ struct ReferencePicture {
 
 /// The form that pictures of a renderer with these settings in force (`Stats::settings`) are judged
 /// against: `model`, `specular`, `specular-gate`, `specular-vector`, `ambient`, `g-buffer`, `shadows`,
-/// `specular-antialiasing`. A key that a renderer
+/// `specular-antialiasing`, `texture-filter` (trilinear as samplers say; anisotropy is not modelled). A key that a renderer
 /// lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
 ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings);

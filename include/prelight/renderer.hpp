@@ -22,7 +22,7 @@ enum class Shading {
 struct RenderOptions {
     uint32_t width = 1280;
     uint32_t height = 720;
-    Shading shading = Shading::ggx;
+    std::optional<Shading> shading; ///< absent: the preset's own, without one ggx; see shading_in_force()
     Tonemap tonemap = Tonemap::pbr_neutral;
     double exposure = 0;           ///< EV: scene-linear values are multiplied by 2^exposure
     uint32_t msaa = 1;
@@ -34,12 +34,21 @@ struct RenderOptions {
     std::vector<std::string> views;              ///< buffers that `read` will be asked for
 };
 
+/// What a setting needs to have an effect.
+struct SettingNeed {
+    std::string key;                 ///< another setting, or "shading"
+    std::vector<std::string> values; ///< that it may have
+    std::string or_view{};           ///< or this view is asked for
+};
+
 /// One setting of a renderer, as `prelight renderers NAME` lists it.
 struct SettingInfo {
     std::string key;
-    std::vector<std::string> values; ///< allowed words; or one entry like "0.1 … 64" for a number
+    std::vector<std::string> values; ///< allowed words; an entry like "0.1 … 64" stands for a number
     std::string default_value;
     std::string description;
+    /// All of them; a setting that the user changes without them is refused. Filled in by renderer_infos().
+    std::vector<SettingNeed> needs{};
 };
 
 struct RendererInfo {
@@ -51,7 +60,12 @@ struct RendererInfo {
     /// What each preset sets; --set goes before it.
     std::map<std::string, std::map<std::string, std::string>> preset_settings{};
     bool needs_device = true;
+    /// The lighting model of each preset's source text; one that is not named has no preference.
+    std::map<std::string, Shading> preset_shading{};
 };
+
+/// The model that a renderer shades with: what was asked for, or the preset's, or ggx.
+Shading shading_in_force(const RendererInfo& info, const RenderOptions& options);
 
 struct Spread {
     double min = 0, median = 0, max = 0; ///< milliseconds
@@ -90,7 +104,7 @@ struct ShadowStats {
     uint64_t budget = 0;         ///< texels that there are
     uint64_t texels = 0;         ///< of them, in a tile
     uint64_t lights = 0;         ///< with a shadow
-    uint64_t lights_reduced = 0; ///< of these, with smaller tiles than they asked for: the budget was short
+    uint64_t lights_reduced = 0; ///< of these, with less than a texel for eight pixels across: the budget was short
     uint64_t lights_without = 0; ///< that should have a shadow, and not even one texel a tile was left
     uint32_t smallest = 0, largest = 0; ///< side of a tile, texels
     uint64_t tiles_drawn = 0;    ///< in the last frame
@@ -98,9 +112,16 @@ struct ShadowStats {
     uint64_t casters_drawn = 0;  ///< objects in the tiles that were drawn
 };
 
+/// What a light buffer in fixed point made of the last frame's light: codes are 0 … 1 times a scale.
+struct LightBufferStats {
+    double diffuse_scale = 0, specular_scale = 0; ///< the largest light that each sum holds
+    uint64_t clipped_pixels = 0; ///< with a channel at the largest value: their light may have been more
+};
+
 struct Stats {
     std::string device, driver;
     std::map<std::string, std::string> settings; ///< every setting with the value in force
+    Shading shading = Shading::ggx; ///< in force
     std::vector<std::string> notes; ///< what the device could not give as asked for, one line each
     uint64_t lights = 0, triangles = 0, draws = 0;
     uint64_t triangles_drawn = 0;   ///< of them, what the first pass over all geometry sends to the device
@@ -117,6 +138,7 @@ struct Stats {
     CreatedObjects created;         ///< during the last frame: nothing, once all has been drawn
     std::optional<HostTimes> host_ms = {}; ///< renderers on a device
     std::optional<ShadowStats> shadows = {}; ///< with shadows=on
+    std::optional<LightBufferStats> light_buffer = {}; ///< of a target in fixed point
     uint64_t attachment_bytes_unshared = 0; ///< the same images, if none shared memory with another
     uint64_t pairs_evaluated = 0, pairs_contributing = 0;
     bool pairs_counted = false;

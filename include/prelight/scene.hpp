@@ -36,6 +36,9 @@ struct Environment {
     float intensity = 1;    ///< factor on the image's radiance, ≥ 0 and finite
     double rotation = 0;    ///< radians about +Y, counter-clockwise seen from above: π/2 puts the middle along −X
     bool background = true; ///< seen where nothing is drawn
+    /// What is seen there in place of `image`, as wide as high twice over too, with the same intensity and rotation. It lights
+    /// nothing. Empty: `image`.
+    Image backdrop{};
 };
 
 /// Four of the joints that move each vertex. A vertex's place is the sum over all sets of weight ×
@@ -94,6 +97,9 @@ struct Node {
     std::optional<uint32_t> decal{};      ///< index into Scene::decals; the node is its box
     std::optional<uint32_t> emitter{};    ///< index into Scene::emitters
     bool receives_decals = true;          ///< decals lie on its mesh
+    /// KHR_node_visibility: false hides mesh, light, decal and emitter of the node and of all below it.
+    /// Joints still move and cameras still see.
+    bool visible = true;
 };
 
 /// One of the file's scenes: a name and its root nodes.
@@ -119,7 +125,7 @@ struct Scene {
     glm::vec3 ambient{0};                 ///< uniform environment radiance, linear RGB
     /// Light from all around, in place of `ambient`, which it makes unused; null: `ambient`.
     std::shared_ptr<const Environment> environment{};
-    std::vector<std::string> warnings;    ///< what the loader left out or changed, one line each
+    std::vector<std::string> warnings;    ///< what the loader repaired or left out: "FILE: OBJECT: REASON", one line each
 };
 
 /// One drawn object: a mesh at a place.
@@ -153,6 +159,7 @@ struct World {
     std::vector<PlacedLight> lights; ///< of the nodes, then of the emitters' particles
     std::vector<PlacedDecal> decals{}; ///< by Decal::order: later ones lie over earlier ones
     std::vector<PlacedCamera> cameras;
+    bool framed = false;            ///< cameras[0] is resolve()'s own frame(): the scene has none
     glm::vec3 ambient{0};           ///< uniform environment radiance; unused where the scene has an environment
     glm::dvec3 bounds_min{0};       ///< of all triangles' vertices
     glm::dvec3 bounds_max{0};
@@ -164,25 +171,34 @@ struct World {
     }
 };
 
+/// Whether anything shines in one of the scene's trees: a node with a light or an emitter, ambient light, an environment.
+bool is_lit(const Scene& scene, std::optional<uint32_t> scene_index = {});
+
 /// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
-/// camera gets one named "framed" that shows its bounds from (1, 0.6, 1.4) with 0.87 rad or, when the
-/// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One without lights,
-/// without ambient and without environment gets the documented key light (directional, 3 lux, from the upper left behind
-/// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25.
+/// camera gets one named "framed" (frame() in framing.hpp, for a square picture) or, when the
+/// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One that is not is_lit()
+/// gets the documented key light (directional, 3 lux, from the upper left behind
+/// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25. Whoever would rather have the studio gives the scene
+/// make_environment("studio") (scene_io.hpp) before.
 /// Without a `moment` nodes and morph weights are as the file gives them (skins are in the pose of
 /// their joints) and nothing has moved. With one they are as the animations put them at its time, and
 /// the "previous" members of instances, vertices and cameras tell where things were one interval
 /// earlier. `animation`: only this one of Scene::animations; absent: all, and where several change
 /// the same property of a node, the first in the file's order.
 /// Particles of emitters are as they are at the moment's time, without one at time 0.
-/// Throws Error: no triangles, a world transform that is not finite, an animation or skin that does
-/// not fit its node.
+/// A tree without triangles is an empty picture; warnings_of() says what there was instead.
+/// Throws Error: a world transform that is not finite, an animation or skin that does not fit its node.
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {},
               const std::optional<Moment>& moment = {}, std::optional<uint32_t> animation = {});
+
+/// Scene::warnings, and what of the tree that the world was made of cannot be shown, one line each.
+std::vector<std::string> warnings_of(const World& world);
 
 /// Index into Scene::animations, by name or by index in decimal. Throws UsageError listing what there
 /// is.
 uint32_t find_animation(const Scene& scene, const std::string& name_or_index);
+/// Index into Scene::scenes, likewise.
+uint32_t find_scene(const Scene& scene, const std::string& name_or_index);
 
 /// Adds `count` point lights, uniform in the world's bounds, hues from `seed`, with the range that
 /// puts about 8 of them on a point and intensity range²/2 cd.

@@ -8,10 +8,18 @@
 
 namespace prelight {
 
-/// Reads glTF 2.0, .gltf or .glb (told apart by content). Everything is checked before it is used;
-/// throws Error with one line "FILE: OBJECT: REASON". What is left out stands in Scene::warnings.
-/// Memory stays below the multiple of the input's size that `docs/gltf.md` states.
-Scene load_gltf(const std::filesystem::path& path);
+struct LoadOptions {
+    bool strict = false; ///< what would be a warning about the file is an Error with the same line
+    /// Bytes that reading may plan with: a quarter for the pictures as they are when decoded (textures that do not fit are scaled
+    /// down, with a warning), a quarter for geometry. 0: what the machine can spare now.
+    uint64_t memory_limit = 0;
+};
+
+/// Reads glTF 2.0, .gltf or .glb (told apart by content). Everything is checked before it is used. What is wrong
+/// with one object alone is repaired or leaves that object out; Scene::warnings says so. What makes the file
+/// unusable (its JSON, its indices, its buffers) throws Error with one line "FILE: OBJECT: REASON".
+/// Memory stays below the limits that `docs/gltf.md` states.
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Writes the scene as .glb (images as PNG) that the Khronos validator accepts without errors.
 /// The file appears under a temporary name and is renamed when whole. Throws Error.
@@ -20,6 +28,19 @@ void save_glb(const Scene& scene, const std::filesystem::path& path);
 /// Reads a picture of all directions: Radiance .hdr, OpenEXR or (sRGB-encoded, 8 bits) PNG, told apart by the name's
 /// ending. Throws Error "FILE: REASON": not twice as wide as high, wider than 16,384, a value negative or not finite.
 Environment load_environment(const std::filesystem::path& path);
+
+struct BuiltinEnvironment {
+    std::string_view name;
+    std::string_view description;
+};
+/// studio.
+std::vector<BuiltinEnvironment> builtin_environments();
+
+/// A built-in environment, with soft_backdrop() behind it; the same name gives the same map. Throws UsageError for an unknown one.
+Environment make_environment(std::string_view name);
+
+/// A backdrop that does not compete with what stands before it: grey, lighter around the horizon. For Environment::backdrop.
+Image soft_backdrop();
 
 struct BuiltinScene {
     std::string_view name;

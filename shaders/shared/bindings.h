@@ -42,6 +42,7 @@
 #define INPUT_LIT_BLOCKS 19
 #define INPUT_LIT_BEFORE 20
 #define INPUT_STALE_BLOCKS 21
+#define INPUT_SECOND_BEFORE 22
 // index trimming on the device
 #define INPUT_TRIM_DRAWS 20
 #define INPUT_TRIM_GROUPS 21
@@ -64,6 +65,10 @@
 #define INPUT_OCCLUSION 32
 #define INPUT_AMBIENT_LIGHT 33
 #define INPUT_MIRRORED_LIGHT 34
+// the scale of fixed-point light buffers
+#define INPUT_LIGHT_HISTOGRAM 36
+#define INPUT_LIGHT_SCALE 37
+#define INPUT_FRAME_CONSTANTS 38
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -125,7 +130,8 @@
 #define CONSTANT_LIST_SLICED 31
 #define CONSTANT_LIST_FILL 33
 #define CONSTANT_LIST_COARSE 37
-#define CONSTANT_LIST_EMPTY 38
+#define CONSTANT_LIST_TRIM 38
+#define CONSTANT_LIST_TRIM_LIGHTS 29
 #define CONSTANT_LIST_MASKED 39
 #define CONSTANT_LIST_ROWS 34
 #define CONSTANT_LIST_GROUP_ROWS 35
@@ -144,6 +150,12 @@
 #define CONSTANT_OCCLUSION_RADIUS 80
 #define CONSTANT_OCCLUSION_SCALE 81
 #define CONSTANT_OCCLUSION_AXIS 82
+#define CONSTANT_LIGHT_CODES 90
+#define CONSTANT_LIGHTS_BLENDED 91
+#define CONSTANT_CLIPPING_FIRST 92
+#define CONSTANT_CLIPPING_SECOND 93
+#define CONSTANT_LIGHT_MOST 94
+#define CONSTANT_LIGHT_SAMPLE_STEP 95
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -208,6 +220,11 @@
 #define STORAGE_UNORM10 2
 #define STORAGE_FLOAT11 3
 
+// What is done to lists for measuring.
+#define LIST_TRIM_MARK 0  // lights that contribute to no pixel of their tile
+#define LIST_TRIM_KEEP 1  // the others only
+#define LIST_TRIM_EMPTY 2
+
 #define LIGHT_OUTPUT_LIGHT 0
 #define LIGHT_OUTPUT_COUNT 1
 
@@ -242,5 +259,7 @@
 #define VIEW_MOTION 10
 #define VIEW_SECOND_LIGHT 11  // the other half of a pair
 #define VIEW_OCCLUSION 16
+#define VIEW_SPECULAR_LIGHT 17  // light by the specular scale
+#define VIEW_SUN_OCCLUSION 18
 
 #endif

@@ -26,7 +26,7 @@ void write_sums(ivec2 pixel, LightSums sums) {
     vec3 stored = min(sums.light / frame.light_buffer.x, vec3(frame.ambient.w));
     vec4 light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
 #ifdef STORAGE_TARGET
-    light += texelFetch(target_before, pixel, 0);
+    light += first_before(pixel);
 #endif
     write_first(pixel, light);
 }

@@ -57,7 +57,7 @@ vec3 shade_lamps(ForwardSurface s, LampSums sums, vec3 ambient, bool with_base) 
     light.diffuse = sums.irradiance / lambert_divisor;
     light.luminance = luminance(light.diffuse);
     light.specular = sums.specular;
-    if (shading == SHADING_GGX) {
+    if (shading == SHADING_GGX && model == MODEL_FULL) { // nv: as light_without_lamps() has it
         light.grazing_diffuse = clamp(sums.grazing_diffuse / max(luminance(sums.irradiance), 1e-12), 0.0, 1.0);
         light.grazing_specular = clamp(sums.grazing_specular / max(luminance(sums.specular), 1e-12), 0.0, 1.0);
     }

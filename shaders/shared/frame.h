@@ -18,9 +18,10 @@ struct FrameConstants {
     vec4 size;             // width, height, 1/width, 1/height in pixels
     vec4 ambient;          // rgb: radiance × exposure; w: largest value that one light stores
     vec4 light_buffer;     // x: scale that stored light is divided by (32 for float formats);
-                           // y: exposure factor
+                           // y: exposure factor; z: x of specular light
     mat4 previous_clip_from_world;  // what clip_from_world was one interval earlier, for positions
                                     // relative to this frame's camera; the same when it stood still
+    vec4 sun;  // the first directional light with a shadow: x: number of its first tile + 1, 0 without one; y: its number
 };
 
 // One light; directional ones are point lights whose vector to the light is constant.
@@ -67,7 +68,7 @@ struct MaterialConstants {
     vec4 emissive;              // rgb × exposure; w: alpha cut-off
     vec4 factors;               // metallic, roughness, normal scale, occlusion strength
     vec4 uv_linear[11];         // MATERIAL_TEXTURES of them, in the order of MATERIAL_… bindings: columns of 2×2
-    vec4 uv_offset[11];         // xy: offset; z: texture-coordinate set
+    vec4 uv_offset[11];         // xy: offset; z: texture-coordinate set; w: 1 where vertex tangents follow its coordinates
 };
 
 // What of the world's environment map no pixel needs to look up.

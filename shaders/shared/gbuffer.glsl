@@ -15,7 +15,11 @@ layout(constant_id = CONSTANT_POSITION_FROM_RAY) const bool position_from_ray = 
 
 layout(set = SET_INPUTS, binding = INPUT_DEPTH) uniform texture2D depth_buffer;
 layout(set = SET_INPUTS, binding = INPUT_NORMAL) uniform texture2D normal_buffer;
+#ifdef STENCIL_ROUGHNESS  // as a code of eight bits
+layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform utexture2D roughness_buffer;
+#else
 layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform texture2D roughness_buffer;
+#endif
 
 // Device depth (1 near, 0 far) → view depth in metres. clip.z = −x·z + y, clip.w = z or 1.
 float view_depth(float device_depth) {
@@ -34,10 +38,14 @@ vec3 read_normal(ivec2 pixel) {
 }
 
 float read_roughness(ivec2 pixel) {
+#ifdef STENCIL_ROUGHNESS
+    return roughness_decode(float(texelFetch(roughness_buffer, pixel, 0).r) / 255.0);
+#else
     if (gbuffer_layout == GBUFFER_KILLZONE2)
         return roughness_decode(texelFetch(roughness_buffer, pixel, 0).b);
     return normal_holds_roughness(normal_encoding) ? roughness_decode(texelFetch(normal_buffer, pixel, 0).a)
                                                    : texelFetch(roughness_buffer, pixel, 0).r;
+#endif
 }
 
 // Stored depth is reversed device depth, or view depth (linear_depth); 0 where no surface is.
@@ -48,7 +56,11 @@ float read_depth(ivec2 pixel) { return linear_depth_decode(depth_source, texelFe
 bool read_position(ivec2 pixel, out vec3 world) {
     float stored = read_depth(pixel);
     bool surface = stored > 0.0;
+#ifdef SMALL_PICTURE  // of another size than the frame's
+    vec2 clip = (vec2(pixel) + 0.5) / vec2(textureSize(depth_buffer, 0)) * 2.0 - 1.0;
+#else
     vec2 clip = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
+#endif
     if (position_from_ray) {
         float z = !surface ? 1.0 : linear_depth ? stored : view_depth(stored);
         vec3 across = clip.x * frame.ray_right.xyz + clip.y * frame.ray_up.xyz;

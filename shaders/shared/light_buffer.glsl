@@ -46,11 +46,12 @@ LightTexels read_light() {
     float luv_luminance = first.b;
     if (specular_way == SPECULAR_LUV)
         first.rgb = luv_decode(first.rg) * luv_luminance;
-    first = min(first * frame.light_buffer.x, vec4(65504.0));
     if (!packed_light) {
-        vec4 second = min(texels.second * frame.light_buffer.x, vec4(65504.0));
+        first = min(first * frame.light_buffer.x, vec4(65504.0));
+        vec4 second = min(texels.second * frame.light_buffer.z, vec4(65504.0));
         return LightTexels(first, second, 0.0);
     }
+    first = min(first * frame.light_buffer.xxxz, vec4(65504.0));
     float weight = luminance(first.rgb);
     if (specular_way == SPECULAR_FIFTH_CHANNEL)
         weight = texels.second.r * frame.light_buffer.x;

@@ -57,29 +57,40 @@ vec4 stored(vec4 value) {
 }
 
 void write_sums(ivec2 pixel, LightSums sums) {
-    float scale = 1.0 / frame.light_buffer.x;
-    float channel4 = luminance(sums.specular.rgb) * scale;
-#ifdef ONE_TARGET
-#ifndef STORAGE_TARGET
+#if defined(ONE_TARGET) && !defined(STORAGE_TARGET)
     // Chromaticity does not add up: ambient light cannot be blended to it later.
     if (specular_way == SPECULAR_LUV && ambient_as_light)
         add_ambient(sums);
 #endif
-    vec3 diffuse = sums.diffuse.rgb * scale;
-    // Chromaticity comes from the sum: that is the mean of the lights' own, weighted by energy.
-    if (specular_way == SPECULAR_LUV)
-        diffuse = vec3(luv_encode(diffuse), luminance(diffuse));
-    write_first(pixel, stored(vec4(diffuse, channel4)));
-#elif defined(LIGHT_PAIR)
-    write_pair(pixel, stored(sums.diffuse * scale), stored(sums.specular * scale));
+    float scale = 1.0 / frame.light_buffer.x, specular_scale = 1.0 / frame.light_buffer.z;
+    vec4 first = sums.diffuse * scale, second = sums.specular * specular_scale;
+#ifdef ONE_TARGET
+    first.a = luminance(second.rgb); // channel 4
 #else
     if (specular_way == SPECULAR_FIFTH_CHANNEL) {
-        write_first(pixel, stored(vec4(sums.diffuse.rgb * scale, channel4)));
-        write_second(pixel, stored(vec4(sums.fifth * scale, 0.0, 0.0, 0.0)));
-        return;
+        first.a = luminance(second.rgb);
+        second = vec4(sums.fifth * scale, 0.0, 0.0, 0.0);
     }
-    write_first(pixel, stored(sums.diffuse * scale));
-    write_second(pixel, stored(sums.specular * scale));
+#endif
+#ifdef ADDED
+    vec4 before = first_before(pixel);
+    if (specular_way == SPECULAR_LUV)
+        before.rgb = luv_decode(before.rg) * before.b;
+    first += before;
+#ifndef ONE_TARGET
+    second += second_before(pixel);
+#endif
+#endif
+    // Chromaticity comes from the sum: that is the mean of the lights' own, weighted by energy.
+    if (specular_way == SPECULAR_LUV)
+        first.rgb = vec3(luv_encode(first.rgb), luminance(first.rgb));
+#ifdef LIGHT_PAIR
+    write_pair(pixel, stored(first), stored(second));
+#else
+    write_first(pixel, stored(first));
+#ifndef ONE_TARGET
+    write_second(pixel, stored(second));
+#endif
 #endif
 }
 #endif

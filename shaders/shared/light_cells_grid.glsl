@@ -45,7 +45,7 @@ uvec3 cell_at(uvec3 group, uint invocation) {
 
 uint slices_in_use(uvec3 at, LightCell cell) { return 1u; }
 
-Piece cell_piece(uvec3 at, LightCell cell, uint slice) {
+Piece cell_piece(uvec3 at, LightCell cell, uint slice, bool whole) {
     return grid_piece(lists.grid_origin.xyz + vec3(at) * lists.grid_cell.xyz, lists.grid_cell.xyz);
 }
 #endif

@@ -122,12 +122,13 @@ uint slices_in_use(uvec3 at, LightCell cell) {
     return slices;
 }
 
-Piece cell_piece(uvec3 at, LightCell cell, uint slice) {
+// `whole`: with all of its slices.
+Piece cell_piece(uvec3 at, LightCell cell, uint slice, bool whole) {
     vec2 low = vec2(at.xy) * float(tile_size);
     float nearest = cell.nearest, farthest = cell.farthest;
     if (sliced) {
-        nearest = max(nearest, slice_begin(slice));
-        farthest = min(farthest, slice_begin(slice + 1u));
+        nearest = max(nearest, whole ? nearest : slice_begin(slice));
+        farthest = min(farthest, whole ? farthest : slice_begin(slice + 1u));
     }
     return screen_piece(low, low + float(tile_size), nearest, farthest);
 }

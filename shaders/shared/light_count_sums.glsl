@@ -22,6 +22,10 @@ bool add_light(inout LightSums sums, LitPixel p, Lamp lamp) {
 void add_ambient(inout LightSums sums) {} // is no light × pixel pair
 
 void write_sums(ivec2 pixel, LightSums sums) {
-    write_first(pixel, vec4(sums.evaluated, sums.contributing, 0.0, 0.0));
+    vec4 counts = vec4(sums.evaluated, sums.contributing, 0.0, 0.0);
+#ifdef ADDED
+    counts += first_before(pixel);
+#endif
+    write_first(pixel, counts);
 }
 #endif

@@ -21,10 +21,13 @@ struct LightListConstants {
     uvec4 coarse;       // xyz: coarse cells along each axis; w: all of them
     vec4 grid_origin;   // xyz: the grid's low corner, world space relative to the camera
     vec4 grid_cell;     // xyz: a cell's size, metres
+    uvec4 round;        // the lights of this round: x: where they begin in light_order; y: turns that loops over them may take;
+                        // z: number of the round
 };
 
 // A tile, a cell of the grid or a coarse cell, and where its lists lie in the entries. Sliced: the entries at
 // `first` begin with one end (exclusive) for each slice in use, then the lists follow.
+// Sliced, and `slices` 0 with a list of its own: one list for all depths.
 // A coarse cell whose tiles have masks: after its `count` lights a bit for each of them, for each of LIST_GROUP
 // tiles, in words that belong to one tile.
 struct LightCell {

@@ -5,8 +5,8 @@
 SHARED_BEGIN
 
 struct LightLoop {
-    uint count;    // of light_order[]
-    uint ambient;  // 1: ambient light is one of the lights
+    uint first, end;  // in light_order[]
+    uint ambient;     // 1: ambient light is one of the lights
 };
 
 SHARED_END

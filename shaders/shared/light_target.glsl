@@ -4,7 +4,10 @@
 #include "shared/bindings.h"
 #extension GL_EXT_samplerless_texture_functions : require
 
-#ifdef STORAGE_TARGET
+#ifdef NO_TARGET  // the sums are looked at and go nowhere
+void write_first(ivec2 pixel, vec4 value) {}
+void write_second(ivec2 pixel, vec4 value) {}
+#elif defined(STORAGE_TARGET)
 #ifdef LIGHT_PAIR
 #include "shared/light_pair.glsl"
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_TARGET) uniform writeonly uimage2D pair_target;
@@ -17,8 +20,18 @@ layout(set = SET_INPUTS, binding = INPUT_SECOND_LIGHT_TARGET) uniform writeonly 
 void write_second(ivec2 pixel, vec4 value) { imageStore(second_target, pixel, value); }
 #endif
 #endif
-#ifdef DEFERRED_TARGET  // what the target held; draws blend instead
+// What the targets held, for passes that add to it; draws blend instead.
+#if defined(ADDED) && defined(LIGHT_PAIR)
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform utexture2D pair_before;
+vec4 first_before(ivec2 pixel) { return half_floats(texelFetch(pair_before, pixel, 0).xy); }
+vec4 second_before(ivec2 pixel) { return half_floats(texelFetch(pair_before, pixel, 0).zw); }
+#elif defined(ADDED) || defined(DEFERRED_TARGET)
 layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform texture2D target_before;
+vec4 first_before(ivec2 pixel) { return texelFetch(target_before, pixel, 0); }
+#ifndef ONE_TARGET
+layout(set = SET_INPUTS, binding = INPUT_SECOND_BEFORE) uniform texture2D second_target_before;
+vec4 second_before(ivec2 pixel) { return texelFetch(second_target_before, pixel, 0); }
+#endif
 #endif
 #else
 layout(location = 0) out vec4 out_first;

@@ -26,6 +26,8 @@ struct LitPoint {
     float shininess;  // [phong] the material's exponent
 #ifdef SHADOWS
     vec2 turn;        // of the disc that shadows are filtered with
+    uint sun;         // the shadow (as in Lamp) that needs no maps, for it is known here; 0: there is none
+    float sunlit;     // what comes past it
 #endif
 };
 
@@ -41,6 +43,8 @@ LitPoint lit_point(bool surface, vec3 world, vec3 n, vec3 v, float roughness, ve
     p.shininess = 1.0;
 #ifdef SHADOWS
     p.turn = disc_turn(pixel);
+    p.sun = 0u;
+    p.sunlit = 1.0;
 #endif
     if (shading == SHADING_GGX) {
         p.alpha2 = roughness * roughness * roughness * roughness;
@@ -133,7 +137,9 @@ LightTerms light_terms(inout Lamp lamp, LitPoint p) {
         lamp.luminance = luminance(lamp.colour);
     }
 #ifdef SHADOWS
-    att *= unshadowed(lamp.shadow, p.world, p.n, -to_light, nl, p.turn, contributes);
+    bool known = p.sun > 0u && lamp.shadow == p.sun;
+    float unhidden = unshadowed(lamp.shadow, p.world, p.n, -to_light, nl, p.turn, contributes && !known);
+    att *= known ? p.sunlit : unhidden;
 #endif
     float lv = dot(l, p.v);
     float half2 = max(2.0 + 2.0 * lv, 1e-12);  // |L + V|²

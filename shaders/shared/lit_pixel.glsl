@@ -30,8 +30,14 @@ LitPixel read_pixel(ivec2 pixel) {
     p.point = lit_point(surface, world, read_normal(pixel), to_viewer(world), max(read_roughness(pixel), 0.089),
                         vec2(pixel) + 0.5);
 #ifdef DEFERRED_TARGET
-    p.takes_light = stored_reflectance(texelFetch(material_buffer, pixel, 0), texelFetch(albedo_buffer, pixel, 0),
-                                       p.reflects);
+    vec4 albedo = texelFetch(albedo_buffer, pixel, 0);
+    p.takes_light = stored_reflectance(texelFetch(material_buffer, pixel, 0), albedo, p.reflects);
+#ifdef SHADOWS
+    if (gbuffer_layout == GBUFFER_KILLZONE2) {
+        p.point.sun = uint(frame.sun.x);
+        p.point.sunlit = albedo.a;
+    }
+#endif
 #endif
     return p;
 }

@@ -6,7 +6,8 @@
 
 namespace prelight::gpu {
 
-/// A VkResult's name, for messages ("VK_ERROR_DEVICE_LOST").
+/// What a VkResult means, with its name, for messages: "the device was lost (VK_ERROR_DEVICE_LOST)".
+/// Empty for one that Vulkan 1.3 does not have.
 std::string_view result_name(VkResult result);
 
 /// Throws Error "WHAT: reason" unless `result` is VK_SUCCESS.

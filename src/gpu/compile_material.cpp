@@ -1,12 +1,16 @@
 // A user's material, compiled at run time: `#include "material.glsl"` means the user's file, everything else
-// is what this build was made of.
+// is what this build was made of. What comes out is kept on disk, for the compiler takes a third of a second a stage.
+#include "cache_file.hpp"
 #include "compile_material.hpp"
 #include "glsl_sources.hpp"
+#include <cstring>
 #include <fmt/format.h>
+#include <glslang/build_info.h>
 #include <memory>
 #include <optional>
 #include <prelight/error.hpp>
 #include <shaderc/shaderc.hpp>
+#include <spirv-tools/libspirv.h>
 
 namespace prelight::gpu {
 namespace {
@@ -99,26 +103,110 @@ void add_defines(shaderc::CompileOptions& options, std::string_view defines) {
     }
 }
 
+/// What a stage is compiled to: SPIR-V for the device, or only a judgement of the source.
+enum class Aim { draw, check };
+
+const Stage& find_stage(const std::vector<Stage>& stages, const MaterialShader& shader, std::string_view name) {
+    for (const Stage& stage : stages)
+        if (stage.name == name)
+            return stage;
+    throw Error(fmt::format("{}: {} is compiled with no material", shader.name, name));
+}
+
+std::vector<uint32_t> compile(const MaterialShader& shader, const Stage& stage, Aim aim) {
+    shaderc::CompileOptions options;
+    options.SetTargetEnvironment(shaderc_target_env_vulkan, shaderc_env_version_vulkan_1_3);
+    options.SetOptimizationLevel(aim == Aim::draw ? shaderc_optimization_level_performance
+                                                  : shaderc_optimization_level_zero);
+    options.SetSuppressWarnings();
+    options.SetIncluder(std::make_unique<Includer>(shader));
+    add_defines(options, stage.defines);
+    const std::string_view source = find_source(stage.source).value();
+    const shaderc::SpvCompilationResult result = shaderc::Compiler().CompileGlslToSpv(
+        source.data(), source.size(), shaderc_fragment_shader, std::string(stage.source).c_str(), options);
+    if (result.GetCompilationStatus() != shaderc_compilation_status_success)
+        throw Error(first_mistake(result.GetErrorMessage(), shader));
+    return {result.begin(), result.end()};
+}
+
+std::string hash_of(std::string_view text) {
+    CacheKey key;
+    key.add(text);
+    return key.text();
+}
+
+/// Everything that this build adds to a user's source.
+const std::string& hash_of_own_sources() {
+    static const std::string hash = [] {
+        std::string all;
+        for (const auto& [name, text] : glsl_sources())
+            all += fmt::format("{} {}\n{}\n", name, text.size(), text);
+        return hash_of(all);
+    }();
+    return hash;
+}
+
+/// All that decides what comes out: the compiler, its options, every source. The file's name does not.
+std::string key_of(const MaterialShader& shader, const Stage& stage, Aim aim) {
+    return fmt::format("glslang {}.{}.{}, {}, vulkan1.3 {}\n{}\n{} {} {}\n{}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR,
+                       GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString(), aim == Aim::draw ? "-O" : "-O0",
+                       hash_of_own_sources(), stage.name, stage.source, stage.defines, shader.source);
+}
+
+/// A file holds the length of its key, the key, and then SPIR-V: two keys of one hash don't meet.
+struct KeptCode {
+    std::string key;
+    std::filesystem::path file; ///< empty: nothing is kept
+
+    KeptCode(const MaterialShader& shader, const Stage& stage, Aim aim) : key(key_of(shader, stage, aim)) {
+        if (const std::filesystem::path folder = cache_folder(); !folder.empty())
+            file = folder / "materials" / (hash_of(key) + ".spv");
+    }
+
+    std::optional<std::vector<uint32_t>> find() const {
+        const std::vector<std::byte> payload = read_cache(file);
+        uint64_t length = 0;
+        if (payload.size() < sizeof length)
+            return {};
+        std::memcpy(&length, payload.data(), sizeof length);
+        const std::span<const std::byte> rest = std::span(payload).subspan(sizeof length);
+        if (length != key.size() || rest.size() < length || (rest.size() - length) % 4 != 0 ||
+            std::memcmp(rest.data(), key.data(), key.size()) != 0)
+            return {};
+        std::vector<uint32_t> code((rest.size() - length) / 4);
+        if (!code.empty())
+            std::memcpy(code.data(), rest.data() + length, code.size() * 4);
+        return code;
+    }
+
+    void keep(std::span<const uint32_t> code) const {
+        if (file.empty())
+            return;
+        const uint64_t length = key.size();
+        std::vector<std::byte> payload(sizeof length + key.size() + code.size_bytes());
+        std::memcpy(payload.data(), &length, sizeof length);
+        std::memcpy(payload.data() + sizeof length, key.data(), key.size());
+        if (!code.empty())
+            std::memcpy(payload.data() + sizeof length + key.size(), code.data(), code.size_bytes());
+        write_cache(file, payload);
+        trim_cache(file.parent_path(), most_kept);
+    }
+
+    /// Somebody who edits a material leaves a few files with every version.
+    static constexpr size_t most_kept = 500;
+};
+
 } // namespace
 
 std::vector<uint32_t> compile_material(const MaterialShader& shader, std::string_view name) {
-    for (const Stage& stage : material_stages()) {
-        if (stage.name != name)
-            continue;
-        shaderc::CompileOptions options;
-        options.SetTargetEnvironment(shaderc_target_env_vulkan, shaderc_env_version_vulkan_1_3);
-        options.SetOptimizationLevel(shaderc_optimization_level_performance);
-        options.SetSuppressWarnings();
-        options.SetIncluder(std::make_unique<Includer>(shader));
-        add_defines(options, stage.defines);
-        const std::string_view source = find_source(stage.source).value();
-        const shaderc::SpvCompilationResult result = shaderc::Compiler().CompileGlslToSpv(
-            source.data(), source.size(), shaderc_fragment_shader, std::string(stage.source).c_str(), options);
-        if (result.GetCompilationStatus() != shaderc_compilation_status_success)
-            throw Error(first_mistake(result.GetErrorMessage(), shader));
-        return {result.begin(), result.end()};
-    }
-    throw Error(fmt::format("{}: {} is compiled with no material", shader.name, name));
+    const std::vector<Stage> stages = material_stages();
+    const Stage& stage = find_stage(stages, shader, name);
+    const KeptCode kept(shader, stage, Aim::draw);
+    if (auto code = kept.find(); code && !code->empty())
+        return std::move(*code);
+    std::vector<uint32_t> code = compile(shader, stage, Aim::draw);
+    kept.keep(code);
+    return code;
 }
 
 } // namespace prelight::gpu
@@ -128,9 +216,15 @@ namespace prelight {
 void check_material_shader(const MaterialShader& shader) {
     if (shader.file.empty())
         return; // was compiled with this build
-    for (const gpu::Stage& stage : gpu::material_stages())
-        if (stage.name.find("+decals") == std::string_view::npos) // the same code of the file's, once more
-            gpu::compile_material(shader, stage.name);
+    const std::vector<gpu::Stage> stages = gpu::material_stages();
+    for (const char* name : {"material.frag", "forward.frag"}) {
+        const gpu::Stage& stage = gpu::find_stage(stages, shader, name);
+        const gpu::KeptCode kept(shader, stage, gpu::Aim::check);
+        if (kept.find())
+            continue;
+        gpu::compile(shader, stage, gpu::Aim::check);
+        kept.keep({}); // that it compiles is all there is to know
+    }
 }
 
 } // namespace prelight

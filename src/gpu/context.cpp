@@ -34,6 +34,12 @@ Candidate take_chosen(const std::vector<Candidate>& all) {
 Context::Context(const DeviceOptions& options)
     : instance_(options.validate), chosen_(take_chosen(select_device(instance_, options.select))),
       hidden_formats_(options.hidden_formats) {
+    const auto hides = [&](const char* extension) {
+        const auto& hidden = options.hidden_extensions;
+        return std::find(hidden.begin(), hidden.end(), extension) != hidden.end();
+    };
+    chosen_.optional.conditional_rendering &= !hides(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
+    chosen_.optional.stencil_export &= !hides(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
     vkGetPhysicalDeviceProperties(physical(), &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical(), &memory_);
     create_device();
@@ -97,12 +103,15 @@ void Context::create_device() {
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT};
     conditional.conditionalRendering = VK_TRUE;
-    const char* const conditional_name = VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME;
+    std::vector<const char*> extensions;
     if (o.conditional_rendering) {
         v13.pNext = &conditional;
-        info.enabledExtensionCount = 1;
-        info.ppEnabledExtensionNames = &conditional_name;
+        extensions.push_back(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     }
+    if (o.stencil_export)
+        extensions.push_back(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
+    info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     check(vkCreateDevice(physical(), &info, nullptr, &device_), name());

@@ -89,6 +89,10 @@ uint32_t shuffle_lanes(const VkPhysicalDeviceSubgroupProperties& subgroups) {
     return shuffles && subgroups.subgroupSize <= 64 ? subgroups.subgroupSize : 0;
 }
 
+/// gallivm, which compiles llvmpipe's and lavapipe's shaders, counts the turns of all loops of an invocation and ends each
+/// loop at its next turn when they are used up (LP_MAX_TGSI_LOOP_ITERATIONS in lp_bld_limits.h).
+uint32_t loop_turns(VkDriverId driver) { return driver == VK_DRIVER_ID_MESA_LLVMPIPE ? 65535 : 0; }
+
 Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     Candidate candidate;
     candidate.physical = physical;
@@ -116,9 +120,14 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     vkGetPhysicalDeviceFeatures2(physical, &features);
     read_features(candidate, features.features);
     candidate.optional.shuffle_lanes = shuffle_lanes(subgroups);
+    candidate.optional.loop_turns = loop_turns(driver.driverID);
     (candidate.optional.shuffle_lanes > 0 ? info.features : info.missing).push_back("subgroup shuffle");
     candidate.optional.conditional_rendering = conditional_rendering(physical);
     (candidate.optional.conditional_rendering ? info.features : info.missing).push_back("conditional rendering");
+    // What SwiftShader exports is wrong on some surfaces: a picture lit by it is 34 dB from what it should be.
+    candidate.optional.stencil_export = driver.driverID != VK_DRIVER_ID_GOOGLE_SWIFTSHADER &&
+                                        has_extension(physical, VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
+    (candidate.optional.stencil_export ? info.features : info.missing).push_back("stencil export");
     const bool fragment_stores = features.features.fragmentStoresAndAtomics;
     const std::optional<uint32_t> family = graphics_queue_family(physical);
     if (!family)

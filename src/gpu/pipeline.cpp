@@ -22,6 +22,7 @@ void set_stencil(VkPipelineDepthStencilStateCreateInfo& state, Stencil stencil) 
         state.back.depthFailOp = VK_STENCIL_OP_INCREMENT_AND_WRAP;
         state.front.depthFailOp = VK_STENCIL_OP_DECREMENT_AND_WRAP;
         break;
+    case Stencil::exported: state.front.passOp = state.back.passOp = VK_STENCIL_OP_REPLACE; break;
     case Stencil::marked_to_zero:
         for (VkStencilOpState* face : {&state.front, &state.back}) {
             face->compareOp = VK_COMPARE_OP_NOT_EQUAL;
@@ -50,7 +51,7 @@ VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
 
 std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipelineDesc& desc) {
     VkPipelineColorBlendAttachmentState state{};
-    state.blendEnable = desc.blend != Blend::none;
+    state.blendEnable = desc.blend == Blend::add || desc.blend == Blend::over;
     state.srcColorBlendFactor = state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
     state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     if (desc.blend == Blend::over) {
@@ -58,7 +59,7 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
         state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     }
     state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
-    state.colorWriteMask = desc.fragment.empty() ? 0 : 0xf;
+    state.colorWriteMask = desc.fragment.empty() ? 0 : desc.blend == Blend::alpha_only ? VK_COLOR_COMPONENT_A_BIT : 0xf;
     return std::vector<VkPipelineColorBlendAttachmentState>(desc.colour_formats.size(), state);
 }
 

@@ -15,6 +15,7 @@ enum class Blend {
     none,
     add,
     over, ///< colour that is multiplied by its alpha, over what is there; the target's alpha is multiplied by 1 − alpha
+    alpha_only, ///< nothing blends: the target's alpha is replaced, its colour stays
 };
 enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only, overwrite };
 
@@ -24,7 +25,8 @@ enum class Stencil {
     none,
     mark_passing,  ///< camera outside: front faces that pass +1, back faces that pass −1
     mark_failing,  ///< camera inside: back faces that fail +1, front faces that fail −1
-    marked_to_zero ///< draws where the stencil is not 0, and zeroes it
+    marked_to_zero, ///< draws where the stencil is not 0, and zeroes it
+    exported       ///< holds what the fragment shader says: OptionalFeatures::stencil_export
 };
 
 /// Everything of a graphics pipeline that Prelight varies. Depth is reversed: nearer is greater, so

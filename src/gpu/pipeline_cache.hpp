@@ -1,24 +1,16 @@
 #pragma once
+#include "cache_file.hpp"
 #include "handle.hpp"
-#include <filesystem>
-#include <span>
-#include <vector>
 
 namespace prelight::gpu {
 
-/// Where the cache of this device and driver lies: $XDG_CACHE_HOME (or ~/.cache)/prelight/. Empty
-/// when neither variable is set.
+/// Where the cache of this device and driver lies: in cache_folder(); empty when there is none.
 std::filesystem::path pipeline_cache_file(const VkPhysicalDeviceProperties& properties);
 
-/// The file's own frame around the driver's bytes: magic, length, FNV-1a checksum. Drivers accept
-/// random bytes in silence, so that a damaged file has to be found here.
-std::vector<std::byte> seal_cache(std::span<const std::byte> payload);
-/// The payload, or nothing when the frame is damaged.
-std::span<const std::byte> open_cache(std::span<const std::byte> file);
-
-/// Reads the file; a missing or damaged one gives an empty cache.
+/// Reads the file; a missing or damaged one gives an empty cache. Drivers accept random bytes in silence, so that a
+/// damaged file has to be found by the frame around them.
 UniquePipelineCache load_pipeline_cache(VkDevice device, const std::filesystem::path& file);
-/// Writes it (temporary name, then rename); failure is silent: a cache is only a help.
+/// Writes it; failure is silent.
 void save_pipeline_cache(VkDevice device, VkPipelineCache cache, const std::filesystem::path& file);
 
 } // namespace prelight::gpu

@@ -217,8 +217,9 @@ UniqueSampler make_sampler(const Context& context, const Sampler& sampler, Textu
                                                            : VK_SAMPLER_MIPMAP_MODE_NEAREST;
         // Without mip maps a lod of 0.25 keeps minification apart from magnification (Vulkan spec).
         info.maxLod = sampler.mip == MipFilter::none ? 0.25f : VK_LOD_CLAMP_NONE;
-        info.anisotropyEnable = filter == TextureFilter::anisotropic && context.features().anisotropy && sampler.mip == MipFilter::linear &&
-                                sampler.min == Filter::linear;
+        // Only where everything is linear anyway: with anisotropy drivers choose filters themselves.
+        info.anisotropyEnable = filter == TextureFilter::anisotropic && context.features().anisotropy &&
+                                sampler.mag == Filter::linear && sampler.min == Filter::linear && sampler.mip == MipFilter::linear;
         info.maxAnisotropy = std::min(8.0f, context.limits().maxSamplerAnisotropy);
     }
     VkSampler handle = VK_NULL_HANDLE;

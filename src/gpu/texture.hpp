@@ -43,7 +43,7 @@ private:
 /// How textures are filtered.
 enum class TextureFilter {
     trilinear,   ///< as the scene's sampler says
-    anisotropic, ///< as the scene's sampler says, with anisotropy where the device has it
+    anisotropic, ///< likewise, with anisotropy where the sampler is linear throughout and the device has it
     bilinear,    ///< bilinear on level 0, whatever the sampler says: for comparing with the reference
 };
 /// For shadow maps: 1 where the value compared is at least what is stored, bilinear between texels where the device

@@ -63,8 +63,8 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
                                                                   : VK_ATTACHMENT_STORE_OP_DONT_CARE;
     }
     VkRenderingAttachmentInfo stencil = depth;
-    stencil.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    stencil.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    stencil.loadOp = load_op(pass.stencil_load_.value_or(Load::clear));
+    stencil.storeOp = pass.stencil_load_ ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea = {{0, 0}, extent};
     info.layerCount = 1;

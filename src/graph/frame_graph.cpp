@@ -47,6 +47,17 @@ Pass& Pass::stencil(ImageId image) {
     return *this;
 }
 
+Pass& Pass::keeps_stencil(Load load) {
+    stencil_ = true;
+    stencil_load_ = load;
+    return *this;
+}
+
+Pass& Pass::sample_stencil(uint32_t binding, ImageId image) {
+    stencils_.push_back(binding);
+    return sample(binding, image);
+}
+
 Pass& Pass::sample(uint32_t binding, ImageId image) {
     sampled_.emplace_back(binding, image);
     return *this; // the access depends on the format: added by FrameGraph::compile
@@ -257,6 +268,8 @@ std::vector<gpu::Binding> FrameGraph::bindings(const Pass& pass, uint32_t slot) 
 VkImageView FrameGraph::sampled_view(const Pass& pass, uint32_t binding, const GraphImage& image) const {
     if (std::find(pass.bits_.begin(), pass.bits_.end(), binding) != pass.bits_.end())
         return image.bits_view;
+    if (std::find(pass.stencils_.begin(), pass.stencils_.end(), binding) != pass.stencils_.end())
+        return image.stencil_only_view;
     return has_stencil(image.desc.format) ? image.depth_only_view : image.view;
 }
 

@@ -50,6 +50,9 @@ public:
     Pass& depth_test(ImageId image);
     /// Depth test as above with the image's stencil beside it, cleared to 0 and lost after the pass.
     Pass& stencil(ImageId image);
+    /// What the draws leave in the stencil of the pass's depth image stays for passes after it; with depth_write(), or
+    /// after stencil().
+    Pass& keeps_stencil(Load load);
     /// texelFetch of an image at `binding` of the inputs set.
     Pass& sample(uint32_t binding, ImageId image);
     /// A compute pass writes the image at `binding` of the inputs set. It holds what it held before; the
@@ -58,6 +61,8 @@ public:
     /// The same for an RGBA16F image as two unsigned integers a texel, for unpackHalf2x16: a software
     /// device fetches them in less than half of the time, for it converts half floats one by one.
     Pass& sample_bits(uint32_t binding, ImageId image);
+    /// The stencil of an image, unsigned integers.
+    Pass& sample_stencil(uint32_t binding, ImageId image);
     /// Storage buffer at `binding` of the inputs set.
     Pass& storage(uint32_t binding, BufferId buffer, bool writes);
     /// The buffer holds commands of indirect draws or dispatches.
@@ -103,11 +108,13 @@ private:
     std::optional<ImageId> between_;
     bool depth_writes_ = false;
     bool stencil_ = false;
+    std::optional<Load> stencil_load_; ///< keeps_stencil()
     bool blends_ = false;
     std::vector<ImageUse> images_;
     std::vector<BufferUse> buffers_;
     std::vector<std::pair<uint32_t, ImageId>> sampled_, stored_;
     std::vector<uint32_t> bits_; ///< bindings of `sampled_` that sample_bits() made
+    std::vector<uint32_t> stencils_; ///< and sample_stencil()
     std::vector<std::pair<uint32_t, BufferId>> storages_;
     std::function<void(const PassInterface&)> prepare_;
     std::function<void(const PassContext&)> before_rendering_, record_;
@@ -214,6 +221,7 @@ private:
         gpu::UniqueImage image;
         gpu::UniqueImageView view;            ///< as an attachment
         gpu::UniqueImageView depth_only_view; ///< for shaders, where the format has stencil too
+        gpu::UniqueImageView stencil_only_view;
         gpu::UniqueImageView bits_view;       ///< for sample_bits()
         Access final_access;
     };

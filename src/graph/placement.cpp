@@ -119,8 +119,10 @@ void FrameGraph::create_views() {
         if (!image.usage)
             continue;
         image.view = create_view(image, aspects(image.desc.format), image.desc.format);
-        if (has_stencil(image.desc.format)) // a shader sees one aspect
+        if (has_stencil(image.desc.format)) { // a shader sees one aspect
             image.depth_only_view = create_view(image, VK_IMAGE_ASPECT_DEPTH_BIT, image.desc.format);
+            image.stencil_only_view = create_view(image, VK_IMAGE_ASPECT_STENCIL_BIT, image.desc.format);
+        }
         if (image.as_bits)
             image.bits_view = create_view(image, VK_IMAGE_ASPECT_COLOR_BIT, bits_format);
     }

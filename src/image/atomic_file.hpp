@@ -8,9 +8,11 @@ namespace prelight {
 /// A file that appears whole or not at all: it is written under a hidden temporary name in the
 /// target's own folder (so that the rename stays on one file system) and renamed by `commit`.
 /// Without a commit, for instance because an exception passes, the temporary file is removed.
+/// Where the target is a symbolic link, what it leads to is written, and the link stays. A device or a
+/// pipe is written directly, for there is nothing to rename.
 ///
 ///     AtomicFile file(path);
-///     file.write(bytes);      // or hand file.temporary() to a library that opens files itself
+///     file.write(bytes);
 ///     file.commit();
 class AtomicFile {
 public:
@@ -21,7 +23,7 @@ public:
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /// The name to write to until `commit`.
+    /// Where the bytes lie until `commit`; empty for a device or a pipe.
     const std::filesystem::path& temporary() const { return temporary_; }
     /// Appends bytes to the temporary file. Throws Error (disk full …).
     void write(std::span<const std::byte> bytes);
@@ -30,10 +32,21 @@ public:
     void commit();
 
 private:
-    std::filesystem::path target_;
+    void open_temporary();
+    void open_device();
+
+    std::filesystem::path name_;   ///< as it was given, for messages
+    std::filesystem::path target_; ///< what it leads to
     std::filesystem::path temporary_;
     int descriptor_ = -1;
-    bool committed_ = false;
+    int slot_ = -1; ///< in the table of temporary files
 };
+
+/// The file that `path` leads to through symbolic links, which need not be there yet. Throws Error: links in a circle.
+std::filesystem::path follow_links(const std::filesystem::path& path);
+
+/// Removes the temporary files of this process that were not committed. For a handler of fatal signals: it calls
+/// nothing but unlink().
+void remove_temporary_files() noexcept;
 
 } // namespace prelight

@@ -3,11 +3,11 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
 #include <string_view>
+#include <system/read_file.hpp>
+#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {
@@ -26,6 +26,8 @@ public:
         // A row takes at least two bytes for each channel and 127 pixels.
         if (uint64_t(width) * height / 32 > bytes_.size())
             fail("ends too early");
+        if (uint64_t(width) * height * sizeof(glm::vec3) > spare_memory())
+            fail(fmt::format("{}x{} pixels need more memory than there is", width, height));
         Image image(width, height);
         std::vector<Code> row(width);
         for (uint32_t y = 0; y < height; ++y) {
@@ -145,10 +147,7 @@ private:
 } // namespace
 
 Image load_hdr(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        throw Error(fmt::format("{}: cannot be opened", path.string()));
-    return Reader(path.string(), {std::istreambuf_iterator<char>(stream), {}}).read();
+    return Reader(path.string(), read_text_file(path, largest_file::environment)).read();
 }
 
 } // namespace prelight

@@ -1,26 +1,12 @@
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <image/atomic_file.hpp>
-#include <iterator>
-#include <memory>
+#include <image/png_reader.hpp>
+#include <image/png_writer.hpp>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
-
-// Static: another library of this program may hold its own copy of stb.
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#define STBI_MAX_DIMENSIONS 65536
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STBI_WRITE_NO_STDIO
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
+#include <system/read_file.hpp>
+#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {
@@ -31,8 +17,27 @@ uint8_t to_byte(float value) {
     return value >= 1 ? 255 : static_cast<uint8_t>(std::lround(value * 255));
 }
 
-void write_to(void* file, void* data, int size) {
-    static_cast<AtomicFile*>(file)->write(data, static_cast<size_t>(size));
+Image decode(std::span<const uint8_t> bytes) {
+    PngReader reader(bytes);
+    if (reader.sixteen_bits())
+        throw DecodeError("16 bits a channel, 8 are wanted");
+    const uint64_t pixels = uint64_t(reader.width()) * reader.height();
+    if (pixels * (sizeof(glm::vec3) + (reader.interlaced() ? 4 : 0)) > spare_memory())
+        throw DecodeError(fmt::format("{} × {} pixels need more memory than there is", reader.width(), reader.height()));
+    Image image(reader.width(), reader.height());
+    const size_t row_bytes = size_t(reader.width()) * 4;
+    std::vector<uint8_t> rows(row_bytes * (reader.interlaced() ? reader.height() : 1));
+    if (reader.interlaced())
+        reader.read_all(rows.data());
+    for (uint32_t y = 0; y < reader.height(); ++y) {
+        if (!reader.interlaced())
+            reader.read_row(rows.data());
+        const uint8_t* row = rows.data() + (reader.interlaced() ? y * row_bytes : 0);
+        for (uint32_t x = 0; x < reader.width(); ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                image.at(x, y)[channel] = static_cast<float>(row[4 * size_t(x) + static_cast<size_t>(channel)]) / 255;
+    }
+    return image;
 }
 
 } // namespace
@@ -47,33 +52,17 @@ void save_png(const Image& display, const std::filesystem::path& path) {
     for (const glm::vec3& pixel : display.pixels)
         for (int channel = 0; channel < 3; ++channel)
             bytes.push_back(to_byte(pixel[channel]));
-    if (!stbi_write_png_to_func(write_to, &file, static_cast<int>(display.width),
-                                static_cast<int>(display.height), 3, bytes.data(), 0))
-        throw Error(fmt::format("{}: the picture cannot be encoded as PNG", path.string()));
+    file.write(encode_png(display.width, display.height, 3, bytes));
     file.commit();
 }
 
 Image load_png(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        throw Error(fmt::format("{}: cannot be opened", path.string()));
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-    const int size = static_cast<int>(std::min<size_t>(bytes.size(), 0x7fffffff));
-    if (stbi_is_16_bit_from_memory(data, size))
-        throw Error(fmt::format("{}: PNG of 16 bits a channel, 8 are wanted", path.string()));
-    int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
-        stbi_load_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
-    if (!decoded)
-        throw Error(
-            fmt::format("{}: not a readable PNG ({})", path.string(), stbi_failure_reason()));
-    Image image(static_cast<uint32_t>(width), static_cast<uint32_t>(height));
-    for (size_t i = 0; i < image.pixels.size(); ++i)
-        for (int channel = 0; channel < 3; ++channel)
-            image.pixels[i][channel] =
-                static_cast<float>(decoded.get()[i * 3 + static_cast<size_t>(channel)]) / 255;
-    return image;
+    const std::vector<uint8_t> bytes = read_file(path, largest_file::picture);
+    try {
+        return decode(bytes);
+    } catch (const DecodeError& error) {
+        throw Error(fmt::format("{}: not a readable PNG ({})", path.string(), error.what()));
+    }
 }
 
 } // namespace prelight

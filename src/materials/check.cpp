@@ -16,28 +16,34 @@ std::string names_of(const std::vector<Declared>& declared) {
 
 } // namespace
 
-void check_material(const Material& material, const std::string& object) {
+std::optional<std::string> material_fault(const Material& material) {
     if (!material.shader)
-        return;
+        return {};
     const MaterialShader& shader = *material.shader;
     for (const auto& [name, value] : material.parameters) {
         const MaterialParameter* parameter = shader.find_parameter(name);
         if (!parameter)
-            throw Error(fmt::format("{}: {} has no parameter {} ({})", object, shader.name, name, names_of(shader.parameters)));
+            return fmt::format("{} has no parameter {} ({})", shader.name, name, names_of(shader.parameters));
         for (uint32_t c = 0; c < parameter->components; ++c)
             if (const float v = value[static_cast<int>(c)]; !(v >= parameter->low && v <= parameter->high))
-                throw Error(fmt::format("{}: parameter {} of {}: {} is outside {} … {}", object, name, shader.name, v,
-                                        parameter->low, parameter->high));
+                return fmt::format("parameter {} of {}: {} is outside {} … {}", name, shader.name, v, parameter->low,
+                                   parameter->high);
     }
     for (const auto& [name, texture] : material.textures)
         if (!shader.find_texture(name))
-            throw Error(fmt::format("{}: {} has no texture {} ({})", object, shader.name, name, names_of(shader.textures)));
+            return fmt::format("{} has no texture {} ({})", shader.name, name, names_of(shader.textures));
     for (const MaterialTexture& texture : shader.textures)
         if (texture.stand_in == MaterialTexture::StandIn::required) {
             const auto found = material.textures.find(texture.name);
             if (found == material.textures.end() || !found->second)
-                throw Error(fmt::format("{}: {} needs a texture {}", object, shader.name, texture.name));
+                return fmt::format("{} needs a texture {}", shader.name, texture.name);
         }
+    return {};
+}
+
+void check_material(const Material& material, const std::string& object) {
+    if (const auto fault = material_fault(material))
+        throw Error(fmt::format("{}: {}", object, *fault));
 }
 
 } // namespace prelight

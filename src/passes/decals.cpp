@@ -61,10 +61,7 @@ private:
         pipeline.bind(pass.commands);
         pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
         pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-        // lavapipe's anisotropic filter takes its steps from neighbouring pixels, whatever textureGrad() tells it.
-        const resident::Materials& materials = frame_.materials();
-        const gpu::DescriptorSets& sets = frame_.context().is_software() ? materials.plain_sets : materials.sets;
-        pipeline.bind_set(pass.commands, SET_MATERIAL, sets[box.decal->material]);
+        pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets_for_gradients()[box.decal->material]);
         vkCmdSetCullMode(pass.commands, inside ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT);
         vkCmdSetFrontFace(pass.commands, box.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
         const shared::DecalConstants constants = decal_constants(box, frame_.eye(), inside);
@@ -114,14 +111,19 @@ void decal_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     if (!decals)
         return;
     graph::Pass& pass = graph.pass("decal-normal");
-    pass.depth_test(surface.depth).colour(surface.normal, graph::Load::keep);
+    const bool stencil = surface.format.roughness_in_stencil;
+    if (stencil)
+        pass.stencil(surface.depth).keeps_stencil(graph::Load::keep);
+    else
+        pass.depth_test(surface.depth);
+    pass.colour(surface.normal, graph::Load::keep);
     const bool apart = surface.roughness != surface.normal;
     if (apart)
         pass.colour(surface.roughness, graph::Load::keep);
     declare_decals(pass, decals);
     draw_surfaces(graph, pass, frame,
                   {.name = pass.name(),
-                   .fragment = apart ? "depth_normal+roughness.frag" : "depth_normal.frag",
+                   .fragment = stencil ? "depth_normal+stencil.frag" : apart ? "depth_normal+roughness.frag" : "depth_normal.frag",
                    .constants = surface.format.constants(),
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,

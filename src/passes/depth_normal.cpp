@@ -111,15 +111,18 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
 
     std::string shader = "depth_normal";
     graph::Pass& pass = graph.pass(format.two_passes ? "normal" : "depth-normal");
-    if (format.two_passes)
-        pass.depth_test(out.depth);
-    else
+    if (!format.two_passes)
         pass.depth_write(out.depth);
+    else if (!format.roughness_in_stencil)
+        pass.depth_test(out.depth);
     for (const NormalEncodingInfo& info : normal_encodings())
         if (info.encoding == format.normals)
             out.normal = out.roughness = graph.image("normal", extent, info.formats);
     pass.colour(out.normal, graph::Load::clear);
-    if (!shared::normal_holds_roughness(static_cast<int>(format.normals))) {
+    if (format.roughness_in_stencil) {
+        (format.two_passes ? pass.stencil(out.depth) : pass).keeps_stencil(graph::Load::clear);
+        shader += "+stencil";
+    } else if (!shared::normal_holds_roughness(static_cast<int>(format.normals))) {
         out.roughness = graph.image("roughness", extent, {VK_FORMAT_R16_SFLOAT, VK_FORMAT_R32_SFLOAT});
         pass.colour(out.roughness, graph::Load::clear);
         shader += "+roughness";

@@ -59,6 +59,7 @@ struct SurfaceFormat {
     bool view_space = false;         ///< normals in view space instead of world space
     DepthSource depth = DepthSource::attachment;
     bool stencil = false;            ///< the depth attachment has stencil beside it
+    bool roughness_in_stencil = false; ///< where it is stored, instead of beside the normal
     bool position_from_ray = true;   ///< frustum ray, or the inverse view-projection matrix
     bool two_passes = false;         ///< geometry once for depth and once for normals, instead of MRT
     GBufferLayout gbuffer = GBufferLayout::none;
@@ -73,7 +74,7 @@ struct SurfaceBuffers {
     graph::ImageId depth;        ///< D32F attachment, or one with stencil; reversed
     graph::ImageId depth_source; ///< what later passes read: the attachment, or a colour target
     graph::ImageId normal;
-    graph::ImageId roughness;    ///< the normal target itself when it holds roughness
+    graph::ImageId roughness;    ///< the normal target itself when it holds roughness, or stencil does
 };
 
 /// The depth attachment of a renderer: D32F, with `stencil` D32F_S8 or what the device has instead.

@@ -17,6 +17,8 @@ struct ForwardInputs {
     graph::ImageId colour;              ///< picture_image(): scene-linear and exposed, or finished
     Display display = {};               ///< forward_grid_pass(): how `colour` was made
     graph::Load load = graph::Load::clear;
+    /// Of lights: `equal`, exact because vertex_position() is invariant, or `behind_or_at`, LESS_OR_EQUAL.
+    gpu::DepthTest lights_test = gpu::DepthTest::equal;
     std::vector<StepKind> kinds;        ///< what the plan has; with base among them depth is written
     /// The draws of a frame, made anew for each from the lights of its objects.
     std::function<ForwardPlan(const resident::LightReach&)> plan;
@@ -32,7 +34,10 @@ void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const 
 
 /// [Z3] Every object once, with the lights that a grid over the world's bounds lists for the pixel's
 /// place; replaces, depth test EQUAL. `kinds` and `plan` are not used.
+/// Where forward_grid_adds(), in several draws that add up: `colour` must be linear.
 void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);
+
+bool forward_grid_adds(const resident::Frame& frame);
 
 /// The base colour of what is seen, for --view albedo.
 graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,

@@ -4,10 +4,13 @@
 namespace prelight::passes {
 namespace {
 
+constexpr float largest_sum = 65504; ///< of a pixel, as a half float holds it
+
 ForwardStep base_of(size_t draw) { return {static_cast<uint32_t>(draw), StepKind::base, {}}; }
 
 ForwardStep step_of(size_t draw, StepKind kind, std::span<const uint32_t> lights) {
     ForwardStep step{static_cast<uint32_t>(draw), kind, {}};
+    step.batch.limit = largest_sum;
     step.batch.count = static_cast<uint32_t>(lights.size());
     std::copy(lights.begin(), lights.end(), step.batch.lights);
     return step;
@@ -20,17 +23,17 @@ std::span<const uint32_t> take(std::span<const uint32_t>& rest, uint32_t per_pas
     return batch;
 }
 
-/// Half of the largest half float is for an object's base, half for its lights: the blended sum of
-/// its steps never reaches infinity.
-void set_limits(ForwardPlan& plan, size_t draws) {
-    std::vector<uint32_t> batches(draws, 0);
+} // namespace
+
+void limit_steps(ForwardPlan& plan, uint32_t most_adds) {
+    std::vector<uint32_t> batches;
+    for (const ForwardStep& step : plan)
+        batches.resize(std::max<size_t>(batches.size(), step.draw + 1));
     for (const ForwardStep& step : plan)
         batches[step.draw] += step.kind != StepKind::base;
     for (ForwardStep& step : plan)
-        step.batch.limit = 32752.0f / static_cast<float>(std::max(batches[step.draw], 1u));
+        step.batch.limit = 32752.0f / static_cast<float>(std::max(std::min(batches[step.draw], most_adds), 1u));
 }
-
-} // namespace
 
 ForwardPlan plan_base(size_t draws) {
     ForwardPlan plan;
@@ -47,7 +50,6 @@ ForwardPlan plan_by_objects(const resident::LightReach& reach, uint32_t per_pass
         for (auto rest = reach.of(d); !rest.empty();)
             plan.push_back(step_of(d, StepKind::lights, take(rest, per_pass)));
     }
-    set_limits(plan, reach.draws());
     return plan;
 }
 
@@ -81,7 +83,6 @@ ForwardPlan plan_by_lights(const resident::LightReach& reach, uint32_t per_pass,
     for (size_t d = 0; d < reach.draws(); ++d)
         if (waits[d])
             plan.push_back(base_of(d));
-    set_limits(plan, reach.draws());
     return plan;
 }
 
@@ -93,7 +94,6 @@ ForwardPlan plan_shaded_once(const resident::LightReach& reach, uint32_t per_pas
         while (!rest.empty())
             plan.push_back(step_of(d, StepKind::lights, take(rest, per_pass)));
     }
-    set_limits(plan, reach.draws());
     return plan;
 }
 

@@ -1,6 +1,7 @@
 #include "gbuffer.hpp"
 #include "fullscreen.hpp"
 #include "surface_draws.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -9,7 +10,7 @@ namespace prelight::passes {
 namespace {
 
 /// Four bytes each for RT0 … RT3, depth and stencil: Valient's layout.
-void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, GBuffer& out) {
+void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, bool, GBuffer& out) {
     out.surface.format.normals = NormalEncoding::xy16f;
     out.surface.format.view_space = true;
     out.surface.format.stencil = true;
@@ -20,12 +21,18 @@ void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, GBuffer& 
     out.surface.roughness = out.motion;
 }
 
+/// Some material dims what it reflects.
+bool has_gloss(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const Material& material) { return material.shader && material.textures.contains("gloss_map"); });
+}
+
 /// What the lighting model needs to be exact.
-void make_wide(graph::FrameGraph& graph, VkExtent2D extent, bool stencil, GBuffer& out) {
+void make_wide(graph::FrameGraph& graph, VkExtent2D extent, bool stencil, bool gloss, GBuffer& out) {
     out.surface.format.stencil = stencil;
     out.surface.depth = make_depth(graph, extent, stencil);
     out.surface.normal = graph.image("normal", {VK_FORMAT_R8G8B8A8_UNORM, extent});
-    out.motion = graph.image("motion", {VK_FORMAT_R16G16_SFLOAT, extent});
+    out.motion = graph.image("motion", {gloss ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R16G16_SFLOAT, extent});
     out.albedo = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
     out.surface.roughness = out.surface.normal;
 }
@@ -44,26 +51,30 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     out.surface.format.gbuffer = format.layout;
     out.surface.format.position_from_ray = format.position_from_ray;
     out.surface.format.specular_antialiasing = format.specular_antialiasing;
+    const auto reduced = [&](uint32_t size) { return (size + format.reduction - 1) / format.reduction; };
+    const VkExtent2D extent{reduced(frame.extent().width), reduced(frame.extent().height)};
     const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
-    make(graph, frame.extent(), format.stencil, out);
+    make(graph, extent, format.stencil, has_gloss(*frame.world().scene), out);
     out.surface.depth_source = out.surface.depth;
-    const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
-    out.light = graph.image("accumulated light", {light, frame.extent()});
+    const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM
+                           : format.wide_light   ? VK_FORMAT_R32G32B32A32_SFLOAT
+                                                 : VK_FORMAT_R16G16B16A16_SFLOAT;
+    out.light = graph.image("accumulated light", {light, extent});
 
     out.ambient_apart = format.ambient_apart;
     if (format.ambient_apart) {
         if (frame.context().limits().maxColorAttachments < 6)
             throw Error(fmt::format("{}: ambient light apart needs 6 colour attachments, and the device has {}", frame.context().name(),
                                     frame.context().limits().maxColorAttachments));
-        out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
-        out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+        out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
+        out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
     }
-    graph::Pass& pass = graph.pass("geometry");
+    graph::Pass& pass = graph.pass(format.pass);
     pass.depth_write(out.surface.depth);
     for (const graph::ImageId target : out.targets())
         pass.colour(target, graph::Load::clear);
     draw_surfaces(graph, pass, frame,
-                  {.name = "geometry",
+                  {.name = pass.name(),
                    .fragment = out.fragment(),
                    .constants = out.surface.format.constants(),
                    .motion = true});

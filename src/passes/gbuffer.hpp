@@ -24,7 +24,10 @@ struct GBufferFormat {
     bool position_from_ray = true;
     bool stencil = false;                       ///< killzone2 has it always
     bool specular_antialiasing = false;         ///< as in SurfaceFormat
+    bool wide_light = false;                    ///< RT0 in RGBA32F, for many lights that blending adds up
     bool ambient_apart = false;                 ///< ambient light waits in targets of its own for ambient_light_pass()
+    uint32_t reduction = 1;                     ///< pixels of the frame, along an axis, for each of the buffers'
+    const char* pass = "geometry";              ///< its name
 };
 
 /// The geometry pass: every object once, into four targets and depth. Ambient and emissive light, and

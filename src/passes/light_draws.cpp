@@ -42,7 +42,8 @@ LightDraws::LightDraws(const resident::Frame& frame, const graph::PassInterface&
     desc.depth_clamp = true;
     fullscreen_ = gpu::GraphicsPipeline(frame.context(), desc);
     if (inputs.shadows.reused && inputs.target.variant != "+count")
-        maps_ = std::make_unique<ShadowDraws>(frame, interface.inputs, *inputs.shadows.reused);
+        maps_ = std::make_unique<ShadowDraws>(frame, interface.inputs, inputs.shadows);
+    sun_stored_ = inputs.shadows.sun_stored;
 }
 
 gpu::GraphicsPipelineDesc LightDraws::pipeline(const char* name, const char* vertex) const {

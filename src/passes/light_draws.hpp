@@ -58,7 +58,8 @@ public:
         if (!maps_ || pass.one_pixel)
             return draw(first, count);
         for (uint32_t i = first; i < first + count; ++i) {
-            maps_->record_light(pass, lights().order[i]);
+            if (!in_gbuffer(lights().order[i]))
+                maps_->record_light(pass, lights().order[i]);
             draw(i, 1u);
         }
     }
@@ -66,9 +67,15 @@ public:
     const resident::LightGroups& lights() const { return frame_.lights(); }
 
 private:
+    /// The light's shadow waits there: nobody looks at its maps.
+    bool in_gbuffer(uint32_t light) const {
+        const auto sun = frame_.shadows()->sun();
+        return sun_stored_ && sun && sun->first == light;
+    }
     const resident::Frame& frame_;
     gpu::GraphicsPipelineDesc light_;
     AmbientDraw ambient_;
+    bool sun_stored_ = false;
     gpu::GraphicsPipeline fullscreen_;
     std::unique_ptr<ShadowDraws> maps_; ///< Shadows::reused
 };

@@ -20,8 +20,8 @@ gpu::Buffer make_storage(const resident::Frame& frame, const char* name, uint64_
 } // namespace
 
 ListBuffers::ListBuffers(const resident::Frame& frame, const shared::LightListConstants& layout, const LightGrid& grid,
-                         uint64_t first_room)
-    : frame_(frame), grid_(grid), guesses_(first_room == 0),
+                         uint64_t first_room, const LightRounds& rounds, uint32_t round)
+    : frame_(frame), grid_(grid), rounds_(rounds), round_(round), guesses_(first_room == 0),
       constants_(std::make_shared<shared::LightListConstants>(layout)),
       cells(make_storage(frame, "light cells", uint64_t(layout.cells.w) * sizeof(shared::LightCell))),
       coarse(make_storage(frame, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::LightCell))),
@@ -35,23 +35,23 @@ ListBuffers::ListBuffers(const resident::Frame& frame, const shared::LightListCo
 }
 
 std::optional<gpu::Buffer> ListBuffers::update(const gpu::FrameTurn& turn) {
-    const resident::LightGroups& lights = frame_.lights();
-    const auto count = [&](resident::LightGroup group) { return lights.count[static_cast<size_t>(group)]; };
     uint64_t needed = 0; // by the frames that are done
     for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
         if (turn.alone || slot == turn.slot)
             needed = std::max<uint64_t>(needed, *total[slot].mapped<uint32_t>());
     // The first frame has no other to learn from, and neither has one with other lights.
-    const uint32_t listed = count(resident::LightGroup::listed);
-    if (guesses_ && std::exchange(listed_, listed) != listed)
+    const RoundLights lights = lights_of_round(frame_, rounds_, round_);
+    if (guesses_ && std::exchange(listed_, lights.listed) != lights.listed)
         needed = std::max(needed, std::min<uint64_t>(first_guess(), most_entries()));
     const bool grows = needed > constants_->lights.z && constants_->lights.z < most_entries();
     if (grows && !full_)
         grow(needed + needed / 4);
     const glm::dvec3 origin = grid_.low - frame_.eye();
     constants_->grid_origin = glm::vec4(origin, 0);
-    constants_->lights.x = count(resident::LightGroup::fullscreen);
-    constants_->lights.y = listed;
+    constants_->lights.x = lights.everywhere;
+    constants_->lights.y = lights.listed;
+    const bool none = lights.everywhere + lights.listed == 0; // then shaders may look at what stands first
+    constants_->round = {none ? 0 : lights.first, rounds_.turns, round_, 0};
     return std::exchange(outgrown_, std::nullopt);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 #include "light_grid.hpp"
+#include "light_rounds.hpp"
+#include <algorithm>
 #include <gpu/buffer.hpp>
 #include <gpu/frames_in_flight.hpp>
 #include <memory>
@@ -16,7 +18,7 @@ public:
     /// `first_room`: room for lists in the first frame, in lights; 0: a guess. Throws Error when a buffer of a
     /// fixed size would be larger than the device allows.
     ListBuffers(const resident::Frame& frame, const shared::LightListConstants& layout, const LightGrid& grid,
-                uint64_t first_room);
+                uint64_t first_room, const LightRounds& rounds, uint32_t round);
 
     /// Before each frame: the buffer whose place another one took as `entries`, if so.
     std::optional<gpu::Buffer> update(const gpu::FrameTurn& turn);
@@ -24,13 +26,15 @@ public:
 
 private:
     uint64_t first_guess() const;
-    uint64_t all_lights() const { return frame_.light_capacity(); }
+    uint64_t all_lights() const { return std::min<uint64_t>(frame_.light_capacity(), rounds_.lights); }
     uint64_t most_entries() const { return frame_.context().limits().maxStorageBufferRange / sizeof(uint32_t); }
     void make_entries(uint64_t count);
     void grow(uint64_t count);
 
     const resident::Frame& frame_;
     LightGrid grid_;
+    LightRounds rounds_;
+    uint32_t round_;
     bool full_ = false;
     std::optional<gpu::Buffer> outgrown_;
     bool guesses_;

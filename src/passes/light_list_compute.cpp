@@ -64,7 +64,7 @@ ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& fra
 }
 
 void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-                             const LightingInputs& inputs, const LightLists& lists) {
+                             const LightingInputs& inputs, const LightLists& lists, bool everywhere, const std::string& ending) {
     const std::vector<graph::ImageId>& images = inputs.target.images;
     const bool keeps = inputs.target.load == graph::Load::keep;
     // With ambient light as a light every surface is lit.
@@ -79,13 +79,13 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
     const BlockList lit(graph, frame, "lit blocks", blocks), stale(graph, frame, "stale blocks", blocks + words);
     const auto before = std::make_shared<gpu::Buffer>(gpu::make_device_buffer(
         frame.context(), "blocks lit before", std::vector<std::byte>(words * sizeof(uint32_t)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
-    graph::Pass& find = graph.pass(name + "-lists lit");
+    graph::Pass& find = graph.pass(name + "-lists lit" + ending);
     find.storage(INPUT_LIGHT_CELLS, lists.tiles, false)
         .storage(INPUT_LIT_BLOCKS, lit.id, true)
         .storage(INPUT_STALE_BLOCKS, stale.id, true)
         .storage(INPUT_LIT_BEFORE, graph.buffer("blocks lit before", *before), true);
     dispatch_lists(find, frame, lists.constants, "light_lists_lit.comp",
-                   {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_AMBIENT_TOO, ambient}},
+                   {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_AMBIENT_TOO, ambient || everywhere}},
                    [before, stale](const graph::PassContext& context) { vkCmdDispatch(context.commands, 1, 1, 1); });
 
     if (!keeps) { // blocks without light stay as they are: a clear of the whole picture costs more than few lights
@@ -103,13 +103,15 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
                                        {CONSTANT_LIST_GROUP_ROWS, LIT_BLOCK / rows},
                                        {CONSTANT_LIST_MASKED, lists.masked},
                                        {CONSTANT_AMBIENT_TOO, ambient}});
-    graph::Pass& pass = graph.pass(name);
+    graph::Pass& pass = graph.pass(name + ending);
     declare_lit_surface(graph, pass, inputs);
     declare_light_lists(pass, lists);
     pass.storage(INPUT_LIT_BLOCKS, lit.id, false).indirect(lit.id);
     store(pass);
     if (keeps)
         pass.sample(INPUT_COLOUR_BEFORE, images[0]);
+    if (inputs.target.added && images.size() > 1)
+        pass.sample(INPUT_SECOND_BEFORE, images[1]);
     dispatch_lists(pass, frame, lists.constants, lighting_shader(inputs, "light_list", ".comp"), constants,
                    [lit](const graph::PassContext& context) {
                        if (context.one_pixel)

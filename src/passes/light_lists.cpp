@@ -1,6 +1,8 @@
 #include "light_lists.hpp"
 #include "light_grid.hpp"
 #include "light_list_buffers.hpp"
+#include "light_rounds.hpp"
+#include <algorithm>
 #include <gpu/compute_pipeline.hpp>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -19,7 +21,7 @@ public:
     Builder(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
             const LightListInputs& inputs, const LightListConstants& layout, const LightGrid& grid)
         : graph_(graph), frame_(frame), name_(name), inputs_(inputs),
-          buffers_(std::make_shared<ListBuffers>(frame, layout, grid, inputs.first_room)) {
+          buffers_(std::make_shared<ListBuffers>(frame, layout, grid, inputs.first_room, *inputs.rounds, inputs.round)) {
         cells_ = graph.buffer("light cells", buffers_->cells);
         coarse_ = graph.buffer("coarse light cells", buffers_->coarse);
         masks_ = graph.buffer("light masks", buffers_->masks);
@@ -105,7 +107,7 @@ private:
     using Groups = VkExtent3D (*)(const LightListConstants&);
 
     graph::Pass& add(const std::string& name, const std::string& shader, Groups groups, gpu::Constants own = {}) {
-        graph::Pass& pass = graph_.pass(name);
+        graph::Pass& pass = graph_.pass(name + round_name(inputs_.round));
         own.insert(own.end(), constants_.begin(), constants_.end());
         dispatch_lists(pass, frame_, buffers_->constants(), shader, own,
                        [groups, constants = buffers_->constants()](const graph::PassContext& context) {
@@ -144,7 +146,7 @@ LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& fr
     if (frame.context().features().shuffle_lanes == 0)
         throw Error(frame.context().name() + ": light lists need compute shaders that shuffle within subgroups of at most 64");
     LightListConstants layout{};
-    layout.lights.w = mask_words(frame.light_capacity());
+    layout.lights.w = mask_words(std::min<uint64_t>(frame.light_capacity(), inputs.rounds->lights));
     LightGrid grid;
     if (inputs.surface) {
         const uint32_t across = groups_of(frame.extent().width, inputs.tile_size);
@@ -163,6 +165,10 @@ LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& fr
     return Builder(graph, frame, name, inputs, layout, grid).build();
 }
 
+bool is_idle(const LightListConstants& constants, const graph::PassContext& pass) {
+    return constants.round.z > 0 && constants.lights.x + constants.lights.y == 0 && !pass.one_pixel;
+}
+
 void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,
                     std::shared_ptr<const shared::LightListConstants> push, const std::string& shader,
                     const gpu::Constants& constants, std::function<void(const graph::PassContext&)> dispatch) {
@@ -175,6 +181,8 @@ void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,
                                                            .push_bytes = sizeof(LightListConstants)});
     });
     pass.record([pipeline, dispatch = std::move(dispatch), push = std::move(push), &frame](const graph::PassContext& context) {
+        if (is_idle(*push, context))
+            return;
         pipeline->bind(context.commands);
         pipeline->bind_set(context.commands, SET_FRAME, frame.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);

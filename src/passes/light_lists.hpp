@@ -17,6 +17,8 @@ struct LightLists {
     bool masked = false; ///< `cells` are coarse ones, of whose lists each tile has a mask
 };
 
+struct LightRounds;
+
 /// Where the lists' cells lie.
 struct LightListInputs {
     const SurfaceBuffers* surface = nullptr; ///< tiles and clusters
@@ -26,6 +28,8 @@ struct LightListInputs {
     bool ambient = false;                    ///< who walks them lights surfaces that no list's light reaches
     /// Room for lists in the first frame, in lights; 0: a guess. It grows by itself.
     uint64_t first_room = 0;
+    const LightRounds* rounds = nullptr;     ///< read at once
+    uint32_t round = 0;                      ///< whose lights are listed
 };
 
 /// Builds lists of the lights that may reach each cell, in the order of Frame::lights(), on the device:
@@ -35,9 +39,12 @@ struct LightListInputs {
 LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                              const LightListInputs& inputs);
 
-/// Takes lights out of tiles' lists: ListContents. A pass of its own, "NAME-lists perfect" or "NAME-lists empty".
+/// A round after the first that has no light in this frame: nothing is recorded for it.
+bool is_idle(const shared::LightListConstants& constants, const graph::PassContext& pass);
+
+/// Takes lights out of tiles' lists: ListContents. Passes of their own, "NAME-lists perfect …" or "NAME-lists empty".
 void trim_light_lists(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-                      const LightingInputs& inputs, const LightLists& lists);
+                      const LightingInputs& inputs, const LightLists& lists, const std::string& ending);
 
 /// Makes `pass` run one compute shader with the lists' push constants; `dispatch` is called when all is bound.
 void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,

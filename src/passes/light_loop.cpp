@@ -1,5 +1,7 @@
 #include "light_loop.hpp"
 #include "light_draws.hpp"
+#include "light_rounds.hpp"
+#include <array>
 #include <shared/bindings.h>
 #include <shared/light_loop.h>
 
@@ -10,20 +12,36 @@ void light_loop_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
     pass.depth_test(inputs.surface.depth);
-    auto pipeline = std::make_shared<gpu::GraphicsPipeline>();
+    const LightRounds rounds = light_rounds(frame, LightWalk::fragment, inputs.target.variant == "+count");
+    const bool adds = rounds.count > 1;
+    if (inputs.model.specular == SpecularWay::luv && inputs.target.variant == "+packed")
+        expect_one_round(frame, rounds, "specular=luv in a draw (light-culling=tiles with list-shading=compute has no such limit)");
+    if (adds)
+        pass.blends();
+    auto pipelines = std::make_shared<std::array<gpu::GraphicsPipeline, 2>>(); // the first round replaces, the others add
     pass.prepare([=, &frame](const graph::PassInterface& interface) {
         gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light_loop");
         desc.name = "all lights";
         desc.vertex = "light_fullscreen.vert";
         desc.depth = gpu::DepthTest::surface_only;
         desc.push_bytes = sizeof(shared::LightLoop);
-        *pipeline = gpu::GraphicsPipeline(frame.context(), desc);
+        (*pipelines)[0] = gpu::GraphicsPipeline(frame.context(), desc);
+        desc.blend = gpu::Blend::add;
+        if (adds)
+            (*pipelines)[1] = gpu::GraphicsPipeline(frame.context(), desc);
     });
     pass.record([=, &frame](const graph::PassContext& context) {
-        bind_lighting(context, frame, *pipeline);
-        const shared::LightLoop loop{static_cast<uint32_t>(frame.lights().order.size()), inputs.model.ambient_blended()};
-        pipeline->push(context.commands, std::as_bytes(std::span(&loop, 1)));
-        vkCmdDraw(context.commands, 3, 1, 0, 0);
+        for (uint32_t round = 0; round < rounds.count; ++round) {
+            const RoundLights lights = lights_of_round(frame, rounds, round);
+            const uint32_t end = lights.first + lights.everywhere + lights.listed;
+            if (round > 0 && lights.first == end && !context.one_pixel)
+                break;
+            const gpu::GraphicsPipeline& pipeline = (*pipelines)[round > 0];
+            bind_lighting(context, frame, pipeline);
+            const shared::LightLoop loop{lights.first, end, round == 0 && inputs.model.ambient_blended()};
+            pipeline.push(context.commands, std::as_bytes(std::span(&loop, 1)));
+            vkCmdDraw(context.commands, 3, 1, 0, 0);
+        }
     });
 }
 

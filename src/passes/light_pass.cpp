@@ -1,7 +1,9 @@
 #include "light_pass.hpp"
 #include "light_list_shading.hpp"
 #include "light_loop.hpp"
+#include "light_overlap.hpp"
 #include "light_rectangles.hpp"
+#include "light_rounds.hpp"
 #include "light_stencil.hpp"
 #include "light_volumes.hpp"
 
@@ -27,6 +29,14 @@ graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame&
     inputs.count_pairs = false;
     light_pass(graph, frame, "light-count", inputs);
     return inputs.target.images[0];
+}
+
+uint32_t light_adds(const resident::Frame& frame, bool one_by_one) {
+    if (!resident::builds_lists(frame.culling()) && one_by_one)
+        return light_overlap(frame.geometry().draws, frame.placed_lights());
+    const LightWalk walk = frame.culling() == resident::LightCulling::tiles ? LightWalk::compute : LightWalk::fragment;
+    const uint32_t rounds = light_rounds(frame, walk, false).count;
+    return rounds > 1 ? rounds : 0;
 }
 
 SettingInfo light_culling_setting() {

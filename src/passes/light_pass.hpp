@@ -9,9 +9,13 @@ namespace prelight::passes {
 void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                 const LightingInputs& inputs);
 
-/// The same, but instead of light RGBA16F with the lights that each pixel evaluates in R and those that
+/// The same, but instead of light an image of the lights that each pixel evaluates in R and those that
 /// contribute in G, for --view light-count.
 graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame, LightingInputs inputs);
+
+/// How often a light pass may add to one pixel by blending. `one_by_one`: where lights are drawn light by light, they are
+/// blended.
+uint32_t light_adds(const resident::Frame& frame, bool one_by_one);
 
 /// The setting `light-culling` of every architecture with light passes.
 SettingInfo light_culling_setting();

@@ -8,7 +8,9 @@ namespace {
 
 /// The next format is taken where the device cannot draw into one, or not blend in it.
 graph::ImageId target(graph::FrameGraph& graph, const resident::Frame& frame, const char* name,
-                      LightBufferFormat format) {
+                      LightBufferFormat format, bool wide) {
+    if (wide)
+        return graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, frame.extent()});
     switch (format) {
     case LightBufferFormat::r11g11b10f:
         if (frame.context().supports(VK_FORMAT_B10G11R11_UFLOAT_PACK32, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
@@ -41,31 +43,37 @@ bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R32G32B32A32_UINT;
 }
 
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair) {
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair,
+                              bool wide) {
     LightBuffer out;
     if (pair) {
         out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, frame.extent()});
         out.target = {.variant = "+pair", .images = {out.diffuse}, .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
         return out;
     }
-    out.diffuse = out.specular = target(graph, frame, "diffuse light", model.buffer);
+    wide = wide && !model.fixed_point();
+    out.diffuse = out.specular = target(graph, frame, "diffuse light", model.buffer, wide);
     out.target.images = {out.diffuse};
     out.target.constants = {{CONSTANT_LIGHT_STORAGE, storage_of(graph.desc(out.diffuse).format)}};
     if (model.specular == SpecularWay::fifth_channel)
         out.specular = graph.image(
-            "fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM : VK_FORMAT_R16_SFLOAT, frame.extent()});
+            "fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM : wide ? VK_FORMAT_R32_SFLOAT : VK_FORMAT_R16_SFLOAT, frame.extent()});
     else if (model.packed())
         out.target.variant = "+packed";
     else
-        out.specular = target(graph, frame, "specular light", model.buffer);
+        out.specular = target(graph, frame, "specular light", model.buffer, wide);
     if (out.specular != out.diffuse)
         out.target.images.push_back(out.specular);
     return out;
 }
 
+graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::Frame& frame) {
+    const bool blends = frame.context().supports(VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT);
+    return graph.image("light count", {blends ? VK_FORMAT_R32G32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+}
+
 LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& frame) {
-    return {.variant = "+count",
-            .images = {graph.image("light count", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()})}};
+    return {.variant = "+count", .images = {light_count_image(graph, frame)}};
 }
 
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
@@ -77,8 +85,11 @@ void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const Lightin
 void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
     pass.sample(INPUT_DEPTH, inputs.surface.depth_source)
         .sample(INPUT_NORMAL, inputs.surface.normal)
-        .sample(INPUT_ROUGHNESS, inputs.surface.roughness)
         .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    if (inputs.surface.format.roughness_in_stencil)
+        pass.sample_stencil(INPUT_ROUGHNESS, inputs.surface.depth);
+    else
+        pass.sample(INPUT_ROUGHNESS, inputs.surface.roughness);
     if (inputs.target.variant == "+deferred")
         pass.sample(INPUT_MATERIAL, inputs.material).sample(INPUT_ALBEDO, inputs.albedo);
     if (inputs.target.variant != "+count")
@@ -87,7 +98,9 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
 
 std::string lighting_shader(const LightingInputs& inputs, const std::string& shader, const char* ending) {
     const bool counts = inputs.target.variant == "+count", lit = shader != "light_ambient";
-    return shader + inputs.target.variant + (counts || !lit ? "" : shadow_variant(inputs.shadows)) + ending;
+    const char* added = inputs.target.added ? "+added" : "";
+    const char* stencil = lit && inputs.surface.format.roughness_in_stencil ? "+stencil" : "";
+    return shader + inputs.target.variant + added + (counts || !lit ? "" : shadow_variant(inputs.shadows)) + stencil + ending;
 }
 
 gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs) {

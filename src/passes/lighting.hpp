@@ -12,6 +12,7 @@ struct LightTarget {
     std::vector<graph::ImageId> images; ///< colour attachments, in the order of the variant's outputs
     graph::Load load = graph::Load::clear;
     gpu::Constants constants;           ///< of the variant
+    bool added = false;                 ///< a compute pass adds to what stands there, where it would replace it
 };
 
 /// How light lists are walked: by a full-screen draw, or (tiles only) by a compute pass whose subgroups share what
@@ -44,13 +45,15 @@ struct LightBuffer {
     graph::ImageId specular;
     LightTarget target;
 };
-/// `pair`: as light_pair_pays() says.
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair = false);
+/// `pair`: as light_pair_pays() says. `wide`: full floats in the place of half floats and smaller ones, for sums of many lights.
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair = false,
+                              bool wide = false);
 /// An image of pairs: four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel (shaders/shared/light_pair.glsl),
 /// which only a light pass that writes each pixel once can fill.
 bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image);
 
-/// RGBA16F: lights evaluated in R, contributing in G, for --view light-count.
+/// Lights evaluated in R, contributing in G, for --view light-count: full floats, for half floats count to 2,048.
+graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::Frame& frame);
 LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& frame);
 
 /// The inputs as the pass's attachments and bindings.

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <gpu/pipeline.hpp>
-#include <resident/light_reach.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
 namespace {
 
 using resident::Draw;
+using resident::ShadowMap;
 using resident::ShadowTile;
 using resident::VertexAttributes;
 
@@ -69,9 +69,10 @@ public:
         vkCmdDraw(pass.commands, 3, 1, 0, 0);
     }
 
-    /// `draws`: indices into Geometry::draws, rising. Neighbours of the same mesh are one call.
-    void draw(const graph::PassContext& pass, const ShadowTile& tile, std::span<const uint32_t> draws) const {
+    /// Neighbours of the same mesh are one call.
+    void draw(const graph::PassContext& pass, const ShadowMap& map) const {
         const std::vector<Draw>& all = frame_.geometry().draws;
+        const std::vector<uint32_t>& draws = map.casters;
         const gpu::GraphicsPipeline* bound = nullptr;
         uint32_t material = no_image;
         for (size_t i = 0; i < draws.size();) {
@@ -81,12 +82,12 @@ public:
                 pipeline.bind(pass.commands);
                 pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
                 pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-                pipeline.push(pass.commands, std::as_bytes(std::span(&tile.clip_from_centre, 1)));
+                pipeline.push(pass.commands, std::as_bytes(std::span(&map.clip_from_centre, 1)));
                 bound = &pipeline;
                 material = no_image;
             }
             if (first.material != material && (key(first) || material == no_image)) {
-                pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().plain_sets[first.material]);
+                pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets_for_gradients()[first.material]);
                 material = first.material;
             }
             uint32_t count = 1;
@@ -104,7 +105,7 @@ public:
         for (const auto& [features, pipeline] : pipelines_)
             for (uint32_t d = 0; d < all.size(); ++d)
                 if (key(all[d]) == features) {
-                    draw(pass, {}, std::span(&d, 1));
+                    draw(pass, {.casters = {d}});
                     break;
                 }
     }
@@ -135,24 +136,21 @@ private:
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: without mask
 };
 
-ShadowDraws::ShadowDraws(const resident::Frame& frame, VkDescriptorSetLayout inputs, ShadowCounts& counts)
-    : frame_(frame), counts_(counts), casters_(std::make_unique<Casters>(frame, inputs)) {}
+ShadowDraws::ShadowDraws(const resident::Frame& frame, VkDescriptorSetLayout inputs, const Shadows& shadows)
+    : frame_(frame), counts_(*shadows.counts), held_(shadows.held), casters_(std::make_unique<Casters>(frame, inputs)) {}
 ShadowDraws::~ShadowDraws() = default;
 
 void ShadowDraws::record(const graph::PassContext& pass) {
     casters_->bind_geometry(pass);
     if (pass.one_pixel)
         return casters_->warm_up(pass);
-    counts_ = {};
     for (const ShadowTile& tile : frame_.shadows()->tiles())
-        draw_anew(pass, tile);
+        draw_anew(pass, tile.map);
 }
 
 void ShadowDraws::begin(const graph::PassContext& pass) {
-    if (!pass.one_pixel) {
-        counts_ = {};
+    if (!pass.one_pixel)
         return;
-    }
     pass.between([&] {
         const VkRect2D pixel{{0, 0}, {1, 1}};
         vkCmdSetScissor(pass.commands, 0, 1, &pixel);
@@ -170,55 +168,35 @@ void ShadowDraws::record_light(const graph::PassContext& pass, uint32_t light) {
     pass.between([&] {
         casters_->bind_geometry(pass);
         for (auto tile = first; tile != tiles.end() && tile->light == light; ++tile)
-            draw_anew(pass, *tile);
+            draw_anew(pass, tile->map);
     });
 }
 
-void ShadowDraws::draw_anew(const graph::PassContext& pass, const ShadowTile& tile) {
-    if (frame_.shadows()->options().cached && held(tile))
+void ShadowDraws::draw_anew(const graph::PassContext& pass, const ShadowMap& map) {
+    if (frame_.shadows()->options().cached && held(map))
         ++counts_.tiles_reused;
     else
-        draw(pass, tile);
+        draw(pass, map);
 }
 
-bool ShadowDraws::held(const ShadowTile& tile) const {
-    const auto found = held_.find({tile.place.corner.x, tile.place.corner.y});
-    return found != held_.end() && found->second.place == tile.place &&
-           found->second.clip_from_centre == tile.clip_from_centre;
+bool ShadowDraws::held(const ShadowMap& map) const {
+    const auto found = held_->maps.find({map.place.corner.x, map.place.corner.y});
+    return found != held_->maps.end() && found->second == map;
 }
 
-void ShadowDraws::draw(const graph::PassContext& pass, const ShadowTile& tile) {
-    std::erase_if(held_, [&](const auto& entry) { return overlap(entry.second.place, tile.place); });
-    held_[{tile.place.corner.x, tile.place.corner.y}] = tile;
-    const auto x = static_cast<int32_t>(tile.place.corner.x), y = static_cast<int32_t>(tile.place.corner.y);
-    const auto side = static_cast<float>(tile.place.side);
+void ShadowDraws::draw(const graph::PassContext& pass, const ShadowMap& map) {
+    std::erase_if(held_->maps, [&](const auto& entry) { return overlap(entry.second.place, map.place); });
+    held_->maps[{map.place.corner.x, map.place.corner.y}] = map;
+    const auto x = static_cast<int32_t>(map.place.corner.x), y = static_cast<int32_t>(map.place.corner.y);
+    const auto side = static_cast<float>(map.place.side);
     const VkViewport viewport{static_cast<float>(x), static_cast<float>(y), side, side, 0, 1};
-    const VkRect2D area{{x, y}, {tile.place.side, tile.place.side}};
+    const VkRect2D area{{x, y}, {map.place.side, map.place.side}};
     vkCmdSetViewport(pass.commands, 0, 1, &viewport);
     vkCmdSetScissor(pass.commands, 0, 1, &area);
     casters_->clear(pass);
-    find_casters(tile);
-    casters_->draw(pass, tile, seen_);
+    casters_->draw(pass, map);
     ++counts_.tiles_drawn;
-    counts_.casters_drawn += seen_.size();
-}
-
-void ShadowDraws::find_casters(const ShadowTile& tile) {
-    const std::vector<Draw>& all = frame_.geometry().draws;
-    const PlacedLight& light = frame_.placed_lights()[tile.light];
-    if (reached_of_ != tile.light || reached_position_ != light.position) {
-        reached_.clear();
-        for (uint32_t d = 0; d < all.size(); ++d)
-            if (resident::reaches(light, all[d]))
-                reached_.push_back(d);
-        reached_of_ = tile.light;
-        reached_position_ = light.position;
-    }
-    const glm::dvec3 centre = frame_.shadows()->world().centre();
-    seen_.clear();
-    for (const uint32_t d : reached_)
-        if (resident::may_show(all[d], tile.clip_from_centre, centre))
-            seen_.push_back(d);
+    counts_.casters_drawn += map.casters.size();
 }
 
 } // namespace prelight::passes

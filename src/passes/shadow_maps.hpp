@@ -1,6 +1,7 @@
 #pragma once
 #include <gpu/shader_stage.hpp>
 #include <graph/frame_graph.hpp>
+#include <memory>
 #include <resident/frame.hpp>
 
 namespace prelight::passes {
@@ -8,12 +9,17 @@ namespace prelight::passes {
 inline constexpr VkFormat shadow_format = VK_FORMAT_D32_SFLOAT;
 
 struct ShadowCounts;
+struct HeldMaps;
 /// What a pass that evaluates lights needs to know of shadows; default: there are none.
 struct Shadows {
     graph::ImageId atlas{}; ///< depth of all tiles: resident::ShadowPlan says which lies where
-    /// Set where the pass itself draws each light's maps before the light, into the same memory for all of them
+    ShadowCounts* counts = nullptr;
+    std::shared_ptr<HeldMaps> held = nullptr; ///< which maps the atlas holds, for all who draw into it
+    /// The passes themselves draw each light's maps before the light, into the same memory for all of them
     /// (shadow-memory=reuse, Lee's way).
-    ShadowCounts* reused = nullptr;
+    bool reused = false;
+    /// The shadow of resident::ShadowPlan::sun() waits in the G-buffer: sun_occlusion_pass().
+    bool sun_stored = false;
     explicit operator bool() const { return bool(atlas); }
 };
 

@@ -79,6 +79,8 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
     pipeline.instance_binding = objects;
     pipeline.colour_formats = interface.colour_formats;
     pipeline.depth_format = interface.depth_format;
+    pipeline.stencil_format = interface.stencil_format;
+    pipeline.stencil = interface.stencil_format == VK_FORMAT_UNDEFINED ? gpu::Stencil::none : gpu::Stencil::exported;
     pipeline.depth = desc.depth;
     pipeline.blend = desc.blend;
     pipeline.push_bytes = desc.push_bytes;

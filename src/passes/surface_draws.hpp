@@ -38,7 +38,9 @@ public:
         std::optional<std::pair<bool, bool>> faces; ///< double-sided, mirrored
     };
     /// Whether the pass comes after the frame's first one over the geometry: it may leave out what that one hid.
-    static bool is_later(gpu::DepthTest depth) { return depth == gpu::DepthTest::equal; }
+    static bool is_later(gpu::DepthTest depth) {
+        return depth == gpu::DepthTest::equal || depth == gpu::DepthTest::behind_or_at;
+    }
     SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface, const Desc& desc);
     /// Every visible object once, in the draws that the frame's DrawOptions make of them.
     void record(const graph::PassContext& pass, std::span<const std::byte> push = {}) const;

@@ -4,12 +4,12 @@
 
 namespace prelight::passes {
 
-graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display) {
+graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display, bool wide) {
     // lavapipe encodes with an error of up to 0.66 codes, where the shader is right to 0.003.
     const bool target_encodes = !frame.context().is_software() &&
                                 frame.context().supports(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT);
     return display ? graph.image("final", {target_encodes ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, frame.extent()})
-                   : graph.image("linear", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+                   : graph.image("linear", {wide ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
 }
 
 gpu::Constants display_constants(Display display, VkFormat target) {

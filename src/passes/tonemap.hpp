@@ -11,7 +11,8 @@ namespace prelight::passes {
 /// target where a GPU has sRGB targets; without one "linear", scene-linear RGBA16F for
 /// tonemap_pass() and others. The shader ends with stored_colour() of shaders/shared/display.glsl.
 using Display = std::optional<Tonemap>;
-graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display);
+/// `wide`: "linear" is RGBA32F, for many lights that blending adds up.
+graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display, bool wide = false);
 /// The specialisation constants of stored_colour() for a target of this format.
 gpu::Constants display_constants(Display display, VkFormat target);
 

@@ -12,13 +12,17 @@ graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame,
     const bool pair = is_light_pair(graph, buffer);
     pass.colour(target, graph::Load::discard)
         .sample(INPUT_DEPTH, surface.depth_source)
-        .sample(INPUT_NORMAL, pair ? surface.normal : buffer)
-        .sample(INPUT_ROUGHNESS, surface.roughness);
+        .sample(INPUT_NORMAL, pair ? surface.normal : buffer);
+    const bool stencil = kind == ViewKind::roughness && surface.format.roughness_in_stencil;
+    if (stencil)
+        pass.sample_stencil(INPUT_ROUGHNESS, surface.depth);
+    else
+        pass.sample(INPUT_ROUGHNESS, surface.roughness);
     if (pair)
         pass.sample(INPUT_MATERIAL, buffer);
     gpu::Constants constants = surface.format.constants();
     constants.emplace_back(CONSTANT_VIEW, static_cast<uint32_t>(kind));
-    draw_fullscreen(pass, frame, pair ? "view+pair.frag" : "view.frag", constants);
+    draw_fullscreen(pass, frame, pair ? "view+pair.frag" : stencil ? "view+stencil.frag" : "view.frag", constants);
     return target;
 }
 

@@ -11,6 +11,8 @@ enum class ViewKind {
     motion,   ///< of a G-buffer: RT2
     second_light, ///< the other half of a pair in one image
     occlusion = VIEW_OCCLUSION, ///< visibility as grey
+    specular_light = VIEW_SPECULAR_LIGHT, ///< light that is stored by the specular scale
+    sun_occlusion = VIEW_SUN_OCCLUSION, ///< of a G-buffer: RT3's alpha
 };
 
 /// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.

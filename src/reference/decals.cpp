@@ -50,7 +50,9 @@ void Decals::cover(Surface& surface) const {
         const auto look = [&](const TextureRef& ref, Encoding encoding) {
             return ref ? textures_.sample(ref, {0.5 + place.x, 0.5 - place.y}, encoding) : glm::dvec4(1);
         };
-        const glm::dvec4 base = glm::dvec4(material.base_colour) * look(material.base_colour_texture, Encoding::srgb);
+        glm::dvec4 base = glm::dvec4(material.base_colour) * look(material.base_colour_texture, Encoding::srgb);
+        if (material.alpha_mode == AlphaMode::mask)
+            base.a = base.a < static_cast<double>(material.alpha_cutoff) ? 0 : 1;
         const glm::dvec4 factors = look(material.metallic_roughness_texture, Encoding::linear);
         const double share = base.a * box.decal->opacity * seen;
         if (box.decal->colour) {

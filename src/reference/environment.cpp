@@ -18,11 +18,8 @@ constexpr int directions = 384; ///< of a lobe
 EnvironmentLight::EnvironmentLight(const Environment* environment) : environment_(environment) {
     if (!environment)
         return;
-    const Image& image = environment->image;
-    Level level{image.width, image.height, {}};
-    for (const glm::vec3& texel : image.pixels)
-        level.texels.push_back(glm::dvec3(texel) * double(environment->intensity));
-    levels_.push_back(std::move(level));
+    levels_.push_back(level_of(environment->image));
+    backdrop_ = level_of(environment->backdrop);
     while (levels_.back().width % 2 == 0 && levels_.back().height % 2 == 0) {
         const Level& fine = levels_.back();
         Level coarse{fine.width / 2, fine.height / 2, {}};
@@ -36,6 +33,13 @@ EnvironmentLight::EnvironmentLight(const Environment* environment) : environment
         levels_.push_back(std::move(coarse));
     }
     take_moments();
+}
+
+EnvironmentLight::Level EnvironmentLight::level_of(const Image& image) const {
+    Level level{image.width, image.height, {}};
+    for (const glm::vec3& texel : image.pixels)
+        level.texels.push_back(glm::dvec3(texel) * double(environment_->intensity));
+    return level;
 }
 
 void EnvironmentLight::take_moments() {
@@ -72,14 +76,20 @@ glm::dvec3 EnvironmentLight::Level::bilinear(double longitude, double latitude) 
            t * ((1 - s) * texel(left, top + 1) + s * texel(left + 1, top + 1));
 }
 
+glm::dvec3 EnvironmentLight::look(const Level& level, glm::dvec3 direction) const {
+    return level.bilinear(std::atan2(direction.x, -direction.z) + environment_->rotation, std::asin(std::clamp(direction.y, -1.0, 1.0)));
+}
+
+glm::dvec3 EnvironmentLight::background(glm::dvec3 direction) const {
+    return look(backdrop_.texels.empty() ? levels_.front() : backdrop_, direction);
+}
+
 glm::dvec3 EnvironmentLight::blurred(glm::dvec3 direction, double level) const {
-    const double longitude = std::atan2(direction.x, -direction.z) + environment_->rotation;
-    const double latitude = std::asin(std::clamp(direction.y, -1.0, 1.0));
     const double place = std::clamp(level, 0.0, double(levels_.size() - 1));
     const auto fine = size_t(place);
     const double share = place - double(fine);
-    const glm::dvec3 value = levels_[fine].bilinear(longitude, latitude);
-    return share > 0 ? value + share * (levels_[fine + 1].bilinear(longitude, latitude) - value) : value;
+    const glm::dvec3 value = look(levels_[fine], direction);
+    return share > 0 ? value + share * (look(levels_[fine + 1], direction) - value) : value;
 }
 
 // Lambert's cosine lobe over π has a sum (1 / 4π) Σ (2l + 1) a_l P_l(cos θ) with a = 1, 2/3, 1/4 (Ramamoorthi and

@@ -16,6 +16,8 @@ public:
     bool is_background() const { return environment_ && environment_->background; }
     /// Radiance from a direction: the map's texels, bilinear.
     glm::dvec3 radiance(glm::dvec3 direction) const { return blurred(direction, 0); }
+    /// What is seen there behind everything: the same, or the backdrop's texels.
+    glm::dvec3 background(glm::dvec3 direction) const;
     /// The mean over a mirror's lobe around `direction`, as a viewer there sees it along the normal: half
     /// vectors by D N·H, each light weighted by N·L. For the roughnesses 0 and 1/8 · 2^(i/4) up to 1; between two of
     /// them mixed, as what is prefiltered has to be.
@@ -36,7 +38,12 @@ private:
         std::vector<glm::dvec3> texels;
         glm::dvec3 bilinear(double longitude, double latitude) const;
     };
+    Level level_of(const Image& image) const;
+    /// Of a direction, in the map that is turned as the environment is.
+    glm::dvec3 look(const Level& level, glm::dvec3 direction) const;
+
     const Environment* environment_;
+    Level backdrop_;            ///< nothing: as the map
     std::vector<Level> levels_; ///< each half of the one before; with intensity
     /// ∫ L dω, ∫ L d dω and ∫ L d dᵀ dω over all directions d, by colour.
     glm::dvec3 zeroth_{0};

@@ -39,7 +39,7 @@ Lighting::Lighting(const ReferenceForm& form, const Surface& surface, double exp
                    const EnvironmentLight* environment)
     : form_(form), surface_(surface), diffuse_colour_(surface.base_colour * (1 - surface.metallic)),
       material_f0_(glm::mix(glm::dvec3(0.04), surface.base_colour, surface.metallic)),
-      f0_(form.grey_reflectance ? glm::dvec3(luminance(material_f0_)) : material_f0_),
+      f0_(surface.gloss * (form.grey_reflectance ? glm::dvec3(luminance(material_f0_)) : material_f0_)),
       alpha_(surface.roughness * surface.roughness),
       exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)), exposure_(exposure), environment_(environment) {}
 
@@ -155,7 +155,9 @@ glm::dvec3 Lighting::own_shader(const LightSums& sums, glm::dvec3 ambient, bool 
     const bool by_lamps = lamps && ggx && (form_.fresnel == ReferenceForm::Fresnel::weighted || form_.fresnel == ReferenceForm::Fresnel::full);
     return shade_own({.surface = surface_,
                       .diffuse = sums.diffuse / (ggx ? pi : 1.0),
-                      .specular = ggx ? sums.specular : phong_specular(sums),
+                      .specular = !ggx                                           ? phong_specular(sums)
+                                  : form_.fresnel == ReferenceForm::Fresnel::mono ? glm::dvec3(s)
+                                                                                 : sums.specular,
                       .ambient = (environment ? environment->lambert(surface_.normal) : ambient) * surface_.occlusion * surface_.visibility,
                       .grazing_diffuse = !by_lamps ? at_viewer : e > 0 ? sums.diffuse_fresnel / e : 0,
                       .grazing_specular = !by_lamps ? at_viewer : s > 0 ? sums.specular_fresnel / s : 0,

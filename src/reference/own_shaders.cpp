@@ -72,6 +72,16 @@ glm::dvec3 metallic_roughness(const OwnLight& light) {
     return lamps_on(light, c) + ambient_on(light, c) + light.surface.emissive;
 }
 
+/// Metallic-roughness of which gloss leaves part of what it reflects; the rest reaches the diffuse layer.
+glm::dvec3 detailed(const OwnLight& light) {
+    const Surface& s = light.surface;
+    const Colours c = colours_of(s);
+    const auto fresnel = [&](double grazing) { return s.gloss * (c.f0 + (1.0 - c.f0) * grazing); };
+    const glm::dvec3 around = light.environment ? environment_on(light, c.f0, s.environment_roughness) : light.ambient * c.f0;
+    return c.diffuse * ((1.0 - fresnel(light.grazing_diffuse)) * light.diffuse + light.ambient) +
+           fresnel(light.grazing_specular) * light.specular + s.gloss * around + s.emissive;
+}
+
 glm::dvec3 blinn_phong(const OwnLight& light) {
     const Colours c = colours_of(light.surface);
     return c.diffuse * light.diffuse + c.f0 * light.specular + ambient_on(light, c) + light.surface.emissive;
@@ -143,13 +153,22 @@ glm::dvec3 layered(const OwnLight& light) {
     return out + around * (1.0 - on_coat) + on_coat * mirrored(light, layers.coat_roughness);
 }
 
+/// KHR_materials_pbrSpecularGlossiness.
+glm::dvec3 specular_glossiness(const OwnLight& light) {
+    const DiffuseAndSpecular& own = light.surface.specular_glossiness;
+    const Colours c{own.diffuse, own.f0};
+    return lamps_on(light, c) + ambient_on(light, c) + light.surface.emissive;
+}
+
 } // namespace
 
 glm::dvec3 shade_own(const OwnLight& light) {
     const MaterialShader& shader = *light.surface.shaded->shader;
     if (shader.file.empty()) {
-        if (shader.name == "metallic-roughness" || shader.name == "detailed")
+        if (shader.name == "metallic-roughness")
             return metallic_roughness(light);
+        if (shader.name == "detailed")
+            return detailed(light);
         if (shader.name == "blinn-phong")
             return blinn_phong(light);
         if (shader.name == "skin")
@@ -162,6 +181,8 @@ glm::dvec3 shade_own(const OwnLight& light) {
             return fresnel_rim(light);
         if (shader.name == "layered")
             return layered(light);
+        if (shader.name == "specular-glossiness")
+            return specular_glossiness(light);
     }
     throw Error(fmt::format("reference: {}: it knows the built-in materials alone", shader.file.empty() ? shader.name : shader.file));
 }

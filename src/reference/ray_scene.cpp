@@ -207,7 +207,11 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     if (draw.material->alpha_mode != AlphaMode::mask)
         return;
     const double u = hit.u, v = hit.v;
-    if (context.scene->base_colour(draw, hit.primID, {1 - u - v, u, v}).a >=
+    Hit tested;
+    tested.draw = hit.geomID;
+    tested.triangle = hit.primID;
+    tested.weights = {1 - u - v, u, v};
+    if (context.scene->base_colour(tested).a >=
         static_cast<double>(draw.material->alpha_cutoff))
         return;
     arguments->valid[0] = 0;
@@ -293,17 +297,15 @@ double RayScene::blocked_at(const Ray& ray) const {
     return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? infinity : double(query.ray.tfar);
 }
 
-glm::dvec4 RayScene::base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights, glm::dvec2 shift) const {
+glm::dvec4 RayScene::base_colour(const Hit& hit, const TexcoordShift& shift, const Beside* beside) const {
+    const Draw& draw = draws_[hit.draw];
     const Material& material = *draw.material;
     glm::dvec4 colour = material.base_colour;
-    if (const TextureRef& ref = material.base_colour_texture) {
-        const auto& uvs = draw.primitive->texcoords[ref.texcoord & 1];
-        const glm::dvec2 uv =
-            uvs.empty() ? glm::dvec2(0) : interpolate(uvs, draw, triangle, weights);
-        colour *= textures_.sample(ref, uv + shift, Encoding::srgb);
-    }
+    if (const TextureRef& ref = material.base_colour_texture)
+        colour *= textures_.sample(ref, texcoords(draw, hit.triangle, hit.weights, ref.texcoord) + shift[ref.texcoord & 1],
+                                   Encoding::srgb, footprint(draw, hit, beside, ref.texcoord));
     if (!draw.primitive->colours.empty())
-        colour *= interpolate(draw.primitive->colours, draw, triangle, weights);
+        colour *= interpolate(draw.primitive->colours, draw, hit.triangle, hit.weights);
     return colour;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <glm/mat3x3.hpp>
 #include <memory>
 #include <prelight/scene.hpp>
@@ -38,6 +39,14 @@ struct Hit {
     uint64_t mask_outcome = 0;      ///< hash of the alpha tests that the ray met up to the hit
 };
 
+/// Where the rays of the pixels beside it in the row and column of its quad meet the plane of the triangle that was hit.
+struct Beside {
+    Hit across, down;
+};
+
+/// Added to either texture-coordinate set.
+using TexcoordShift = std::array<glm::dvec2, 2>;
+
 /// The world's triangles in Embree. Vertices are made relative to `origin` (the camera) in double
 /// precision before they are rounded to float, and a hit's place in its triangle is computed again
 /// in double precision: 10 km from the world's origin nothing is lost.
@@ -61,7 +70,7 @@ public:
     const Draw& draw(uint32_t index) const { return draws_[index]; }
     size_t draw_count() const { return draws_.size(); }
     /// Base colour RGBA of a point: factor × texture × vertex colour. `shift` moves texture coordinates.
-    glm::dvec4 base_colour(const Draw& draw, uint32_t triangle, glm::dvec3 weights, glm::dvec2 shift = glm::dvec2(0)) const;
+    glm::dvec4 base_colour(const Hit& hit, const TexcoordShift& shift = {}, const Beside* beside = nullptr) const;
 
 private:
     struct Embree;
@@ -82,6 +91,20 @@ auto interpolate(const std::vector<Vector>& values, const Draw& draw, uint32_t t
     const uint32_t* index = &draw.primitive->indices[size_t(triangle) * 3];
     return weights.x * Result(values[index[0]]) + weights.y * Result(values[index[1]]) +
            weights.z * Result(values[index[2]]);
+}
+
+/// Of a set at a point of a triangle; (0, 0) where the primitive has none.
+inline glm::dvec2 texcoords(const Draw& draw, uint32_t triangle, glm::dvec3 weights, uint32_t set) {
+    const auto& uvs = draw.primitive->texcoords[set & 1];
+    return uvs.empty() ? glm::dvec2(0) : glm::dvec2(interpolate(uvs, draw, triangle, weights));
+}
+
+/// How far a set's coordinates run from the hit to what lies beside it; nothing without that.
+inline Footprint footprint(const Draw& draw, const Hit& hit, const Beside* beside, uint32_t set) {
+    if (!beside)
+        return {};
+    const auto at = [&](const Hit& other) { return texcoords(draw, hit.triangle, other.weights, set); };
+    return {at(beside->across) - at(hit), at(beside->down) - at(hit)};
 }
 
 } // namespace prelight::reference

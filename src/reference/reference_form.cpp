@@ -22,6 +22,7 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
     form.ambient_as_light = is("ambient", "light");
     form.shadows = is("shadows", "on");
     form.specular_antialiasing = is("specular-antialiasing", "on");
+    form.bilinear_level0 = !is("texture-filter", "trilinear");
     if (settings.contains("ssao") && !is("ssao", "off"))
         form.occlusion_radius = std::strtod(settings.at("ssao-radius").c_str(), nullptr);
     using Own = ReferenceForm::OwnShaders;

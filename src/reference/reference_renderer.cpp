@@ -9,6 +9,7 @@
 #include <reference/reference_views.hpp>
 #include <reference/trace.hpp>
 #include <setting_values/allows.hpp>
+#include <setting_values/needs.hpp>
 #include <timing/clocks.hpp>
 
 namespace prelight {
@@ -73,7 +74,10 @@ public:
     explicit ReferenceRenderer(const RenderOptions& options) : options_(options) {
         const RendererInfo info = reference_info();
         stats_.settings = checked_settings(info, options);
-        form_ = form_of(stats_.settings, options.shading);
+        stats_.shading = options.shading.value_or(Shading::ggx);
+        for (const auto& [key, value] : options.settings)
+            refuse_without_effect(info, key, value, options.views);
+        form_ = form_of(stats_.settings, stats_.shading);
         if (!options.preset.empty())
             throw UsageError(
                 fmt::format("reference: unknown preset {} (it has none)", options.preset));
@@ -148,6 +152,14 @@ public:
     Stats stats() const override { return stats_; }
 
 private:
+    void refuse_without_effect(const RendererInfo& info, const std::string& key, const std::string& value,
+                               const std::vector<std::string>& views) const {
+        const auto setting = std::find_if(info.settings.begin(), info.settings.end(), [&](const SettingInfo& s) { return s.key == key; });
+        const auto why = why_without_effect(key, stats_.settings, stats_.shading, views);
+        if (why && value != setting->default_value)
+            throw UsageError(fmt::format("--set {}={}: {}", key, value, *why));
+    }
+
     RenderOptions options_;
     ReferenceForm form_;
     const World* world_ = nullptr; ///< the caller's, or relit_
@@ -200,7 +212,7 @@ RendererInfo reference_info() {
                 {"texture-filter",
                  {"bilinear", "sampler"},
                  "bilinear",
-                 "level 0: always bilinear, or the sampler's magnification filter"},
+                 "always bilinear on level 0, or as samplers say, with mip maps (alpha masks stay on level 0)"},
             },
         .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light",
                   "light-count", "ambient-occlusion"},

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <prelight/material_shader.hpp>
 #include <reference/surface.hpp>
 
@@ -11,23 +13,41 @@ constexpr double roughness_min = 0.089;
 
 class PointReader {
 public:
-    glm::dvec2 shift{0}; ///< of texture coordinates: parallax
-    PointReader(const Textures& textures, const Draw& draw, const Hit& hit)
-        : textures_(textures), draw_(draw), hit_(hit) {}
+    TexcoordShift shift{}; ///< parallax
+    PointReader(const Textures& textures, const Draw& draw, const Hit& hit, const Beside* beside)
+        : textures_(textures), draw_(draw), hit_(hit), beside_(beside) {}
 
     template <typename Vector>
     auto attribute(const std::vector<Vector>& values) const {
         return interpolate(values, draw_, hit_.triangle, hit_.weights);
     }
     glm::dvec4 texture(const TextureRef& ref, Encoding encoding) const {
-        const auto& uvs = draw_.primitive->texcoords[ref.texcoord & 1];
-        return textures_.sample(ref, (uvs.empty() ? glm::dvec2(0) : glm::dvec2(attribute(uvs))) + shift, encoding);
+        return textures_.sample(ref, texcoords(draw_, hit_.triangle, hit_.weights, ref.texcoord) + shift[ref.texcoord & 1],
+                                encoding, footprint(draw_, hit_, beside_, ref.texcoord));
     }
+    const Draw& draw() const { return draw_; }
+    const Hit& hit() const { return hit_; }
 
 private:
     const Textures& textures_;
     const Draw& draw_;
     const Hit& hit_;
+    const Beside* beside_;
+};
+
+/// A triangle's edges from its first corner, and what one of its texture-coordinate sets does along them.
+struct Edges {
+    glm::dvec3 side[2];
+    glm::dmat2 texcoords; ///< a column for each edge
+    Edges(const PointReader& read, uint32_t set) {
+        const Draw& draw = read.draw();
+        const uint32_t* index = &draw.primitive->indices[size_t(read.hit().triangle) * 3];
+        const auto corner = [&](int i) { return glm::dvec3(draw.to_world * glm::dvec4(draw.primitive->positions[index[i]], 1)); };
+        const auto at = [&](double b, double c) { return reference::texcoords(draw, read.hit().triangle, {1 - b - c, b, c}, set); };
+        side[0] = corner(1) - corner(0);
+        side[1] = corner(2) - corner(0);
+        texcoords = glm::dmat2(at(1, 0) - at(0, 0), at(0, 1) - at(0, 0));
+    }
 };
 
 /// Directions along a texture and off the surface, on the side that the material means as front.
@@ -85,11 +105,49 @@ double own_number(const Material& material, const char* name) {
     return found == material.parameters.end() ? material.shader->find_parameter(name)->default_value.x : found->second.x;
 }
 
+/// The frame of a texture that is not the normal map: the same where it reads the same coordinates, else as its own run
+/// over the triangle.
+Frame frame_of_texture(const PointReader& read, const Material& material, const Frame& frame, const TextureRef& ref) {
+    if (ref.texcoord == material.normal_texture.texcoord && ref.uv_linear == material.normal_texture.uv_linear)
+        return frame;
+    const Edges edges(read, ref.texcoord);
+    const glm::dmat2 texels = glm::dmat2(ref.uv_linear) * edges.texcoords;
+    const double area = glm::determinant(texels);
+    if (area == 0)
+        return frame;
+    const glm::dmat2 inverse = glm::inverse(texels); // columns: how far along either edge u and v grow
+    const glm::dvec3 u = inverse[0].x * edges.side[0] + inverse[0].y * edges.side[1];
+    const glm::dvec3 v = inverse[1].x * edges.side[0] + inverse[1].y * edges.side[1];
+    const glm::dvec3 flat = u - glm::dot(u, frame.normal) * frame.normal;
+    if (!(glm::length(flat) > 0))
+        return frame;
+    Frame out = frame;
+    out.tangent = glm::normalize(flat);
+    out.bitangent = glm::cross(frame.normal, out.tangent);
+    if (glm::dot(out.bitangent, v) > 0) // it points to smaller v
+        out.bitangent = -out.bitangent;
+    return out;
+}
+
+/// Where the texture moves by `shift`, how far each set moves.
+TexcoordShift shifted(const PointReader& read, const TextureRef& ref, glm::dvec2 shift) {
+    TexcoordShift out{};
+    const glm::dmat2 linear(ref.uv_linear);
+    if (glm::determinant(linear) == 0)
+        return out;
+    const uint32_t own = ref.texcoord & 1, other = own ^ 1;
+    out[own] = glm::inverse(linear) * shift;
+    const glm::dmat2 run = Edges(read, own).texcoords;
+    if (glm::determinant(run) != 0)
+        out[other] = Edges(read, other).texcoords * (glm::inverse(run) * out[own]);
+    return out;
+}
+
 /// Where along the line of sight a ray that enters at depth 0 meets the relief: 0 the face, 1 the bottom.
-double relief_depth(const PointReader& read, const TextureRef& heights, glm::dvec2 direction, int steps) {
+double relief_depth(const PointReader& read, const TextureRef& heights, const TexcoordShift& whole, int steps) {
     const auto surface = [&](double depth) {
         PointReader there = read;
-        there.shift = direction * depth;
+        there.shift = {whole[0] * depth, whole[1] * depth};
         return 1 - there.texture(heights, Encoding::linear).r;
     };
     if (steps < 1)
@@ -112,10 +170,12 @@ void take_relief(PointReader& read, const Material& material, const Frame& frame
     if (!heights)
         return;
     const double off = std::max(glm::dot(frame.normal, view) * (back ? -1 : 1), 0.05);
+    const Frame own = frame_of_texture(read, material, frame, *heights);
     // Along the bitangent v falls.
-    const glm::dvec2 direction = own_number(material, "depth") / off *
-                                 glm::dvec2(-glm::dot(frame.tangent, view), glm::dot(frame.bitangent, view));
-    read.shift = direction * relief_depth(read, *heights, direction, int(own_number(material, "occlusion_steps")));
+    const TexcoordShift whole = shifted(read, *heights, own_number(material, "depth") / off *
+                                            glm::dvec2(-glm::dot(own.tangent, view), glm::dot(own.bitangent, view)));
+    const double depth = relief_depth(read, *heights, whole, int(own_number(material, "occlusion_steps")));
+    read.shift = {whole[0] * depth, whole[1] * depth};
 }
 
 /// A parameter of `layered` times a channel of its map.
@@ -145,7 +205,38 @@ void take_layers(const PointReader& read, const Material& material, Surface& sur
     surface.roughness += out.clearcoat * (coat_roughness - surface.roughness); // one sum of light for both
 }
 
+double brightness(glm::dvec3 c) { return std::sqrt(0.299 * c.r * c.r + 0.587 * c.g * c.g + 0.114 * c.b * c.b); }
+
+/// KHR_materials_pbrSpecularGlossiness, and for lighting that knows no other the closest metallic-roughness:
+/// metalness from the brightness of both colours, base colour from each channel (docs/materials.md).
+void take_specular_glossiness(const PointReader& read, const Material& material, Surface& surface) {
+    const TextureRef* ref = own_map(material, "specular_glossiness_map");
+    const glm::dvec4 texel = ref ? read.texture(*ref, Encoding::srgb) : glm::dvec4(1);
+    DiffuseAndSpecular& own = surface.specular_glossiness;
+    own.f0 = layer_colour(read, material, "specular", "specular_glossiness_map");
+    own.diffuse = surface.base_colour * (1 - std::max({own.f0.r, own.f0.g, own.f0.b}));
+    surface.roughness = 1 - own_number(material, "glossiness") * texel.a;
+
+    constexpr double dielectric = 0.04;
+    const double reflected = brightness(own.f0), sum = brightness(own.diffuse) + reflected - 2 * dielectric;
+    double& metallic = surface.metallic;
+    metallic = 0;
+    if (reflected > dielectric) {
+        const double root = std::sqrt(std::max(sum * sum + 4 * dielectric * (reflected - dielectric), 0.0));
+        metallic = std::clamp((root - sum) / (2 * dielectric), 0.0, 1.0);
+    }
+    const glm::dvec3 as_dielectric = own.diffuse / std::max(1 - metallic, 1e-4);
+    const glm::dvec3 as_metal = (own.f0 - dielectric * (1 - metallic)) / std::max(metallic, 1e-4);
+    surface.base_colour = glm::clamp(glm::mix(as_dielectric, as_metal, metallic * metallic), 0.0, 1.0);
+}
+
 bool is_detailed(const Material& material) { return material.shader && material.shader->name == "detailed"; }
+
+/// How much of its details `detailed` shows.
+double detail_share(const PointReader& read, const Material& material) {
+    const TextureRef* mask = own_map(material, "detail_mask");
+    return mask ? read.texture(*mask, Encoding::linear).r : 1.0;
+}
 
 /// The shading normal, with the normal map and what `detailed` adds to it.
 glm::dvec3 bent_normal(const PointReader& read, const Material& material, const Frame& frame, bool back) {
@@ -156,16 +247,25 @@ glm::dvec3 bent_normal(const PointReader& read, const Material& material, const 
     if (!details)
         return (material.normal_texture ? frame.to_world(mapped_normal(read, material)) : frame.normal) * side;
     const glm::dvec3 detail = 2.0 * glm::dvec3(read.texture(*details, Encoding::linear)) - 1.0;
-    const TextureRef* mask = own_map(material, "detail_mask");
-    const double amount = own_number(material, "detail") * (mask ? read.texture(*mask, Encoding::linear).r : 1.0);
+    const double amount = own_number(material, "detail") * detail_share(read, material);
     const glm::dvec3 base = mapped_normal(read, material);
-    return frame.to_world({base.x + amount * detail.x, base.y + amount * detail.y, base.z}) * side;
+    const Frame own = frame_of_texture(read, material, frame, *details);
+    const glm::dvec3 bent = frame.tangent * base.x + frame.bitangent * base.y + frame.normal * base.z +
+                            amount * (own.tangent * detail.x + own.bitangent * detail.y);
+    return glm::normalize(bent) * side;
 }
 
 /// What `detailed` adds to a surface beside its normal.
 void take_details(const PointReader& read, const Material& material, Surface& surface) {
-    if (const TextureRef* ref = own_map(material, "gloss_map"))
-        surface.roughness = 1 + (surface.roughness - 1) * read.texture(*ref, Encoding::linear).r;
+    if (const TextureRef* ref = own_map(material, "detail_map")) {
+        const glm::dvec3 factor = glm::dvec3(read.texture(*ref, Encoding::srgb)) / linear_of_srgb(128);
+        const double amount = own_number(material, "detail_colour") * detail_share(read, material);
+        surface.base_colour = glm::min(surface.base_colour * (1.0 + amount * (factor - 1.0)), glm::dvec3(1));
+    }
+    if (const TextureRef* ref = own_map(material, "gloss_map")) {
+        surface.gloss = read.texture(*ref, Encoding::linear).r;
+        surface.roughness += own_number(material, "gloss_roughness") * (1 - surface.gloss) * (1 - surface.roughness);
+    }
     if (const TextureRef* ref = own_map(material, "incandescence_map"))
         surface.emissive += own_number(material, "incandescence") * glm::dvec3(read.texture(*ref, Encoding::srgb));
 }
@@ -174,7 +274,7 @@ void take_details(const PointReader& read, const Material& material, Surface& su
 
 glm::dvec3 shading_normal(const RayScene& scene, const Textures& textures, const Hit& hit, glm::dvec3 view) {
     const Draw& draw = scene.draw(hit.draw);
-    PointReader read(textures, draw, hit);
+    PointReader read(textures, draw, hit, nullptr);
     const Frame frame = frame_of(read, draw, hit);
     if (is_detailed(*draw.material) && frame.has_tangents)
         take_relief(read, *draw.material, frame, view, hit.back);
@@ -195,10 +295,10 @@ void set_lamp_roughness(Surface& surface, double spread) {
 }
 
 Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
-                         glm::dvec3 view) {
+                         glm::dvec3 view, const Beside* beside) {
     const Draw& draw = scene.draw(hit.draw);
     const Material& material = *draw.material;
-    PointReader read(textures, draw, hit);
+    PointReader read(textures, draw, hit, beside);
     const Frame frame = frame_of(read, draw, hit);
     const bool detailed = is_detailed(material);
     if (detailed && frame.has_tangents)
@@ -208,7 +308,7 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
     surface.position = hit.position;
     surface.view = view;
     surface.normal = bent_normal(read, material, frame, hit.back);
-    surface.base_colour = glm::dvec3(scene.base_colour(draw, hit.triangle, hit.weights, read.shift));
+    surface.base_colour = glm::dvec3(scene.base_colour(hit, read.shift, beside));
     surface.unlit = material.unlit;
     surface.shaded = material.shader ? &material : nullptr;
 
@@ -227,6 +327,8 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
         surface.emissive *= glm::dvec3(read.texture(ref, Encoding::srgb));
     if (material.shader && material.shader->name == "layered")
         take_layers(read, material, surface);
+    if (material.shader && material.shader->name == "specular-glossiness")
+        take_specular_glossiness(read, material, surface);
     if (detailed)
         take_details(read, material, surface);
     surface.environment_roughness = surface.roughness;

@@ -11,6 +11,12 @@ struct SurfaceLayers {
     double body_roughness = 1, coat_roughness = 0; ///< of each layer by itself
 };
 
+/// What the material `specular-glossiness` is made of.
+struct DiffuseAndSpecular {
+    glm::dvec3 diffuse{0}; ///< what the diffuse lobe sends on
+    glm::dvec3 f0{0.04};
+};
+
 /// What the lighting model knows of a point. Directions are unit vectors in world space.
 struct Surface {
     glm::dvec3 position{0};     ///< relative to the camera
@@ -21,10 +27,12 @@ struct Surface {
     double metallic = 0;
     double roughness = 1; ///< perceptual, ≥ 0.089
     double environment_roughness = 1; ///< the same, without the least and the anti-aliasing of what lamps see
+    double gloss = 1;     ///< of `detailed`: factor on all that it reflects
     double occlusion = 1; ///< on ambient light; strength is worked in
     double visibility = 1; ///< what nearby surfaces let through of ambient light
     bool unlit = false;
     SurfaceLayers layers{};
+    DiffuseAndSpecular specular_glossiness{};
     const Material* shaded = nullptr; ///< the material, when it has a shader of its own
 };
 
@@ -37,9 +45,10 @@ double normal_spread(glm::dvec3 normal, glm::dvec3 across, glm::dvec3 down);
 /// What lamps see of the surface's roughness: as much rougher, and at least 0.089.
 void set_lamp_roughness(Surface& surface, double spread);
 
-/// Reads the material at a hit. `view` points towards the viewer.
+/// Reads the material at a hit. `view` points towards the viewer; `beside`: where the rays beside it meet the surface,
+/// for filters that need to know.
 /// Throws Error for a material whose shader is a user's file: this knows built-in ones alone.
 Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
-                         glm::dvec3 view);
+                         glm::dvec3 view, const Beside* beside = nullptr);
 
 } // namespace prelight::reference

@@ -108,11 +108,14 @@ private:
         picture.mask_outcome[at] = hit.mask_outcome;
         if (!found) {
             if (environment_.is_background())
-                picture.linear.pixels[at] = glm::vec3(environment_.radiance(glm::normalize(ray.direction)) * factor_);
+                picture.linear.pixels[at] = glm::vec3(environment_.background(glm::normalize(ray.direction)) * factor_);
             return;
         }
         const Draw& draw = scene_.draw(hit.draw);
-        Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction));
+        std::optional<Beside> beside;
+        if (!form_.bilinear_level0)
+            beside = Beside{scene_.beside(hit, lens_.ray(x ^ 1, y)), scene_.beside(hit, lens_.ray(x, y ^ 1))};
+        Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction), beside ? &*beside : nullptr);
         const double spread = form_.specular_antialiasing && !surface.unlit
                                   ? normal_spread(surface.normal, normal_at(hit, x ^ 1, y), normal_at(hit, x, y ^ 1))
                                   : 0; // of the surface itself

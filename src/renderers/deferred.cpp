@@ -5,10 +5,14 @@
 #include "light_culling_choice.hpp"
 #include "occlusion_settings.hpp"
 #include "shadow_settings.hpp"
+#include "texture_settings.hpp"
 #include <passes/decals.hpp>
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
+#include <passes/light_scale.hpp>
+#include <passes/sun_occlusion.hpp>
 #include <passes/view.hpp>
+#include <shared/light_scale.h>
 
 namespace prelight {
 namespace {
@@ -17,7 +21,7 @@ class Deferred final : public DeviceRenderer {
 public:
     Deferred(Device& device, const RenderOptions& options, Settings settings)
         : DeviceRenderer(device, options, std::move(settings)) {
-        model_.shading = options.shading;
+        model_.shading = this->settings().shading();
         model_.fresnel = this->settings().is("model", "nv") ? passes::FresnelModel::nv : passes::FresnelModel::full;
         model_.step_gate = this->settings().is("specular-gate", "step");
         model_.reflection_vector = this->settings().is("specular-vector", "reflection");
@@ -31,22 +35,58 @@ private:
                 .position_from_ray = settings().is("position", "ray"),
                 .stencil = settings().is("light-culling", "stencil"),
                 .specular_antialiasing = settings().is("specular-antialiasing", "on"),
+                .wide_light = light_sums().wide(),
                 .ambient_apart = occlusion_options(settings()).on};
+    }
+
+    uint32_t blended_adds(const resident::Frame& frame) const override {
+        return settings().is("accumulation", "rgba8") ? 0 : passes::light_adds(frame, true);
     }
 
     resident::FrameSettings frame_settings() const override {
         resident::FrameSettings frame = DeviceRenderer::frame_settings();
-        if (format().light_in_bytes)
-            frame.light_scale = settings().number("light-scale");
+        if (format().light_in_bytes) {
+            frame.measures_light = settings().is("light-scale", "auto");
+            frame.light_scale = frame.measures_light ? 1 : settings().number("light-scale");
+        }
         frame.motion = true;
         frame.culling = passes::light_culling(settings().get("light-culling"));
         frame.volumes = passes::volume_options(settings().all());
-        frame.texture_filter = settings().is("texture-filter", "bilinear") ? gpu::TextureFilter::bilinear
-                                                                           : gpu::TextureFilter::anisotropic;
         return frame;
     }
 
+    passes::LightingInputs lighting_of(const passes::GBuffer& gbuffer, const passes::Shadows& shadows) {
+        return {.surface = gbuffer.surface,
+                .material = gbuffer.motion,
+                .albedo = gbuffer.albedo,
+                .model = model_,
+                .target = gbuffer.light_target(),
+                .shadows = shadows,
+                .pair_counters = &pair_counters(),
+                .count_pairs = options().count_pairs,
+                .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
+                .list_shading = passes::list_shading(settings().get("list-shading")),
+                .list_contents = passes::list_contents(settings().get("light-lists"))};
+    }
+
+    /// RT0 is filled with the geometry, so that its scale has to be known before: from the geometry drawn small.
+    void find_light_scale(graph::FrameGraph& graph, const resident::Frame& frame, const passes::Shadows& shadows) {
+        const bool measured = settings().is("light-scale", "auto");
+        scale_.emplace(frame, passes::fixed_point_of_deferred(), measured);
+        if (!measured)
+            return;
+        passes::GBufferFormat small = format();
+        small.light_in_bytes = small.ambient_apart = false;
+        small.pass = "geometry-small";
+        small.reduction = shared::light_sample_step(options().width, options().height);
+        scale_->measure(graph, frame, lighting_of(passes::gbuffer_pass(graph, frame, small), shadows));
+    }
+
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
+        const passes::Shadows maps = shadows(graph, frame);
+        scale_.reset();
+        if (format().light_in_bytes)
+            find_light_scale(graph, frame, maps);
         const auto gbuffer = passes::gbuffer_pass(graph, frame, format());
         passes::decal_geometry_pass(graph, frame, gbuffer, passes::decal_pass(graph, frame, gbuffer.surface));
         const passes::OcclusionOptions occlusion = occlusion_options(settings());
@@ -55,18 +95,13 @@ private:
             visibility = passes::ambient_occlusion_passes(graph, frame, gbuffer.surface, occlusion);
         if (occlusion.on)
             passes::ambient_light_pass(graph, frame, gbuffer, *visibility);
-        const passes::LightingInputs lighting{.surface = gbuffer.surface,
-                                        .material = gbuffer.motion,
-                                        .albedo = gbuffer.albedo,
-                                        .model = model_,
-                                        .target = gbuffer.light_target(),
-                                        .shadows = shadows(graph, frame),
-                                        .pair_counters = &pair_counters(),
-                                        .count_pairs = options().count_pairs,
-                                        .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
-                                        .list_shading = passes::list_shading(settings().get("list-shading")),
-                                        .list_contents = passes::list_contents(settings().get("light-lists"))};
+        const passes::Shadows lit = format().layout == passes::GBufferLayout::killzone2
+                                        ? passes::sun_occlusion_pass(graph, frame, gbuffer, maps)
+                                        : maps;
+        const passes::LightingInputs lighting = lighting_of(gbuffer, lit);
         passes::light_pass(graph, frame, "light", lighting);
+        if (scale_)
+            scale_->count_clipped(graph, frame, gbuffer.light, gbuffer.light);
         Views views = picture_views(graph, frame, gbuffer.surface.depth, [&](passes::Display display) {
             return passes::light_resolve_pass(graph, frame, gbuffer, display);
         });
@@ -81,6 +116,7 @@ private:
         show("roughness", ViewKind::roughness, gbuffer.surface.normal);
         show("specular", ViewKind::specular, wide ? gbuffer.albedo : gbuffer.motion);
         show("albedo", ViewKind::albedo, gbuffer.albedo);
+        show("sun-occlusion", ViewKind::sun_occlusion, gbuffer.albedo);
         show("motion", ViewKind::motion, gbuffer.motion);
         if (visibility)
             show("ambient-occlusion", ViewKind::occlusion, *visibility);
@@ -89,7 +125,13 @@ private:
         return views;
     }
 
+    void add_figures(Stats& stats) const override {
+        if (scale_)
+            scale_->tell(stats);
+    }
+
     passes::LightModel model_;
+    std::optional<passes::LightScale> scale_; ///< of RT0 in bytes
 };
 
 } // namespace
@@ -100,7 +142,8 @@ RendererInfo deferred_info() {
         .description = "geometry once into a G-buffer, then each light with the pixel's material",
         .settings = {{"g-buffer", {"wide", "killzone2"}, "wide", "exact for the model, or Valient's 20 bytes a pixel"},
                      {"accumulation", {"rgba16f", "rgba8"}, "rgba16f", "the target that light is added up in"},
-                     {"light-scale", {"0.01 … 1000"}, "2", "accumulation=rgba8: the light that its RGB holds"},
+                     {"light-scale", {"auto", "0.01 … 1000"}, "auto",
+                      "accumulation=rgba8: the light that its RGB holds; auto: from the light of each frame"},
                      {"model", {"full", "nv"}, "full", "Fresnel: of each light at V·H, or at N·V"},
                      {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
                      passes::light_culling_setting(),
@@ -109,12 +152,13 @@ RendererInfo deferred_info() {
                  passes::list_contents_setting(),
                      {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
                      {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+                     light_sums_setting(),
                      specular_antialiasing_setting(),
-                     {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
-                      "bilinear: level 0 only, for comparing with the reference"}},
-        .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "motion", "light-count", "ambient-occlusion"},
+                     texture_filter_setting()},
+        .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "sun-occlusion", "motion", "light-count", "ambient-occlusion"},
         .presets = {"killzone2"},
-        .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}}};
+        .preset_settings = {{"killzone2", {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}},
+        .preset_shading = {{"killzone2", Shading::phong}}};
     for (SettingInfo& setting : draw_settings(false))
         info.settings.push_back(std::move(setting));
     for (SettingInfo& setting : shadow_settings(true))

@@ -1,6 +1,7 @@
 #include "device_renderer.hpp"
 #include "draw_settings.hpp"
 #include "shadow_settings.hpp"
+#include "texture_settings.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,10 +10,14 @@
 #include <gpu/check.hpp>
 #include <passes/background.hpp>
 #include <passes/index_trimming.hpp>
+#include <resident/texture_limit.hpp>
 #include <timing/clocks.hpp>
 
 namespace prelight {
 namespace {
+
+/// Full floats end where half floats do, so that a picture does not depend on what its light was added up in.
+constexpr float half_max = 65504;
 
 Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D extent) {
     Image image(extent.width, extent.height);
@@ -25,7 +30,7 @@ Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D e
     if (format == VK_FORMAT_R32G32B32A32_SFLOAT) {
         const auto* floats = reinterpret_cast<const float*>(texels.data());
         for (size_t i = 0; i < image.pixels.size(); ++i)
-            image.pixels[i] = {floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]};
+            image.pixels[i] = glm::clamp(glm::vec3(floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]), -half_max, half_max);
         return image;
     }
     const auto* halves = reinterpret_cast<const uint16_t*>(texels.data());
@@ -48,8 +53,10 @@ CreatedObjects created_since(const gpu::Context& context, const CreatedObjects& 
 } // namespace
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
-    : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)) {
+    : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)), light_sums_(settings_) {
     resolve_draw_settings(settings_, context_);
+    resolve_texture_filter(settings_, context_);
+    settings_.refuse_without_effect();
     const uint32_t limit = std::min(context_.limits().maxImageDimension2D,
                                     std::min(context_.limits().maxFramebufferWidth,
                                              context_.limits().maxFramebufferHeight));
@@ -74,6 +81,7 @@ resident::FrameSettings DeviceRenderer::frame_settings() const {
     return {.width = options_.width,
             .height = options_.height,
             .exposure = std::exp2(options_.exposure),
+            .texture_filter = texture_filter(settings_),
             .draws = draw_options(settings_),
             .shadows = shadow_options(settings_)};
 }
@@ -108,7 +116,7 @@ void DeviceRenderer::set_world(const World& world) {
 void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     if (!world_)
         throw Error("renderer: set_world() comes before set_lights()");
-    if (frame_->set_lights(lights, [&] { queue_->drain(); }) && graph_)
+    if (frame_->set_lights(lights, [&] { queue_->drain(); }) && graph_ && light_sums_.holds(blended_adds(*frame_)))
         return;
     drop_graph();
     build_graph();
@@ -135,6 +143,7 @@ void DeviceRenderer::build_graph() {
     auto graph = std::make_unique<graph::FrameGraph>(context_);
     for (const std::string& note : settings_.notes())
         graph->note(note);
+    light_sums_.choose(settings_, *graph, context_, blended_adds(*frame_));
     passes::index_trimming_passes(*graph, *frame_);
     views_ = build(*graph, *frame_);
     for (const auto& [name, image] : views_)
@@ -236,7 +245,10 @@ Stats DeviceRenderer::stats() const {
     stats.device = context_.name();
     stats.driver = context_.driver();
     stats.settings = settings_.all();
+    stats.shading = settings_.shading();
     stats.notes = graph_->notes();
+    for (std::string& note : resident::notes_on_large_textures(*frame_->world().scene, context_.limits().maxImageDimension2D))
+        stats.notes.push_back(std::move(note));
     stats.lights = frame_->placed_lights().size();
     stats.triangles = triangles_;
     stats.draws = draws(*frame_);
@@ -265,6 +277,7 @@ Stats DeviceRenderer::stats() const {
     stats.host_ms = HostTimes{spread(host_.lights), spread(host_.culling), spread(host_.objects), spread(host_.record)};
     count_pairs(stats);
     tell_shadows(stats);
+    add_figures(stats);
     return stats;
 }
 
@@ -277,7 +290,7 @@ void DeviceRenderer::tell_shadows(Stats& stats) const {
     shadows.casters_drawn = shadow_counts_.casters_drawn;
     stats.shadows = shadows;
     if (shadows.lights_reduced > 0)
-        stats.notes.push_back(fmt::format("shadow-budget: {} of {} lights have smaller shadow maps than they asked for",
+        stats.notes.push_back(fmt::format("shadow-budget: {} of {} lights have shadow maps with less than a texel for eight pixels across",
                                           shadows.lights_reduced, shadows.lights));
     if (shadows.lights_without > 0)
         stats.notes.push_back(fmt::format("shadow-budget: {} lights have no shadow, not a texel was left for them",

@@ -1,5 +1,6 @@
 #pragma once
 #include "frame_queue.hpp"
+#include "light_sums.hpp"
 #include "settings.hpp"
 #include <functional>
 #include <graph/frame_graph.hpp>
@@ -34,6 +35,10 @@ protected:
     using Views = std::map<std::string, graph::ImageId, std::less<>>;
     /// The architecture: its passes, in order.
     virtual Views build(graph::FrameGraph& graph, const resident::Frame& frame) = 0;
+    /// How often blending may add light to one pixel; 0: no half floats are blended.
+    virtual uint32_t blended_adds(const resident::Frame&) const { return 0; }
+    /// What that takes, for build().
+    const LightSums& light_sums() const { return light_sums_; }
     /// The picture from `linear`, which is kept when it was asked for; where `depth` is empty, the background.
     Views linear_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId linear, graph::ImageId depth) const;
     /// The picture from `draw`, which draws it finished or scene-linear: finished, unless "linear" was
@@ -43,6 +48,9 @@ protected:
     virtual resident::FrameSettings frame_settings() const;
     /// Stats::draws of the last frame.
     virtual uint64_t draws(const resident::Frame& frame) const { return frame.visible().batches.size(); }
+
+    /// What an architecture alone knows of the last frame, which is done.
+    virtual void add_figures(Stats&) const {}
 
     const gpu::Context& context() const { return context_; }
     const RenderOptions& options() const { return options_; }
@@ -69,6 +77,7 @@ private:
     const gpu::Context& context_;
     RenderOptions options_;
     Settings settings_;
+    LightSums light_sums_;
     gpu::Buffer pair_counters_;
     const World* world_ = nullptr;
     std::unique_ptr<resident::Frame> frame_;

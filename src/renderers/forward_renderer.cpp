@@ -1,6 +1,10 @@
 #include "forward_renderer.hpp"
 #include "draw_settings.hpp"
 #include "shadow_settings.hpp"
+#include "texture_settings.hpp"
+#include <algorithm>
+#include <passes/light_overlap.hpp>
+#include <passes/lighting.hpp>
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -8,7 +12,7 @@ namespace prelight {
 ForwardRenderer::ForwardRenderer(Device& device, const RenderOptions& options, Settings settings,
                                  resident::ObjectLights order)
     : DeviceRenderer(device, options, std::move(settings)), order_(order) {
-    model_.shading = options.shading;
+    model_.shading = this->settings().shading();
     model_.fresnel = this->settings().is("model", "nv") ? passes::FresnelModel::nv : passes::FresnelModel::full;
     model_.step_gate = this->settings().is("specular-gate", "step");
     model_.reflection_vector = this->settings().is("specular-vector", "reflection");
@@ -18,9 +22,23 @@ ForwardRenderer::ForwardRenderer(Device& device, const RenderOptions& options, S
 resident::FrameSettings ForwardRenderer::frame_settings() const {
     resident::FrameSettings frame = DeviceRenderer::frame_settings();
     frame.object_lights = order_;
-    frame.texture_filter = settings().is("texture-filter", "bilinear") ? gpu::TextureFilter::bilinear
-                                                                       : gpu::TextureFilter::anisotropic;
     return frame;
+}
+
+uint32_t ForwardRenderer::most_batches(const resident::Frame& frame, uint32_t per_pass) {
+    const auto lights = static_cast<uint32_t>(frame.placed_lights().size());
+    const uint32_t batches = lights / per_pass + (lights % per_pass > 0 ? 1 : 0);
+    return std::min(batches, passes::light_overlap(frame.geometry().draws, frame.placed_lights()));
+}
+
+ForwardRenderer::Plan ForwardRenderer::limited(Plan plan) const {
+    if (light_sums().wide())
+        return plan;
+    return [plan = std::move(plan), most = light_sums().most_adds()](const resident::LightReach& reach) {
+        passes::ForwardPlan steps = plan(reach);
+        passes::limit_steps(steps, most);
+        return steps;
+    };
 }
 
 passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId depth, graph::ImageId colour) {
@@ -45,7 +63,7 @@ void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const re
     if (wants("light-count")) {
         passes::ForwardInputs counts{.name = "light-count",
                                      .depth = depth,
-                                     .colour = graph.image("light count", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()}),
+                                     .colour = passes::light_count_image(graph, frame),
                                      .kinds = {passes::StepKind::lights},
                                      .plan = [](const resident::LightReach& reach) {
                                          return passes::plan_by_objects(reach, FORWARD_MOST_LIGHTS, false);
@@ -64,9 +82,9 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twi
         {"model", {"full", "nv"}, "full", "Fresnel: of each light at V·H, or at N·V"},
         {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
         {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+        light_sums_setting(),
         specular_antialiasing_setting(),
-        {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
-         "bilinear: level 0 only, for comparing with the reference"}};
+        texture_filter_setting()};
     own.insert(own.end(), common.begin(), common.end());
     for (SettingInfo& setting : draw_settings(twice))
         own.push_back(std::move(setting));

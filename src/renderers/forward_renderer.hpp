@@ -18,6 +18,11 @@ protected:
                                   const passes::ForwardInputs& counts) const {
         passes::forward_pass(graph, frame, counts);
     }
+    /// How many draws of `per_pass` lights may add to a pixel: those whose lights reach the surface there.
+    static uint32_t most_batches(const resident::Frame& frame, uint32_t per_pass);
+    /// The plan with the largest values that its steps may add to the target.
+    using Plan = std::function<passes::ForwardPlan(const resident::LightReach&)>;
+    Plan limited(Plan plan) const;
     /// A pass that draws into `colour`; the caller adds kinds and plan. Its draws are counted.
     passes::ForwardInputs shading(const char* name, graph::ImageId depth, graph::ImageId colour);
     /// Adds the other views that were asked for.

@@ -1,4 +1,5 @@
 #include "light_model_settings.hpp"
+#include "light_sums.hpp"
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 
@@ -62,6 +63,8 @@ void resolve_specular_antialiasing(Settings& settings, const LightModel& model) 
 }
 
 void choose_fresnel(Settings& settings, LightModel& model) {
+    if (settings.given("model") && settings.shading() == Shading::phong)
+        settings.refuse_without_effect(); // before what a form of Fresnel would need
     if (settings.is("model", "auto"))
         settings.resolve("model", model.packed() ? "mono" : model.has_alpha() ? "weighted" : "nv");
     const std::string& fresnel = settings.get("model");
@@ -105,9 +108,11 @@ void choose_writes(Settings& settings, const LightModel& model) {
 std::vector<SettingInfo> light_model_settings() {
     return {{"light-buffer", {"rgba16f", "r11g11b10f", "rgb10a2", "rgba8", "packed-rgba16f", "packed-rgba8"}, "rgba16f",
              "diffuse and specular pair, or specular packed into alpha (equation 8.5.2)"},
-            {"light-scale", {"0.01 … 1000"}, "2", "rgb10a2, rgba8, packed-rgba8: the largest light that is stored"},
+            {"light-scale", {"auto", "0.01 … 1000"}, "auto",
+             "rgb10a2, rgba8, packed-rgba8: the largest light that is stored; auto: from the light of each frame"},
             {"light-writes", {"auto", "blended", "once"}, "auto",
              "lights blended one by one, or summed first and written once (fullscreen, tiles, clusters)"},
+            light_sums_setting(),
             {"specular", {"stored", "luv", "fifth-channel", "luminance", "bent"}, "stored",
              "phong: where a material's own shininess comes in [L5]"},
             {"model", {"auto", "weighted", "nv", "mono", "full"}, "auto",
@@ -128,6 +133,8 @@ passes::LightModel light_model(Settings& settings, Shading shading) {
     resolve_specular_antialiasing(settings, model);
     choose_fresnel(settings, model);
     choose_writes(settings, model);
+    if (model.fixed_point() && settings.is("light-sums", "float32"))
+        throw UsageError("--set light-sums=float32: light-buffer=" + settings.get("light-buffer") + " adds up codes");
     return model;
 }
 

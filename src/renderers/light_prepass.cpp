@@ -8,10 +8,15 @@
 #include "occlusion_settings.hpp"
 #include <passes/light_list_compute.hpp>
 #include "shadow_settings.hpp"
+#include "texture_settings.hpp"
 #include <passes/decals.hpp>
 #include <passes/light_pass.hpp>
+#include <passes/light_scale.hpp>
 #include <passes/materials.hpp>
+#include <fmt/format.h>
+#include <gpu/context.hpp>
 #include <passes/view.hpp>
+#include <prelight/error.hpp>
 
 namespace prelight {
 namespace {
@@ -20,10 +25,23 @@ passes::SurfaceFormat surface_format(const Settings& settings) {
     return {.normals = passes::find_normal_encoding(settings.get("normals")).encoding,
             .view_space = settings.is("normal-space", "view"),
             .depth = passes::find_depth_source(settings.get("depth")).source,
-            .stencil = settings.is("light-culling", "stencil"),
+            .stencil = settings.is("light-culling", "stencil") || settings.is("roughness", "stencil"),
+            .roughness_in_stencil = settings.is("roughness", "stencil"),
             .position_from_ray = settings.is("position", "ray"),
             .two_passes = settings.is("geometry", "two-passes"),
             .specular_antialiasing = settings.is("specular-antialiasing", "on")};
+}
+
+/// The first way to a specular power of the material's own, in stencil, where the device's fragments can write it and lights do not.
+void choose_roughness(Settings& settings, const Device& device) {
+    if (!settings.is("roughness", "stencil"))
+        return;
+    if (settings.is("light-culling", "stencil"))
+        throw UsageError("--set roughness=stencil: light-culling=stencil marks lights there (any other value does not)");
+    if (dynamic_cast<const gpu::Context&>(device).features().stencil_export)
+        return;
+    settings.resolve("roughness", "normal");
+    settings.note(fmt::format("roughness=stencil: {} has no VK_EXT_shader_stencil_export that can be relied on, normal is taken", device.name()));
 }
 
 class LightPrepass final : public DeviceRenderer {
@@ -33,15 +51,18 @@ public:
         : DeviceRenderer(device, options, std::move(settings)), model_(model) {}
 
 private:
+    uint32_t blended_adds(const resident::Frame& frame) const override {
+        return model_.fixed_point() ? 0 : passes::light_adds(frame, settings().is("light-writes", "blended"));
+    }
+
     resident::FrameSettings frame_settings() const override {
         resident::FrameSettings frame = DeviceRenderer::frame_settings();
-        if (model_.fixed_point())
-            frame.light_scale = settings().number("light-scale");
+        if (model_.fixed_point()) {
+            frame.measures_light = settings().is("light-scale", "auto");
+            frame.light_scale = frame.measures_light ? 1 : settings().number("light-scale");
+        }
         frame.culling = passes::light_culling(settings().get("light-culling"));
         frame.volumes = passes::volume_options(settings().all());
-        frame.texture_filter = settings().is("texture-filter", "bilinear")
-                                   ? gpu::TextureFilter::bilinear
-                                   : gpu::TextureFilter::anisotropic;
         return frame;
     }
 
@@ -50,7 +71,8 @@ private:
         const auto decals = passes::decal_pass(graph, frame, surface);
         passes::decal_normal_pass(graph, frame, surface, decals);
         const auto list_shading = passes::list_shading(settings().get("list-shading"));
-        const auto light = passes::make_light_buffer(graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading));
+        const auto light = passes::make_light_buffer(
+            graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading) && !light_sums().wide(), light_sums().wide());
         const passes::LightingInputs lighting{.surface = surface,
                                         .model = model_,
                                         .target = light.target,
@@ -61,7 +83,12 @@ private:
                                         .list_shading = list_shading,
                                         .list_contents = passes::list_contents(settings().get("light-lists")),
                                         .write_once = settings().is("light-writes", "once")};
+        scale_.reset();
+        if (model_.fixed_point())
+            scale_.emplace(frame, passes::fixed_point(model_), settings().is("light-scale", "auto")).measure(graph, frame, lighting);
         passes::light_pass(graph, frame, "light", lighting);
+        if (scale_)
+            scale_->count_clipped(graph, frame, light.diffuse, light.specular);
         passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_, .decals = decals};
         const passes::OcclusionOptions occlusion = occlusion_options(settings());
         std::optional<graph::ImageId> visibility;
@@ -85,7 +112,7 @@ private:
         if (model_.packed())
             show("specular-light", ViewKind::light_alpha, light.diffuse);
         else
-            show("specular-light", passes::is_light_pair(graph, light.specular) ? ViewKind::second_light : ViewKind::light, light.specular);
+            show("specular-light", passes::is_light_pair(graph, light.specular) ? ViewKind::second_light : ViewKind::specular_light, light.specular);
         for (const bool specular : {false, true})
             if (const char* name = specular ? "specular-sum" : "diffuse-sum"; wants(name))
                 views[name] = passes::light_sum_pass(graph, frame, materials, specular);
@@ -98,7 +125,13 @@ private:
         return views;
     }
 
+    void add_figures(Stats& stats) const override {
+        if (scale_)
+            scale_->tell(stats);
+    }
+
     passes::LightModel model_;
+    std::optional<passes::LightScale> scale_; ///< of a light buffer in fixed point
 };
 
 } // namespace
@@ -114,6 +147,8 @@ RendererInfo light_prepass_info() {
             .settings =
                 {{"normals", normals, normals[0], "encoding of the normal buffer"},
                  {"normal-space", {"world", "view"}, "world", "space of the stored normals"},
+                 {"roughness", {"normal", "stencil"}, "normal",
+                  "where lights find a surface's roughness or specular power: stored with its normal, or in stencil"},
                  {"depth", depths, depths[0],
                   "what later passes read depth from: the attachment, or view depth in a colour target"},
                  {"geometry", {"mrt", "two-passes"}, "mrt",
@@ -124,12 +159,12 @@ RendererInfo light_prepass_info() {
                  passes::list_shading_setting(),
                  passes::list_contents_setting(),
                  specular_antialiasing_setting(),
-                 {"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
-                  "bilinear: level 0 only, for comparing with the reference"}},
+                 texture_filter_setting()},
             .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
                       "diffuse-sum", "specular-sum", "albedo", "light-count", "ambient-occlusion"},
             .presets = {"engel", "round2", "prelighting"},
-            .preset_settings = light_prepass_presets()};
+            .preset_settings = light_prepass_presets(),
+            .preset_shading = {{"engel", Shading::phong}, {"round2", Shading::phong}, {"prelighting", Shading::phong}}};
     for (SettingInfo& setting : draw_settings(true))
         info.settings.push_back(std::move(setting));
     for (SettingInfo& setting : shadow_settings(true))
@@ -147,7 +182,8 @@ std::unique_ptr<Renderer> make_light_prepass(Device& device, const RenderOptions
     Settings settings(light_prepass_info(), options);
     choose_shadow_memory(settings);
     choose_light_culling(settings, device);
-    const passes::LightModel model = light_model(settings, options.shading);
+    choose_roughness(settings, device);
+    const passes::LightModel model = light_model(settings, settings.shading());
     choose_shadow_memory(settings); // what the model is written by may have changed the way
     return std::make_unique<LightPrepass>(device, options, std::move(settings), model);
 }

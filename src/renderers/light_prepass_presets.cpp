@@ -32,13 +32,14 @@ std::map<std::string, std::map<std::string, std::string>> light_prepass_presets(
           {"specular-antialiasing", "off"}}},
         // M. Lee, Prelighting: view-space normal in RGB and specular power in alpha of the memory that later
         // holds the frame (the frame graph sees to that), diffuse and specular light by MRT in 8:8:8:8
-        // each (3.7 MB at 1280 × 720), one screen-space quad a light.
+        // each (3.7 MB at 1280 × 720), one screen-space quad a light; shadow memory reused light by light.
         {"prelighting",
          {{"normals", "rgb8"},
           {"normal-space", "view"},
           {"light-buffer", "rgba8"},
           {"specular", "stored"},
           {"light-culling", "rectangles"},
+          {"shadow-memory", "reuse"},
           {"specular-antialiasing", "off"}}},
     };
 }

@@ -12,21 +12,24 @@ public:
         : ForwardRenderer(device, options, std::move(settings), resident::ObjectLights::world_order) {}
 
 private:
+    uint32_t lights_per_pass() const { return static_cast<uint32_t>(settings().number("lights-per-pass")); } // [M2]
+    uint32_t blended_adds(const resident::Frame& frame) const override { return most_batches(frame, lights_per_pass()); }
     uint64_t draws(const resident::Frame& frame) const override {
         return ForwardRenderer::draws(frame) + ambient_draws_;
     }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const bool per_object = settings().is("ambient", "per-object"); // [M1]
-        const auto per_pass = static_cast<uint32_t>(settings().number("lights-per-pass")); // [M2]
+        const uint32_t per_pass = lights_per_pass();
         const auto plan = settings().is("order", "lights") ? passes::plan_by_lights : passes::plan_by_objects;
         decals_ = passes::decals_of_own(graph, frame);
         const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
-        const auto linear = passes::picture_image(graph, frame, {});
+        const auto linear = passes::picture_image(graph, frame, {}, light_sums().wide());
 
         ambient_draws_ = 0;
         passes::ForwardInputs lights = shading("lights", depth, linear);
         lights.shadows = shadows(graph, frame);
+        lights.lights_test = settings().is("depth-test", "equal") ? gpu::DepthTest::equal : gpu::DepthTest::behind_or_at;
         lights.kinds = {passes::StepKind::lights};
         if (per_object) {
             lights.kinds.push_back(passes::StepKind::base);
@@ -38,7 +41,7 @@ private:
             passes::forward_pass(graph, frame, ambient);
             lights.load = graph::Load::keep;
         }
-        lights.plan = [=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); };
+        lights.plan = limited([=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); });
         passes::forward_pass(graph, frame, lights);
         Views views = linear_views(graph, frame, linear, depth);
         add_views(views, graph, frame, depth);
@@ -56,7 +59,9 @@ RendererInfo multipass_info() {
             .settings = forward_settings(
                 {{"order", {"lights", "objects"}, "lights", "the outer loop: over lights, or over objects"},
                  {"ambient", {"first", "per-object"}, "first", "ambient of all objects first, or with each object"},
-                 {"lights-per-pass", {"1", "2", "3", "4", "5", "6", "7", "8"}, "1", "lights that one draw adds"}}, false),
+                 {"lights-per-pass", {"1", "2", "3", "4", "5", "6", "7", "8"}, "1", "lights that one draw adds"},
+                 {"depth-test", {"less-equal", "equal"}, "less-equal",
+                  "of the draws that add lights: what lies at or before the depth that is there, or just at it"}}, false),
             .views = forward_views(),
             .presets = {}};
 }

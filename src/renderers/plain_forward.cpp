@@ -4,6 +4,7 @@
 // so whatever makes it cheaper belongs here.
 #include "plain_forward.hpp"
 #include "device_renderer.hpp"
+#include "texture_settings.hpp"
 #include <algorithm>
 #include <cstddef>
 #include <gpu/pipeline.hpp>
@@ -22,13 +23,6 @@ public:
     ~PlainForward() override { finish(); } // frames on their way use its pipelines
 
 private:
-    resident::FrameSettings frame_settings() const override {
-        resident::FrameSettings frame = DeviceRenderer::frame_settings();
-        frame.texture_filter = settings().is("texture-filter", "bilinear") ? gpu::TextureFilter::bilinear
-                                                                           : gpu::TextureFilter::anisotropic;
-        return frame;
-    }
-
     uint64_t draws(const resident::Frame& frame) const override { return frame.visible().draws.size(); }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
@@ -127,8 +121,7 @@ private:
 RendererInfo plain_forward_info() {
     return {.name = "plain-forward",
             .description = "one forward pass without lights: the unit F of bench",
-            .settings = {{"texture-filter", {"anisotropic", "bilinear"}, "anisotropic",
-                          "bilinear: level 0 only, for comparing with the reference"}},
+            .settings = {texture_filter_setting()},
             .views = {"final"},
             .presets = {}};
 }

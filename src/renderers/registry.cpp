@@ -6,11 +6,16 @@
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <reference/reference_renderer.hpp>
+#include <setting_values/needs.hpp>
 
 namespace prelight {
 
 std::vector<RendererInfo> renderer_infos() {
-    return {light_prepass_info(), multipass_info(), z_prepass_info(), deferred_info(), reference_info()};
+    std::vector<RendererInfo> all{light_prepass_info(), multipass_info(), z_prepass_info(), deferred_info(), reference_info()};
+    for (RendererInfo& info : all)
+        for (SettingInfo& setting : info.settings)
+            setting.needs = needs_of(setting.key, info.settings);
+    return all;
 }
 
 std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,

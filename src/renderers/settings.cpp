@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
 #include <setting_values/allows.hpp>
+#include <setting_values/needs.hpp>
 
 namespace prelight {
 
@@ -22,12 +23,17 @@ void Settings::set(const RendererInfo& info, const std::map<std::string, std::st
     }
 }
 
-Settings::Settings(const RendererInfo& info, const RenderOptions& options) {
+Settings::Settings(const RendererInfo& info, const RenderOptions& options)
+    : preset_(options.preset), views_(options.views), shading_(shading_in_force(info, options)) {
     for (const SettingInfo& setting : info.settings)
-        values_[setting.key] = setting.default_value;
+        defaults_[setting.key] = setting.default_value;
+    values_ = defaults_;
     const auto preset = info.preset_settings.find(options.preset);
-    if (preset != info.preset_settings.end())
+    if (preset != info.preset_settings.end()) {
         set(info, preset->second);
+        for (const auto& [key, value] : preset->second)
+            of_preset_.insert(key);
+    }
     set(info, options.settings);
     for (const auto& [key, value] : options.settings)
         given_.insert(key);
@@ -38,6 +44,29 @@ Settings::Settings(const RendererInfo& info, const RenderOptions& options) {
         std::find(info.presets.begin(), info.presets.end(), options.preset) == info.presets.end())
         throw UsageError(fmt::format("--preset {}: {} has {}", options.preset, info.name,
                                      info.presets.empty() ? "none" : fmt::format("{}", fmt::join(info.presets, ", "))));
+}
+
+void Settings::refuse_without_effect() {
+    for (const auto& [key, value] : values_) {
+        if (value == defaults_.at(key))
+            continue; // says nothing that would not be so anyway
+        const std::optional<std::string> why = why_without_effect(key, values_, shading_, views_);
+        if (!why)
+            continue;
+        if (given(key))
+            throw UsageError(fmt::format("--set {}={}: {}", key, value, *why));
+        if (!of_preset_.contains(key))
+            continue; // what another setting resolved it to
+        const bool of_shadows = needs_of(key).front().key == "shadows"; // how they are made once somebody wants them
+        if (!of_shadows)
+            note(fmt::format("{}={} of preset {}: {}; {} is taken", key, value, preset_, *why, defaults_.at(key)));
+        resolve(key, defaults_.at(key));
+    }
+}
+
+Shading shading_in_force(const RendererInfo& info, const RenderOptions& options) {
+    const auto preset = info.preset_shading.find(options.preset);
+    return options.shading.value_or(preset == info.preset_shading.end() ? Shading::ggx : preset->second);
 }
 
 double Settings::number(const std::string& key) const { return std::strtod(get(key).c_str(), nullptr); }

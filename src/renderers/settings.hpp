@@ -19,6 +19,11 @@ public:
     bool is(const std::string& key, const std::string& value) const { return get(key) == value; }
     double number(const std::string& key) const;
     const std::map<std::string, std::string>& all() const { return values_; }
+    /// The lighting model in force.
+    Shading shading() const { return shading_; }
+    /// Throws UsageError for what the user changed that makes no difference with all that is in force, and says what it
+    /// needs. What only a preset brought gives way to the default, with a note.
+    void refuse_without_effect();
     /// Replaces "auto" by what the renderer chose, so that the figures name it.
     void resolve(const std::string& key, const std::string& value) { values_.at(key) = value; }
     /// What is not as a preset asked for, one line each: Stats::notes.
@@ -27,8 +32,12 @@ public:
 
 private:
     void set(const RendererInfo& info, const std::map<std::string, std::string>& settings);
-    std::map<std::string, std::string> values_;
+    std::map<std::string, std::string> values_, defaults_;
     std::set<std::string> given_;
+    std::string preset_;
+    std::set<std::string> of_preset_; ///< keys that it sets
+    std::vector<std::string> views_;
+    Shading shading_;
     std::vector<std::string> notes_;
 };
 

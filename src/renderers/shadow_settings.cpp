@@ -23,10 +23,16 @@ void choose_shadow_memory(Settings& settings) {
         return;
     if (settings.is("light-culling", "auto"))
         settings.resolve("light-culling", "volumes");
+    const bool asked = settings.given("shadow-memory");
     const bool once = settings.all().contains("light-writes") && settings.is("light-writes", "once");
-    if (once || settings.is("light-culling", "tiles") || settings.is("light-culling", "clusters"))
-        throw UsageError(fmt::format("--set shadow-memory=reuse: is for lights that are drawn one by one, not {}",
-                                     once ? "light-writes=once" : "light-culling=" + settings.get("light-culling")));
+    if (!once && !settings.is("light-culling", "tiles") && !settings.is("light-culling", "clusters"))
+        return;
+    const std::string reason = fmt::format("is for lights that are drawn one by one, not {}",
+                                           once ? "light-writes=once" : "light-culling=" + settings.get("light-culling"));
+    if (asked)
+        throw UsageError("--set shadow-memory=reuse: " + reason);
+    settings.note(fmt::format("shadow-memory=reuse {}: shadow-memory=atlas", reason)); // a preset's gives way
+    settings.resolve("shadow-memory", "atlas");
 }
 
 resident::ShadowOptions shadow_options(const Settings& settings) {

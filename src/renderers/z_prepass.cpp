@@ -3,6 +3,7 @@
 #include "z_prepass.hpp"
 #include "forward_renderer.hpp"
 #include <passes/depth_only.hpp>
+#include <passes/light_pass.hpp>
 
 namespace prelight {
 namespace {
@@ -23,6 +24,10 @@ private:
         return frame;
     }
 
+    uint32_t blended_adds(const resident::Frame& frame) const override {
+        return grid_ ? passes::light_adds(frame, false) : most_batches(frame, FORWARD_MOST_LIGHTS);
+    }
+
     void light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                           const passes::ForwardInputs& counts) const override {
         if (grid_)
@@ -38,7 +43,9 @@ private:
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
         const auto depth = depth_pass(graph, frame);
         Views views;
-        if (grid_) // [Z3]
+        if (grid_ && passes::forward_grid_adds(frame))
+            views = linear_views(graph, frame, draw_by_grid(graph, frame, depth, {}), depth);
+        else if (grid_) // [Z3]
             views = picture_views(graph, frame, depth, [&](passes::Display display) {
                 return draw_by_grid(graph, frame, depth, display);
             });
@@ -60,7 +67,7 @@ private:
 
     graph::ImageId draw_by_grid(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
                                 passes::Display display) {
-        passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, display));
+        passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, display, light_sums().wide()));
         opaque.display = display;
         opaque.shadows = shadows(graph, frame);
         passes::forward_grid_pass(graph, frame, opaque);
@@ -68,12 +75,12 @@ private:
     }
 
     graph::ImageId draw_by_plan(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
-        passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, {}));
+        passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, {}, light_sums().wide()));
         opaque.shadows = shadows(graph, frame);
         opaque.kinds = {passes::StepKind::base_and_lights, passes::StepKind::lights};
-        opaque.plan = [](const resident::LightReach& reach) {
+        opaque.plan = limited([](const resident::LightReach& reach) {
             return passes::plan_shaded_once(reach, FORWARD_MOST_LIGHTS);
-        };
+        });
         passes::forward_pass(graph, frame, opaque);
         return opaque.colour;
     }

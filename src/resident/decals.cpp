@@ -52,7 +52,7 @@ std::vector<DecalBox> decal_boxes(const World& world) {
         DecalBox& box = boxes.emplace_back();
         box.decal = &placed.decal;
         box.features = features_of(*world.scene, world.scene->materials[material]) &
-                       (FEATURE_BASE_COLOUR_TEXTURE | FEATURE_METALLIC_ROUGHNESS_TEXTURE | FEATURE_NORMAL_TEXTURE);
+                       (FEATURE_BASE_COLOUR_TEXTURE | FEATURE_METALLIC_ROUGHNESS_TEXTURE | FEATURE_NORMAL_TEXTURE | FEATURE_ALPHA_MASK);
         box.world_from_box = placed.transform;
         box.box_from_world = glm::inverse(placed.transform);
         box.mirrored = glm::determinant(glm::dmat3(placed.transform)) < 0;

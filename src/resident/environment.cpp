@@ -208,7 +208,8 @@ EnvironmentLevels prefilter(const Environment* environment) {
     check_environment(*environment);
     out.intensity = environment->intensity;
     out.turns = environment->rotation / (2 * pi) - std::floor(environment->rotation / (2 * pi));
-    out.sky = environment->background ? shrink(environment->image, widest_sky) : Image(1, 1);
+    const Image& seen = environment->backdrop.pixels.empty() ? environment->image : environment->backdrop;
+    out.sky = environment->background ? shrink(seen, widest_sky) : Image(1, 1);
     project(shrink(environment->image, 64), out.turns, out.irradiance);
     std::vector<RowSums> maps; // each half as wide as the one before
     for (uint32_t size = std::min(environment->image.width, width); size >= 4 && size % 2 == 0; size /= 2)

@@ -44,25 +44,29 @@ uint32_t kinds_of(std::span<const PlacedLight> lights) {
     return kinds;
 }
 
-/// All of a light but its name, which nobody needs here: text would cost more than the rest.
-void place(PlacedLight& target, const PlacedLight& light) {
-    target.light.kind = light.light.kind;
-    target.light.colour = light.light.colour;
-    target.light.intensity = light.light.intensity;
-    target.light.range = light.light.range;
-    target.light.inner_cone = light.light.inner_cone;
-    target.light.outer_cone = light.light.outer_cone;
-    target.light.shininess = light.light.shininess;
-    target.light.falloff = light.light.falloff;
-    target.light.casts_shadow = light.light.casts_shadow;
-    target.light.cookie = light.light.cookie;
-    if (target.light.profile != light.light.profile)
-        target.light.profile = light.light.profile;
-    target.light.profile_candela = light.light.profile_candela;
-    target.light.size = light.light.size;
-    target.position = light.position;
-    target.direction = light.direction;
-    target.up = light.up;
+/// All of a light but its name, which nobody needs here: text would cost more than the rest. Fields have names of their own, for
+/// then one that is added to Light or PlacedLight does not compile until it is placed too.
+void place(PlacedLight& target, const PlacedLight& from) {
+    auto& [light, position, direction, up] = target;
+    auto& [name, kind, colour, intensity, range, inner_cone, outer_cone, shininess, falloff, casts_shadow, cookie, profile,
+           profile_candela, size] = light;
+    kind = from.light.kind;
+    colour = from.light.colour;
+    intensity = from.light.intensity;
+    range = from.light.range;
+    inner_cone = from.light.inner_cone;
+    outer_cone = from.light.outer_cone;
+    shininess = from.light.shininess;
+    falloff = from.light.falloff;
+    casts_shadow = from.light.casts_shadow;
+    cookie = from.light.cookie;
+    if (profile != from.light.profile)
+        profile = from.light.profile;
+    profile_candela = from.light.profile_candela;
+    size = from.light.size;
+    position = from.position;
+    direction = from.direction;
+    up = from.up;
 }
 
 } // namespace
@@ -72,10 +76,10 @@ Frame::Frame(const gpu::Context& context, const World& world, const FrameSetting
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)),
       decals_(decal_boxes(world)),
       geometry_(upload_geometry(context, world, settings.motion, settings.draws.trims_on_device(), materials_.shaders, decals_)) {
-    for (Slot& slot : slots_) {
-        slot.constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
-                                     VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::BufferPlace::upload);
-    }
+    for (gpu::Buffer& constants : constants_)
+        constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
+                                VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | (settings.measures_light ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0),
+                                gpu::BufferPlace::upload);
     make_draw_buffers();
     if (settings_.shadows.on)
         make_shadows();
@@ -159,16 +163,11 @@ std::optional<uint64_t> Frame::triangles_skipped() const {
 }
 
 void Frame::make_shadows() {
-    WorldBox box;
-    if (!geometry_.draws.empty())
-        box = {geometry_.draws[0].low, geometry_.draws[0].high};
-    for (const Draw& draw : geometry_.draws)
-        box = {glm::min(box.low, draw.low), glm::max(box.high, draw.high)};
-    shadows_.emplace(box, settings_.shadows, context_.limits().maxImageDimension2D);
+    shadows_.emplace(geometry_.draws, settings_.shadows, context_.limits().maxImageDimension2D);
     std::vector<std::array<glm::vec4, 3>> rows;
     for (const Draw& draw : geometry_.draws) {
         glm::dmat4 m = world_.instances[draw.object].transform;
-        m[3] -= glm::dvec4(box.centre(), 0);
+        m[3] -= glm::dvec4(shadows_->world().centre(), 0);
         m = glm::transpose(m);
         rows.push_back({glm::vec4(m[0]), glm::vec4(m[1]), glm::vec4(m[2])});
     }
@@ -192,7 +191,7 @@ void Frame::make_light_buffers(size_t lights) {
     }
     std::vector<std::vector<gpu::Binding>> sets;
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
-        sets.push_back({gpu::Binding::uniform(FRAME_CONSTANTS, slots_[s].constants.handle()),
+        sets.push_back({gpu::Binding::uniform(FRAME_CONSTANTS, constants_[s].handle()),
                         gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle())});
@@ -281,8 +280,8 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     const glm::vec3 ambient = environment() ? glm::vec3(0) : world_.ambient; // the environment is in its place
     next.ambient = glm::vec4(ambient * static_cast<float>(settings_.exposure),
                              half_max / static_cast<float>(settings_.light_scale));
-    next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, 0, 0);
-    *target.constants.mapped<shared::FrameConstants>() = next;
+    next.light_buffer = glm::vec4(settings_.light_scale, settings_.exposure, settings_.light_scale, 0);
+    *constants_[slot].mapped<shared::FrameConstants>() = next;
     clip_from_world_ = next.clip_from_world;
 
     const double start = thread_ms();
@@ -326,6 +325,8 @@ void Frame::write_distributions() {
 void Frame::update_shadows(const PlacedCamera& camera) {
     const Slot& target = slots_[slot_];
     shadows_->update(placed_, groups_.order, camera, settings_.width, settings_.height);
+    if (const auto sun = shadows_->sun())
+        constants_[slot_].mapped<shared::FrameConstants>()->sun = glm::vec4(sun->second + 1, sun->first, 0, 0);
     const std::vector<shared::ShadowData>& records = shadows_->records();
     std::copy(records.begin(), records.end(), target.shadows.mapped<shared::ShadowData>());
     for (const auto& [light, first] : shadows_->lights()) {

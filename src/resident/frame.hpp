@@ -19,10 +19,11 @@ struct FrameSettings {
     uint32_t width = 0, height = 0;
     double exposure = 1;             ///< factor
     double light_scale = 32;         ///< what stored light is divided by
+    bool measures_light = false;     ///< the device finds a light scale for each frame: passes::light_scale_passes()
     LightCulling culling = LightCulling::volumes;
     VolumeOptions volumes = {};
     ObjectLights object_lights = ObjectLights::none;
-    gpu::TextureFilter texture_filter = gpu::TextureFilter::anisotropic;
+    gpu::TextureFilter texture_filter = gpu::TextureFilter::trilinear;
     bool motion = false;             ///< fill Geometry::previous_positions
     DrawOptions draws = {};
     ShadowOptions shadows = {};
@@ -75,6 +76,8 @@ public:
     VkBuffer objects() const { return objects_[slot_].handle(); }
     VkBuffer commands() const { return slots_[slot_].commands.handle(); }
     VkBuffer trimmed_indices() const { return trimmed_[slot_].handle(); }
+    /// FrameConstants; the device may write them too with FrameSettings::measures_light.
+    const gpu::PerFrame<gpu::Buffer>& constant_buffers() const { return constants_; }
     const gpu::PerFrame<gpu::Buffer>& object_buffers() const { return objects_; }
     const gpu::PerFrame<gpu::Buffer>& trimmed_buffers() const { return trimmed_; }
     /// With DrawOptions::counts_pixels and trims_on_device(); else null.
@@ -88,6 +91,8 @@ public:
     glm::dvec3 eye() const { return eye_; }
     /// World relative to eye() → clip space, of the last update().
     const glm::mat4& clip_from_world() const { return clip_from_world_; }
+    /// FrameSettings::light_scale
+    double light_scale() const { return settings_.light_scale; }
     LightCulling culling() const { return settings_.culling; }
     const VolumeOptions& volumes() const { return settings_.volumes; }
     VkExtent2D extent() const { return {settings_.width, settings_.height}; }
@@ -121,10 +126,11 @@ private:
     Geometry geometry_;
     /// What the host writes for one frame.
     struct Slot {
-        gpu::Buffer constants, lights, order, bounds, shadows, distributions;
+        gpu::Buffer lights, order, bounds, shadows, distributions;
         gpu::Buffer commands; ///< what find_visible() writes
     };
     gpu::PerFrame<Slot> slots_;
+    gpu::PerFrame<gpu::Buffer> constants_;
     gpu::PerFrame<gpu::Buffer> objects_, trimmed_; ///< what find_visible() writes too
     std::optional<VisiblePixels> visible_pixels_;
     std::optional<DeviceTrimming> device_trimming_;

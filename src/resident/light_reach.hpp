@@ -17,9 +17,19 @@ struct LightReach {
     }
 };
 
+/// All of a light that decides what it reaches.
+struct LightVolume {
+    LightKind kind = LightKind::point;
+    glm::dvec3 position{0}, direction{0, 0, -1};
+    double range = 0, outer_cone = 0;
+    explicit LightVolume(const PlacedLight& light);
+    LightVolume() = default;
+    bool operator==(const LightVolume&) const = default;
+};
+
 /// True where a light's range (and a spot's cone) meets the draw's box; may be true where it just
 /// misses, never false where it meets.
-bool reaches(const PlacedLight& light, const Draw& draw);
+bool reaches(const LightVolume& light, const Draw& draw);
 
 /// The light's luminance at the point of the draw's box that is nearest to it: luminance of colour ×
 /// intensity × attenuation, the cone left aside.

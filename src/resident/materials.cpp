@@ -1,12 +1,15 @@
 #include "environment.hpp"
+#include "mask_levels.hpp"
 #include "normal_map_levels.hpp"
 #include "reflectance_table.hpp"
 #include "scene.hpp"
+#include "texture_limit.hpp"
 #include <array>
 #include <cstring>
 #include <fmt/format.h>
 #include <gpu/check.hpp>
 #include <prelight/error.hpp>
+#include <scene/tangents.hpp>
 #include <shared/bindings.h>
 #include <shared/frame.h>
 
@@ -41,7 +44,7 @@ shared::MaterialConstants constants_of(const Material& m, double exposure) {
     c.factors = glm::vec4(m.metallic, m.roughness, m.normal_scale, m.occlusion_strength);
     const auto place = [&](uint32_t binding, const TextureRef& ref) {
         c.uv_linear[binding - 1] = glm::vec4(ref.uv_linear[0], ref.uv_linear[1]);
-        c.uv_offset[binding - 1] = glm::vec4(ref.uv_offset, float(ref.texcoord), 0);
+        c.uv_offset[binding - 1] = glm::vec4(ref.uv_offset, float(ref.texcoord), share_tangents(ref, m.normal_texture) ? 1 : 0);
     };
     for (const Slot& slot : slots)
         place(slot.binding, m.*slot.ref);
@@ -49,6 +52,29 @@ shared::MaterialConstants constants_of(const Material& m, double exposure) {
         for (const MaterialTexture& own : m.shader->textures)
             place(MATERIAL_OWN_TEXTURE + own.slot, own_texture(m, own.name));
     return c;
+}
+
+/// For each material what the alpha of its base-colour texture is compared with: its cut-off over the alpha that the
+/// texture is multiplied by, of the vertices their mean. 0: it has no mask, or one that its texture does not decide.
+std::vector<float> mask_cutoffs(const Scene& scene) {
+    std::vector<double> alpha(scene.materials.size()), vertices(scene.materials.size());
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& primitive : mesh.primitives)
+            if (primitive.material < alpha.size() && scene.materials[primitive.material].alpha_mode == AlphaMode::mask) {
+                vertices[primitive.material] += static_cast<double>(primitive.positions.size());
+                for (size_t v = 0; v < primitive.positions.size(); ++v)
+                    alpha[primitive.material] += primitive.colours.empty() ? 1.0 : static_cast<double>(primitive.colours[v].a);
+            }
+    std::vector<float> cutoffs(scene.materials.size(), 0);
+    for (size_t m = 0; m < cutoffs.size(); ++m) {
+        const Material& material = scene.materials[m];
+        if (material.alpha_mode != AlphaMode::mask || !material.base_colour_texture)
+            continue;
+        const double factor = static_cast<double>(material.base_colour.a) * (vertices[m] > 0 ? alpha[m] / vertices[m] : 1.0);
+        if (factor > 0 && static_cast<double>(material.alpha_cutoff) <= factor)
+            cutoffs[m] = static_cast<float>(static_cast<double>(material.alpha_cutoff) / factor);
+    }
+    return cutoffs;
 }
 
 /// The std140 block of the shader's parameters.
@@ -82,9 +108,11 @@ public:
     /// Waits until all textures are there.
     void finish() { uploader_.finish(); }
 
+    /// `cutoff`: what its alpha is compared with; 0: with nothing.
     gpu::Binding binding(uint32_t binding, TextureUse use, const TextureRef& ref,
-                         MaterialTexture::StandIn without = MaterialTexture::StandIn::white) {
-        const gpu::Texture& texture = find_texture(ref.image, use, without);
+                         MaterialTexture::StandIn without = MaterialTexture::StandIn::white, float cutoff = 0) {
+        const bool masked = cutoff > 0 && ref.sampler.mip != MipFilter::none && filter_ != gpu::TextureFilter::bilinear;
+        const gpu::Texture& texture = masked ? find_mask(ref, cutoff) : find_texture(ref.image, use, without);
         return gpu::Binding::texture(binding, texture.view(), find_sampler(ref.sampler));
     }
 
@@ -120,9 +148,27 @@ private:
         const auto encoding = use == TextureUse::colour                              ? gpu::TextureEncoding::srgb8
                               : filter_ == gpu::TextureFilter::bilinear ? gpu::TextureEncoding::half
                                                                         : gpu::TextureEncoding::linear8;
+        const auto smaller = scaled_to_limit(source,
+                                             use == TextureUse::colour    ? images::Texels::colour
+                                             : use == TextureUse::normals ? images::Texels::normals
+                                                                          : images::Texels::values,
+                                             context_.limits().maxImageDimension2D);
+        const TextureImage& texels = smaller ? *smaller : source;
         if (use == TextureUse::normals)
-            return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, normal_map_levels(source), encoding)).first->second;
-        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, source, encoding)).first->second;
+            return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, normal_map_levels(texels), encoding)).first->second;
+        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, texels, encoding)).first->second;
+    }
+    /// One for each cut-off and way of filtering.
+    const gpu::Texture& find_mask(const TextureRef& ref, float cutoff) {
+        const TextureImage& source = scene_.images[ref.image];
+        const Sampler& s = ref.sampler;
+        const auto number = [](auto value) { return static_cast<uint32_t>(value); };
+        const std::tuple key(&source, cutoff, number(s.mag) | number(s.min) << 4 | number(s.wrap_s) << 8 | number(s.wrap_t) << 12);
+        const auto found = out_.masks.find(key);
+        if (found != out_.masks.end())
+            return found->second;
+        return out_.masks.emplace(key, gpu::Texture(context_, out_.pool, uploader_, mask_levels(source, cutoff, s), gpu::TextureEncoding::srgb8))
+            .first->second;
     }
     VkSampler find_sampler(const Sampler& sampler) {
         for (size_t i = 0; i < known_.size(); ++i)
@@ -190,13 +236,15 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
 
     Cache cache(context, scene, filter, out);
     cache.make_environment(exposure);
+    const std::vector<float> cutoffs = mask_cutoffs(scene);
     const auto bindings = [&](size_t m) {
         const Material& material = scene.materials[m];
         std::vector<gpu::Binding> set;
         set.push_back(gpu::Binding::uniform(MATERIAL_CONSTANTS, out.constants.handle(), m * stride,
                                             sizeof(shared::MaterialConstants)));
         for (const Slot& slot : slots)
-            set.push_back(cache.binding(slot.binding, slot.use, material.*slot.ref));
+            set.push_back(cache.binding(slot.binding, slot.use, material.*slot.ref, MaterialTexture::StandIn::white,
+                                        slot.binding == MATERIAL_BASE_COLOUR ? cutoffs[m] : 0));
         for (uint32_t slot = 0; slot < MATERIAL_OWN_TEXTURES; ++slot)
             set.push_back(cache.own_binding(material, slot));
         set.push_back(gpu::Binding::texture(MATERIAL_ENVIRONMENT, out.environment->view(), out.environment_sampler));
@@ -216,9 +264,10 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
         return gpu::DescriptorSets(context, name, out.layout, all);
     };
     out.sets = sets("material");
-    if (filter == gpu::TextureFilter::anisotropic)
+    if (filter == gpu::TextureFilter::anisotropic && context.is_software()) {
         cache.filter(gpu::TextureFilter::trilinear);
-    out.plain_sets = sets("material, plain filters");
+        out.isotropic_sets = sets("material, isotropic filters");
+    }
     cache.finish();
     return out;
 }

@@ -1,18 +1,14 @@
 #include "normal_map_levels.hpp"
+#include "image_levels.hpp"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <parallel/parallel_for.hpp>
 
 namespace prelight::resident {
 namespace {
 
-/// Mean unit normals of one level.
-struct Level {
-    uint32_t width, height;
-    std::vector<glm::vec3> mean;
-};
+using Level = ImageLevel<glm::vec3>; ///< mean unit normals
 
 Level unit_normals(const TextureImage& image) {
     Level level{image.width, image.height, std::vector<glm::vec3>(size_t(image.width) * image.height)};
@@ -20,25 +16,7 @@ Level unit_normals(const TextureImage& image) {
         for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i) {
             const glm::vec3 n = glm::vec3(image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]) / 127.5f - 1.0f;
             const float length = glm::length(n);
-            level.mean[i] = length > 0 ? n / length : glm::vec3(0, 0, 1);
-        }
-    });
-    return level;
-}
-
-/// Half as large, at least 1; an odd side's last texel takes three.
-Level halved(const Level& fine) {
-    Level level{std::max(fine.width / 2, 1u), std::max(fine.height / 2, 1u), {}};
-    level.mean.resize(size_t(level.width) * level.height);
-    parallel_for(level.height, [&](uint32_t y) {
-        const uint32_t bottom = y + 1 == level.height ? fine.height : 2 * y + 2;
-        for (uint32_t x = 0; x < level.width; ++x) {
-            const uint32_t right = x + 1 == level.width ? fine.width : 2 * x + 2;
-            glm::vec3 sum(0);
-            for (uint32_t v = 2 * y; v < bottom; ++v)
-                for (uint32_t u = 2 * x; u < right; ++u)
-                    sum += fine.mean[size_t(v) * fine.width + u];
-            level.mean[size_t(y) * level.width + x] = sum / float((bottom - 2 * y) * (right - 2 * x));
+            level.texels[i] = length > 0 ? n / length : glm::vec3(0, 0, 1);
         }
     });
     return level;
@@ -47,10 +25,10 @@ Level halved(const Level& fine) {
 uint8_t to_byte(float value) { return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f)); }
 
 TextureImage texels_of(const Level& level, const std::string& name) {
-    TextureImage image{name, level.width, level.height, std::vector<uint8_t>(level.mean.size() * 4)};
+    TextureImage image{name, level.width, level.height, std::vector<uint8_t>(level.texels.size() * 4)};
     parallel_for(level.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * level.width, end = i + level.width; i < end; ++i) {
-            const glm::vec3 n = level.mean[i];
+            const glm::vec3 n = level.texels[i];
             const float length = std::clamp(glm::length(n), 1e-6f, 1.0f);
             for (int c = 0; c < 3; ++c)
                 image.rgba[4 * i + c] = to_byte(n[c] * 0.5f + 0.5f);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <prelight/scene.hpp>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace prelight::resident {
@@ -62,6 +63,7 @@ struct Materials {
     MaterialShaders shaders;
     gpu::MemoryPool pool;
     std::map<std::pair<const TextureImage*, TextureUse>, gpu::Texture> textures;
+    std::map<std::tuple<const TextureImage*, float, uint32_t>, gpu::Texture> masks; ///< with mask_levels()
     std::vector<gpu::UniqueSampler> samplers;
     gpu::Buffer constants;
     gpu::Buffer parameters; ///< of the shaders; one block a material
@@ -72,9 +74,10 @@ struct Materials {
     gpu::Buffer environment_light; ///< EnvironmentConstants
     gpu::UniqueSetLayout layout;
     gpu::DescriptorSets sets; ///< by material index
-    /// The same without anisotropic filtering: for shaders that say how large a footprint is. A software device does not
-    /// listen to them otherwise.
-    gpu::DescriptorSets plain_sets;
+    std::optional<gpu::DescriptorSets> isotropic_sets;
+    /// For shaders that say themselves how large a footprint is (textureGrad): without anisotropic filtering on a software
+    /// device, for lavapipe's takes its steps from neighbouring pixels whatever it is told.
+    const gpu::DescriptorSets& sets_for_gradients() const { return isotropic_sets ? *isotropic_sets : sets; }
 };
 
 struct DecalBox;

@@ -1,7 +1,9 @@
 #include "shadow_plan.hpp"
+#include "visible_draws.hpp"
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
@@ -9,6 +11,8 @@ namespace prelight::resident {
 namespace {
 
 constexpr uint32_t longest_side = 4096;
+/// Texels for a pixel across; fewer are worth a note.
+constexpr double coarse = 0.125;
 /// What contact hardening takes directional lights to be: the sun, 0.53° wide. Others have a size of their own.
 constexpr double sun_radius = 0.00463;
 
@@ -27,15 +31,32 @@ double pixels_across(const PlacedLight& light, const PlacedCamera& camera, uint3
     return away <= range ? most : std::min(range / away / std::tan(camera.camera.yfov / 2) * height, most);
 }
 
+WorldBox box_around(std::span<const Draw> draws) {
+    if (draws.empty())
+        return {};
+    WorldBox box{draws[0].low, draws[0].high};
+    for (const Draw& draw : draws)
+        box = {glm::min(box.low, draw.low), glm::max(box.high, draw.high)};
+    return box;
+}
+
 } // namespace
 
-ShadowPlan::ShadowPlan(const WorldBox& world, const ShadowOptions& options, uint32_t longest)
-    : world_(world), options_(options), atlas_(options.budget, longest) {}
+ShadowPlan::ShadowPlan(std::span<const Draw> draws, const ShadowOptions& options, uint32_t longest)
+    : draws_(draws), world_(box_around(draws)), options_(options), atlas_(options.budget, longest) {}
 
 /// The disc, half a texel of filtering, and what the bias moves a point by.
 uint32_t ShadowPlan::guard_of(uint32_t side) const {
     const uint32_t guard = options_.filter == ShadowFilter::hard ? 3 : options_.filter == ShadowFilter::pcf ? 6 : 24;
     return std::min(guard, side / 4);
+}
+
+/// The side of its tiles where a light has all texels for itself.
+uint32_t ShadowPlan::largest_alone(uint32_t tiles) const {
+    uint32_t side = atlas_.largest();
+    while (side > 1 && uint64_t(tiles) * side * side > atlas_.texels())
+        side /= 2;
+    return side;
 }
 
 void ShadowPlan::wish(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
@@ -47,10 +68,10 @@ void ShadowPlan::wish(std::span<const PlacedLight> lights, std::span<const uint3
             continue;
         Wish wish{.light = index, .tiles = shadow_tiles(light)};
         wish.pixels = pixels_across(lights[index], camera, width, height);
-        double texels = options_.detail * wish.pixels;
+        wish.across = wish.pixels;
         if (wish.tiles == 1) // its cone is narrower than its sphere
-            texels *= std::min(std::tan(double(light.outer_cone)), 1.0);
-        wish.side = wish.asked = power_of_two(texels, atlas_.largest());
+            wish.across *= std::min(std::tan(double(light.outer_cone)), 1.0);
+        wish.side = std::min(power_of_two(options_.detail * wish.across, atlas_.largest()), largest_alone(wish.tiles));
         wishes_.push_back(wish);
     }
 }
@@ -81,14 +102,12 @@ void ShadowPlan::fit_budget() {
 
 void ShadowPlan::fit_each() {
     std::erase_if(wishes_, [&](Wish& wish) {
-        const auto texels = [&] { return uint64_t(wish.tiles) * wish.side * wish.side; };
-        while (texels() > atlas_.texels() && wish.side > 1)
-            wish.side /= 2;
-        if (texels() > atlas_.texels()) {
+        const uint64_t texels = uint64_t(wish.tiles) * wish.side * wish.side;
+        if (texels > atlas_.texels()) {
             ++stats_.lights_without;
             return true;
         }
-        stats_.texels = std::max(stats_.texels, texels());
+        stats_.texels = std::max(stats_.texels, texels);
         return false;
     });
 }
@@ -129,6 +148,42 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
     return out;
 }
 
+std::vector<uint32_t> ShadowPlan::casters_of(const ShadowSight& sight, std::span<const uint32_t> reached) const {
+    std::vector<uint32_t> casters;
+    for (const uint32_t d : reached)
+        if (may_show(draws_[d], sight.clip_from_centre, world_.centre()))
+            casters.push_back(d);
+    return casters;
+}
+
+void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span<const ShadowView> views,
+                           std::span<const ShadowTilePlace> places, std::vector<ShadowTile>::iterator& before) {
+    const LightVolume volume(light);
+    std::optional<std::vector<uint32_t>> reached; // once for all tiles of the light, where one is new
+    while (before != before_.end() && before->light < wish.light)
+        ++before;
+    for (size_t i = 0; i < views.size(); ++i) {
+        ShadowTile tile{.light = wish.light, .sight = {volume, glm::mat4(views[i].clip_from_centre)}};
+        tile.map.place = places[i];
+        tile.map.clip_from_centre = tile.sight.clip_from_centre;
+        const bool known = before != before_.end() && before->light == wish.light;
+        if (known && options_.cached && before->sight == tile.sight) {
+            tile.map.casters = std::move(before->map.casters);
+        } else {
+            if (!reached) {
+                reached.emplace();
+                for (uint32_t d = 0; d < draws_.size(); ++d)
+                    if (reaches(volume, draws_[d]))
+                        reached->push_back(d);
+            }
+            tile.map.casters = casters_of(tile.sight, *reached);
+        }
+        if (known)
+            ++before;
+        tiles_.push_back(std::move(tile));
+    }
+}
+
 void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uint32_t> visible,
                         const PlacedCamera& camera, uint32_t width, uint32_t height) {
     stats_ = {.budget = atlas_.texels()};
@@ -141,9 +196,12 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
     std::vector<ShadowTilePlace> places;
     place(places);
 
+    std::swap(tiles_, before_);
     tiles_.clear();
+    auto before = before_.begin();
     records_.clear();
     lights_.clear();
+    sun_.reset();
     std::vector<ShadowView> views;
     stats_.lights = wishes_.size();
     stats_.smallest = wishes_.empty() ? 0 : ~0u;
@@ -152,12 +210,13 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
         const uint32_t guard = guard_of(wish.side);
         find_shadow_views(light, camera, double(width) / height, world_, wish.side, guard, views);
         lights_.emplace_back(wish.light, static_cast<uint32_t>(tiles_.size()));
-        for (const ShadowView& view : views) {
-            const ShadowTilePlace& place = places[tiles_.size()];
-            tiles_.push_back({wish.light, place, glm::mat4(view.clip_from_centre)});
-            records_.push_back(record(light.light, view, place, guard, camera));
-        }
-        stats_.lights_reduced += wish.side < wish.asked;
+        if (!sun_ && light.light.kind == LightKind::directional)
+            sun_ = lights_.back();
+        const std::span own = std::span(places).subspan(tiles_.size(), views.size());
+        for (size_t i = 0; i < views.size(); ++i)
+            records_.push_back(record(light.light, views[i], own[i], guard, camera));
+        add_tiles(wish, light, views, own, before);
+        stats_.lights_reduced += wish.side < coarse * std::min(options_.detail, 1.0) * std::min(wish.across, double(std::max(width, height)));
         stats_.smallest = std::min(stats_.smallest, wish.side);
         stats_.largest = std::max(stats_.largest, wish.side);
     }

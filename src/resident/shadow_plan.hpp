@@ -1,6 +1,8 @@
 #pragma once
+#include "light_reach.hpp"
 #include "shadow_atlas.hpp"
 #include "shadow_views.hpp"
+#include <optional>
 #include <prelight/renderer.hpp>
 #include <shared/frame.h>
 #include <span>
@@ -19,22 +21,38 @@ struct ShadowOptions {
     bool cached = true;         ///< tiles whose light and casters did not move are not drawn again
 };
 
-/// One tile to be drawn, unless the atlas holds it already.
-struct ShadowTile {
-    uint32_t light = 0;
+/// All that a tile's map is drawn from: two that are equal hold the same texels. Who draws one is given nothing else, so
+/// that what he needs besides must become a field here, and is compared.
+struct ShadowMap {
     ShadowTilePlace place;
-    glm::mat4 clip_from_centre{1}; ///< world relative to its centre
+    glm::mat4 clip_from_centre{1};  ///< world relative to its centre
+    std::vector<uint32_t> casters;  ///< indices into the plan's draws, rising
+    bool operator==(const ShadowMap&) const = default;
 };
 
-/// Which lights of a frame have shadows, in tiles of which size, and what shaders know of them.
+/// How a light looks through one of its tiles: all that decides what casts in it.
+struct ShadowSight {
+    LightVolume light;
+    glm::mat4 clip_from_centre{1};
+    bool operator==(const ShadowSight&) const = default;
+};
+
+/// One tile to be drawn, unless the atlas holds its map already.
+struct ShadowTile {
+    uint32_t light = 0;
+    ShadowSight sight;
+    ShadowMap map;
+};
+
+/// Which lights of a frame have shadows, in tiles of which size, with which casters, and what shaders know of them.
 ///
 /// A light asks for as many texels as the picture has pixels where its light reaches, times
 /// ShadowOptions::detail. Where all that is more than the budget, tiles become smaller by halves, those first
 /// whose lights cover least of the screen; lights go without only when one texel a tile is too much.
 class ShadowPlan {
 public:
-    /// `longest`: side of the largest image that the device makes.
-    ShadowPlan(const WorldBox& world, const ShadowOptions& options, uint32_t longest);
+    /// `draws`: all that casts, alive and unchanged as long as the plan; `longest`: side of the largest image that the device makes.
+    ShadowPlan(std::span<const Draw> draws, const ShadowOptions& options, uint32_t longest);
 
     /// For `visible` lights (indices into `lights`).
     void update(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
@@ -47,31 +65,41 @@ public:
     const std::vector<shared::ShadowData>& records() const { return records_; } ///< beside tiles()
     /// {light, number of its first tile}, for each light with a shadow.
     const std::vector<std::pair<uint32_t, uint32_t>>& lights() const { return lights_; }
+    /// The first directional light of lights(), as there.
+    std::optional<std::pair<uint32_t, uint32_t>> sun() const { return sun_; }
     /// Without what the pass knows: tiles drawn and reused, casters.
     const ShadowStats& stats() const { return stats_; }
 
 private:
     struct Wish {
-        uint32_t light = 0, tiles = 0, side = 0, asked = 0;
-        double pixels = 0; ///< of the screen, across
+        uint32_t light = 0, tiles = 0, side = 0;
+        double pixels = 0; ///< of the screen, across its sphere
+        double across = 0; ///< of these, what a tile must show
     };
+    uint32_t largest_alone(uint32_t tiles) const;
     void wish(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
               uint32_t width, uint32_t height);
     void fit_budget();
-    /// Each light by itself; those that do not fit even so are left out.
+    /// Lights that do not fit even by themselves are left out.
     void fit_each();
     void place(std::vector<ShadowTilePlace>& places);
     shared::ShadowData record(const Light& light, const ShadowView& view, const ShadowTilePlace& place, uint32_t guard,
                               const PlacedCamera& camera) const;
     uint32_t guard_of(uint32_t side) const;
+    /// Tiles of one light. `before`: where those of the frame before begin that may be its own; it moves on.
+    void add_tiles(const Wish& wish, const PlacedLight& light, std::span<const ShadowView> views,
+                   std::span<const ShadowTilePlace> places, std::vector<ShadowTile>::iterator& before);
+    std::vector<uint32_t> casters_of(const ShadowSight& sight, std::span<const uint32_t> reached) const;
 
+    std::span<const Draw> draws_;
     WorldBox world_;
     ShadowOptions options_;
     ShadowAtlas atlas_;
     std::vector<Wish> wishes_;
-    std::vector<ShadowTile> tiles_;
+    std::vector<ShadowTile> tiles_, before_; ///< of this frame and of the one before
     std::vector<shared::ShadowData> records_;
     std::vector<std::pair<uint32_t, uint32_t>> lights_;
+    std::optional<std::pair<uint32_t, uint32_t>> sun_;
     ShadowStats stats_;
 };
 

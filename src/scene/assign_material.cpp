@@ -25,9 +25,9 @@ void assign_material_shader(Scene& scene, std::string_view name, std::shared_ptr
         throw UsageError(fmt::format("--material {}: {} has no such material ({})", name, scene.name, fmt::join(names, ", ")));
     for (Mesh& mesh : scene.meshes)
         for (Primitive& primitive : mesh.primitives) {
-            const uint32_t set = scene.materials.at(primitive.material).normal_texture.texcoord & 1;
-            if (changed[primitive.material] && primitive.tangents.empty() && !primitive.texcoords[set].empty())
-                generate_tangents(primitive, set);
+            const TextureRef& normals = scene.materials.at(primitive.material).normal_texture;
+            if (changed[primitive.material] && primitive.tangents.empty() && !primitive.texcoords[normals.texcoord & 1].empty())
+                generate_tangents(primitive, normals);
         }
 }
 

@@ -28,22 +28,22 @@ glm::vec3 from_rgbe(Rgbe code) {
     return glm::vec3(code[0], code[1], code[2]) * scale;
 }
 
-TextureImage to_picture(const Environment& environment) {
-    TextureImage picture{environment.name, environment.image.width, environment.image.height, {}};
-    for (const glm::vec3& p : environment.image.pixels) {
+TextureImage to_picture(const std::string& name, const Image& map) {
+    TextureImage picture{name, map.width, map.height, {}};
+    for (const glm::vec3& p : map.pixels) {
         const Rgbe code = to_rgbe(p);
         picture.rgba.insert(picture.rgba.end(), code.begin(), code.end());
     }
     return picture;
 }
 
-Environment from_picture(const TextureImage& picture) {
-    Environment environment{.name = picture.name, .image = Image(picture.width, picture.height)};
-    for (size_t i = 0; i < environment.image.pixels.size(); ++i) {
+Image from_picture(const TextureImage& picture) {
+    Image map(picture.width, picture.height);
+    for (size_t i = 0; i < map.pixels.size(); ++i) {
         const uint8_t* p = &picture.rgba[4 * i];
-        environment.image.pixels[i] = from_rgbe({p[0], p[1], p[2], p[3]});
+        map.pixels[i] = from_rgbe({p[0], p[1], p[2], p[3]});
     }
-    return environment;
+    return map;
 }
 
 } // namespace prelight

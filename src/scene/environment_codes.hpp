@@ -13,7 +13,7 @@ using Rgbe = std::array<uint8_t, 4>;
 Rgbe to_rgbe(glm::vec3 radiance); ///< what is negative or not finite becomes 0, what is too bright the brightest
 glm::vec3 from_rgbe(Rgbe code);   ///< from_rgbe(to_rgbe(from_rgbe(c))) is from_rgbe(c)
 
-TextureImage to_picture(const Environment& environment);
-Environment from_picture(const TextureImage& picture);
+TextureImage to_picture(const std::string& name, const Image& map);
+Image from_picture(const TextureImage& picture);
 
 } // namespace prelight

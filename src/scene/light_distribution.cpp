@@ -16,30 +16,35 @@ CookieKind cookie_kind(const Scene& scene, const Light& light) {
     return image.width == 2 * image.height ? CookieKind::sphere : CookieKind::cube;
 }
 
-void check_light(const Scene& scene, const Light& light, const std::string& object) {
-    const auto fail = [&](const std::string& reason) { throw Error(fmt::format("{}: {}", object, reason)); };
+std::optional<std::string> light_fault(const Scene& scene, const Light& light) {
     if (!(light.size > 0) || !std::isfinite(light.size))
-        fail(fmt::format("size {} is no radius above 0", light.size));
+        return fmt::format("size {} is no radius above 0", light.size);
     const bool directional = light.kind == LightKind::directional;
     if (light.profile && directional)
-        fail("a directional light has no profile (ies): points and spots do");
+        return "a directional light has no profile (ies): points and spots do";
     if (light.cookie == no_cookie)
-        return;
+        return {};
     if (directional)
-        fail("a directional light has no cookie: points and spots do");
+        return "a directional light has no cookie: points and spots do";
     if (light.cookie >= scene.images.size())
-        fail(fmt::format("cookie: there is no image {}", light.cookie));
+        return fmt::format("cookie: there is no image {}", light.cookie);
     const TextureImage& image = scene.images[light.cookie];
     const uint64_t width = image.width, height = image.height;
     if (width == 0 || height == 0 || image.rgba.size() != width * height * 4)
-        fail(fmt::format("cookie: image {} has no pixels", light.cookie));
+        return fmt::format("cookie: image {} has no pixels", light.cookie);
     if (light.kind == LightKind::point && width != 2 * height && width != 6 * height)
-        fail(fmt::format("cookie: image {} of {}x{} pixels is neither 2:1 (equirectangular) nor 6:1 (faces of a cube), as a "
-                         "point light's is",
-                         light.cookie, width, height));
+        return fmt::format("cookie: image {} of {}x{} pixels is neither 2:1 (equirectangular) nor 6:1 (faces of a cube), as a "
+                           "point light's is",
+                           light.cookie, width, height);
     if (light.kind == LightKind::spot && light.outer_cone > widest_cookie_cone)
-        fail(fmt::format("cookie: an outer cone of {:.1f}° is wider than a picture can be thrown (85°)",
-                         light.outer_cone * 57.29577951308232));
+        return fmt::format("cookie: an outer cone of {:.1f}° is wider than a picture can be thrown (85°)",
+                           light.outer_cone * 57.29577951308232);
+    return {};
+}
+
+void check_light(const Scene& scene, const Light& light, const std::string& object) {
+    if (const auto fault = light_fault(scene, light))
+        throw Error(fmt::format("{}: {}", object, *fault));
 }
 
 void check_lights(const Scene& scene, std::span<const PlacedLight> lights) {

@@ -3,15 +3,14 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <optional>
 #include <prelight/error.hpp>
 #include <prelight/light_distribution.hpp>
+#include <system/read_file.hpp>
 
 namespace prelight {
 namespace {
 
-constexpr uint64_t largest_file = uint64_t(16) << 20;
 /// A twentieth of a degree around, and no more values than a twentieth by a sixth.
 constexpr size_t most_angles = 7201, most_values = size_t(1) << 23;
 
@@ -171,8 +170,9 @@ std::vector<std::pair<double, size_t>> all_round(const Reader& reader, const std
 } // namespace
 
 LightProfile parse_profile(std::string_view text, const std::string& name) {
-    if (text.size() > largest_file)
-        throw Error(fmt::format("{}: {} bytes are more than an IES file may have ({})", name, text.size(), largest_file));
+    if (text.size() > largest_file::light_profile)
+        throw Error(fmt::format("{}: {} bytes are more than an IES file may have ({})", name, text.size(),
+                                largest_file::light_profile));
     Reader reader(text, name);
     if (read_head(reader))
         pass_over_tilt(reader);
@@ -220,17 +220,7 @@ LightProfile parse_profile(std::string_view text, const std::string& name) {
 }
 
 LightProfile load_profile(const std::filesystem::path& path) {
-    const std::string name = path.string();
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (error || !std::filesystem::is_regular_file(status))
-        throw Error(fmt::format("{}: {}", name, error || !std::filesystem::exists(status) ? "there is no such file" : "is no file"));
-    std::ifstream file(path, std::ios::binary);
-    std::string text(static_cast<size_t>(std::min<uint64_t>(std::filesystem::file_size(path, error), largest_file + 1)), '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (error || !file)
-        throw Error(fmt::format("{}: cannot be read", name));
-    return parse_profile(text, name);
+    return parse_profile(read_text_file(path, largest_file::light_profile), path.string());
 }
 
 } // namespace prelight

@@ -25,6 +25,21 @@ Image load_any(const std::filesystem::path& path) {
     return image;
 }
 
+/// `what` it is of an environment, for messages.
+void check_map(const std::string& name, std::string_view what, const Image& image) {
+    constexpr uint32_t widest = 16384;
+    if (image.height == 0 || image.width != 2 * image.height)
+        throw Error(fmt::format("{}: an environment {} is twice as wide as high, and this one has {}x{} pixels", name, what,
+                                image.width, image.height));
+    if (image.width > widest)
+        throw Error(fmt::format("{}: an environment {} of {}x{} pixels: {} wide is the most", name, what, image.width,
+                                image.height, widest));
+    for (const glm::vec3& p : image.pixels)
+        for (int c = 0; c < 3; ++c)
+            if (!(p[c] >= 0) || !std::isfinite(p[c]))
+                throw Error(fmt::format("{}: a pixel of the environment {} is negative or not finite", name, what));
+}
+
 } // namespace
 
 Environment load_environment(const std::filesystem::path& path) {
@@ -34,18 +49,9 @@ Environment load_environment(const std::filesystem::path& path) {
 }
 
 void check_environment(const Environment& environment) {
-    const Image& image = environment.image;
-    constexpr uint32_t widest = 16384;
-    if (image.height == 0 || image.width != 2 * image.height)
-        throw Error(fmt::format("{}: an environment map is twice as wide as high, and this one has {}x{} pixels",
-                                environment.name, image.width, image.height));
-    if (image.width > widest)
-        throw Error(fmt::format("{}: an environment map of {}x{} pixels: {} wide is the most", environment.name, image.width,
-                                image.height, widest));
-    for (const glm::vec3& p : image.pixels)
-        for (int c = 0; c < 3; ++c)
-            if (!(p[c] >= 0) || !std::isfinite(p[c]))
-                throw Error(fmt::format("{}: a pixel of the environment map is negative or not finite", environment.name));
+    check_map(environment.name, "map", environment.image);
+    if (!environment.backdrop.pixels.empty())
+        check_map(environment.name, "backdrop", environment.backdrop);
     if (!(environment.intensity >= 0) || !std::isfinite(environment.intensity) || !std::isfinite(environment.rotation))
         throw Error(fmt::format("{}: the environment's intensity is negative, or it or its rotation is not finite", environment.name));
 }

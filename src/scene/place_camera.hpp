@@ -10,7 +10,4 @@ glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 fallback);
 /// The camera at a node whose place in the world is `world`; scale and shear are left aside.
 PlacedCamera place_camera(const Camera& camera, const glm::dmat4& world);
 
-/// Sees every corner of the box in a picture that is at least as wide as high.
-PlacedCamera framed_camera(glm::dvec3 low, glm::dvec3 high);
-
 } // namespace prelight

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <prelight/error.hpp>
+#include <prelight/framing.hpp>
 #include <prelight/scene.hpp>
 #include <map>
 #include <scene/deform.hpp>
@@ -111,19 +112,32 @@ public:
 
     World run() {
         const SceneRoot& root = scene_.scenes[scene_index_];
-        std::vector<uint32_t> stack(root.nodes.rbegin(), root.nodes.rend());
+        struct Step {
+            uint32_t node;
+            bool visible; ///< as far as its ancestors say
+        };
+        std::vector<Step> stack;
+        const auto push = [&](const std::vector<uint32_t>& nodes, bool visible) {
+            for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+                stack.push_back({*node, visible});
+        };
+        push(root.nodes, true);
         while (!stack.empty()) {
-            const uint32_t index = stack.back();
+            const auto [index, above] = stack.back();
             stack.pop_back();
             const Node& node = scene_.nodes[index];
             check_finite(now_.world(index), index);
             if (before_)
                 check_finite(before_->world(index), index);
-            visit(node, index);
-            stack.insert(stack.end(), node.children.rbegin(), node.children.rend());
+            const bool visible = above && node.visible;
+            if (visible)
+                show_contents(node, index);
+            if (node.camera)
+                add_camera(scene_.cameras[*node.camera], index);
+            push(node.children, visible);
         }
         if (world_.triangles == 0)
-            throw Error(fmt::format("{}: scene {}: no triangles", scene_.name, scene_index_));
+            bounds_ = {glm::dvec3(0), glm::dvec3(0)};
         if (!bounds_.finite())
             throw Error(fmt::format("{}: scene {}: a vertex's world position is not finite",
                                     scene_.name, scene_index_));
@@ -143,12 +157,11 @@ private:
                 fmt::format("{}: node {}: its world transform is not finite", scene_.name, node));
     }
 
-    void visit(const Node& node, uint32_t index) {
+    /// All that KHR_node_visibility may hide.
+    void show_contents(const Node& node, uint32_t index) {
         const glm::dmat4& world = now_.world(index);
         if (node.mesh && facts_[*node.mesh].triangles > 0)
             show(node, index);
-        if (node.camera)
-            add_camera(scene_.cameras[*node.camera], index);
         if (node.light)
             world_.lights.push_back({scene_.lights[*node.light], glm::dvec3(world[3]),
                                      unit_or(-glm::dvec3(world[2]), {0, 0, -1}),
@@ -287,10 +300,12 @@ private:
     }
 
     void add_defaults() {
-        if (world_.cameras.empty())
-            world_.cameras.push_back(camera_inside(world_).value_or(
-                framed_camera(world_.bounds_min, world_.bounds_max)));
-        if (world_.lights.empty() && world_.ambient == glm::vec3(0) && !scene_.environment) {
+        if (world_.cameras.empty()) {
+            const std::optional<PlacedCamera> inside = camera_inside(world_);
+            world_.framed = !inside;
+            world_.cameras.push_back(inside ? *inside : frame(world_, 1));
+        }
+        if (!is_lit(scene_, scene_index_)) {
             PlacedLight key;
             key.light.name = "key";
             key.light.kind = LightKind::directional;

@@ -170,11 +170,24 @@ void assign(Primitive& primitive, const std::vector<glm::vec4>& corners) {
 } // namespace
 
 void generate_tangents(Primitive& primitive, uint32_t texcoord_set) {
-    const auto& texcoords = primitive.texcoords.at(texcoord_set);
+    TextureRef plain;
+    plain.texcoord = texcoord_set;
+    generate_tangents(primitive, plain);
+}
+
+void generate_tangents(Primitive& primitive, const TextureRef& texture) {
+    const std::vector<glm::vec2>* texcoords = &primitive.texcoords.at(texture.texcoord);
     assert(primitive.normals.size() == primitive.positions.size());
-    assert(texcoords.size() == primitive.positions.size());
+    assert(texcoords->size() == primitive.positions.size());
+    std::vector<glm::vec2> transformed;
+    if (texture.uv_linear != glm::mat2(1)) {
+        transformed.reserve(texcoords->size());
+        for (const glm::vec2& uv : *texcoords)
+            transformed.push_back(texture.uv_linear * uv);
+        texcoords = &transformed;
+    }
     assign(primitive,
-           corner_tangents({primitive.positions, primitive.normals, texcoords}, primitive.indices));
+           corner_tangents({primitive.positions, primitive.normals, *texcoords}, primitive.indices));
 }
 
 } // namespace prelight

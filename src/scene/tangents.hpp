@@ -13,6 +13,14 @@ namespace prelight {
 /// v. Every tangent is finite and of unit length; where texture coordinates say nothing it is (1,
 /// 0, 0).
 void generate_tangents(Primitive& primitive, uint32_t texcoord_set);
+/// The same for the coordinates that a texture really reads: its set, under its transform. Tangents turn
+/// with the texture, and a mirrored one has the other sign; an offset changes neither.
+void generate_tangents(Primitive& primitive, const TextureRef& texture);
+
+/// Tangents that follow one texture serve the other too: the same set under the same linear map.
+inline bool share_tangents(const TextureRef& a, const TextureRef& b) {
+    return a.texcoord == b.texcoord && a.uv_linear == b.uv_linear;
+}
 
 /// Normals of the triangles themselves: every corner gets a vertex of its own (attributes are
 /// repeated, indices become 0, 1, 2 …) and tangents are discarded, as glTF 2.0 asks. A triangle

@@ -42,11 +42,12 @@ void cycle_materials(Scene& scene) {
     const auto count = static_cast<uint32_t>(scene.materials.size());
     for (Mesh& mesh : scene.meshes)
         for (Primitive& primitive : mesh.primitives) {
+            const TextureRef& before = scene.materials[primitive.material].normal_texture;
             primitive.material = (primitive.material + 1) % count;
             const TextureRef& normals = scene.materials[primitive.material].normal_texture;
             const bool mapped = normals && !primitive.texcoords[normals.texcoord].empty();
-            if (mapped && primitive.tangents.empty())
-                generate_tangents(primitive, normals.texcoord);
+            if (mapped && (primitive.tangents.empty() || !share_tangents(before, normals)))
+                generate_tangents(primitive, normals);
         }
 }
 

@@ -184,14 +184,23 @@ TEST_F(BenchScene, ABrowserShowsThePageWithoutAComplaint) {
     fs::copy_file(place / "first.json", place / awkward);
     ASSERT_TRUE(succeeded(run({"bench", "report", "first.json", awkward, "-o", "page.html"}, place)));
     EXPECT_THAT(text_of(place / "page.html"), Not(HasSubstr("{{")));
+    // One number of lights alone: a page without a chart.
+    Json one = json();
+    const Json lights = one.at("runs")[0].at("lights");
+    std::erase_if(one.at("runs").get_ref<Json::array_t&>(), [&](const Json& run) { return run.at("lights") != lights; });
+    one.erase("limit");
+    std::ofstream(place / "one.json") << one;
+    ASSERT_TRUE(succeeded(run({"bench", "report", "one.json", "-o", "one.html"}, place)));
     for (const char* program : {"node", "chromium"})
         if (std::system(fmt::format("{} --version > /dev/null 2>&1", program).c_str()) != 0)
             GTEST_SKIP() << program << " is missing";
     const char* shots = std::getenv("PRELIGHT_TEST_PICTURES");
-    const std::string command =
-        fmt::format("timeout -k 5 120 node '{}/tests/page/bench.js' '{}' {} > '{}' 2>&1", PRELIGHT_SOURCE_DIR,
-                    (place / "page.html").string(), shots ? fmt::format("'{}'", shots) : "", (place / "said").string());
-    EXPECT_EQ(std::system(command.c_str()), 0) << text_of(place / "said");
+    for (const char* page : {"page.html", "one.html"}) {
+        const std::string command =
+            fmt::format("timeout -k 5 120 node '{}/tests/page/bench.js' '{}' {} > '{}' 2>&1", PRELIGHT_SOURCE_DIR,
+                        (place / page).string(), shots ? fmt::format("'{}/{}'", shots, page) : "", (place / "said").string());
+        EXPECT_EQ(std::system(command.c_str()), 0) << page << ": " << text_of(place / "said");
+    }
 }
 
 TEST(BenchSceneFailure, IsOneLineAndLeavesNothing) {

@@ -160,6 +160,8 @@ TEST_F(CompareReport, TimesEachNumberOfLights) {
         }
         EXPECT_EQ(lights, (std::vector<int>{4, 5, 8}));
         EXPECT_TRUE(line.at("us_per_light").is_number());
+        EXPECT_GT(line.at("us_per_light_error"), 0);
+        EXPECT_GT(line.at("cpu_us_per_light_error"), 0);
         EXPECT_TRUE(line.at("stopped").is_null());
     }
     // The z pre-pass lights and shades in one pass; the others have one for lights alone.
@@ -265,14 +267,27 @@ TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
     };
     fs::create_directory(folder.path / "report");
     ASSERT_TRUE(succeeded(compare("report"))) << "an empty folder";
-    std::ofstream(folder.path / "report/pictures/old.png") << "old";
+    fs::create_directory_symlink("report", folder.path / "link");
     ASSERT_TRUE(succeeded(compare("report/"))) << "an earlier report";
-    EXPECT_FALSE(fs::exists(folder.path / "report/pictures/old.png"));
+    ASSERT_TRUE(succeeded(compare("link"))) << "by a link";
+    EXPECT_TRUE(fs::is_symlink(folder.path / "link"));
     EXPECT_TRUE(fs::exists(folder.path / "report/index.html"));
 
-    std::ofstream(folder.path / "report/diary.txt") << "mine";
-    EXPECT_TRUE(failed_with(compare("report"), 1)) << "somebody else's file lies in it";
-    EXPECT_EQ(text_of(folder.path / "report/diary.txt"), "mine");
+    for (const char* mine : {"report/pictures/mine.png", "report/diary.txt", "report/.hidden"}) {
+        std::ofstream(folder.path / mine) << "mine";
+        const Result result = compare("report");
+        EXPECT_TRUE(failed_with(result, 1)) << "somebody else's file lies in it";
+        EXPECT_THAT(result.err, HasSubstr(fs::path(mine).filename().string()));
+        EXPECT_LT(result.seconds, 20) << "it was told after the work";
+        EXPECT_EQ(text_of(folder.path / mine), "mine");
+        fs::remove(folder.path / mine);
+    }
+    fs::rename(folder.path / "report/pictures/light-prepass-final.png", folder.path / "kept.png");
+    fs::create_symlink("../../kept.png", folder.path / "report/pictures/light-prepass-final.png");
+    EXPECT_TRUE(failed_with(compare("report"), 1)) << "a link where a picture was";
+    fs::remove(folder.path / "report/pictures/light-prepass-final.png");
+    ASSERT_TRUE(succeeded(compare("report"))) << "a picture less";
+    EXPECT_TRUE(fs::exists(folder.path / "kept.png"));
     fs::create_directory(folder.path / "other");
     std::ofstream(folder.path / "other/report.json") << R"({"not": "ours"})";
     EXPECT_TRUE(failed_with(compare("other"), 1));
@@ -280,7 +295,63 @@ TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
     EXPECT_TRUE(failed_with(compare("file"), 1));
     EXPECT_EQ(text_of(folder.path / "file"), "mine");
     EXPECT_TRUE(failed_with(compare("nowhere/report"), 1));
-    EXPECT_EQ(folder.entries(), 3u) << "something was left behind";
+    EXPECT_EQ(folder.entries(), 5u) << "something was left behind";
+}
+
+TEST(Compare, TellsEachStepWhereThereIsNoTerminal) {
+    const TemporaryFolder folder;
+    const Result result = run(small({"--light-counts", "1,2", "--renderers", "light-prepass,deferred", "-o", "report"}), folder.path);
+    ASSERT_TRUE(succeeded(result));
+    for (const char* step : {"%] 0:", ": reference\n", "picture of light-prepass\n", "picture of deferred\n", "frames with 1 light\n", "frames with 2 lights\n", " left: "})
+        EXPECT_THAT(result.err, HasSubstr(step));
+}
+
+/// Killed after some steps, by a signal that nobody can catch.
+TEST(Compare, FinishedStepsAreFoundByTheNextRun) {
+    const TemporaryFolder folder, cache;
+    const std::map<std::string, std::string> environment{{"XDG_CACHE_HOME", cache.path}};
+    const auto compare = [&](const char* frames) {
+        return std::vector<std::string>{"compare", "spheres", "--size", "64x36", "--lights", "3", "--light-counts", "1,2", "--frames", frames,
+                                        "--frame-limit", "1000", "--renderers", "light-prepass,deferred@light-culling=volumes", "-o", "report"};
+    };
+    const auto kept = [&] { // the steps of one report
+        for (std::error_code none; const auto& entry : fs::directory_iterator(cache.path / "prelight/compare", none))
+            return text_of(entry.path() / "steps");
+        return std::string();
+    };
+    const auto killed_when = [&](const std::vector<std::string>& arguments, const char* step) {
+        Prelight program(arguments, folder.path, environment, {.seconds = 240});
+        while (program.running() && kept().find(step) == std::string::npos)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        program.send(SIGKILL);
+        return program.wait();
+    };
+    EXPECT_EQ(killed_when(compare("3"), "picture of light-prepass").signal, SIGKILL);
+    for (const auto& entry : fs::directory_iterator(folder.path)) // what a kill leaves goes with the test's folder
+        fs::remove_all(entry.path());
+    const Result other = run(small({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), folder.path, {}, environment);
+    ASSERT_TRUE(succeeded(other));
+    EXPECT_THAT(other.err, testing::Not(HasSubstr("finished steps"))) << "other arguments";
+    EXPECT_EQ(killed_when(compare("3"), "times of 1").signal, SIGKILL);
+    for (const auto& entry : fs::directory_iterator(folder.path))
+        fs::remove_all(entry.path());
+    const Result result = run(compare("3"), folder.path, {.seconds = 240}, environment);
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_THAT(result.err, HasSubstr("finished steps of an earlier run found"));
+    const Json json = report_of(folder.path / "report");
+    ASSERT_EQ(json.at("runs").size(), 2u);
+    for (const Json& run : json.at("runs")) {
+        ASSERT_TRUE(run.at("error").is_null());
+        expect_stats(run);
+        EXPECT_GT(run.at("light_pixel_pairs").at("contributing"), 0);
+        EXPECT_GT(run.at("difference").at("psnr"), 40);
+        for (const auto& [view, file] : run.at("pictures").items())
+            EXPECT_EQ(load_png(folder.path / "report" / file.get<std::string>()).width, 64u) << view;
+    }
+    for (const Json& line : json.at("light_counts"))
+        EXPECT_EQ(line.at("points").size(), 3u);
+    EXPECT_TRUE(fs::is_empty(cache.path / "prelight/compare")) << "a report that is there needs no steps";
+    EXPECT_EQ(folder.entries(), 1u);
 }
 
 TEST(Compare, InterruptLeavesTheEarlierReportAndNothingHalf) {

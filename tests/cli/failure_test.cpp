@@ -27,7 +27,7 @@ TEST(Failure, AMissingFileIsNamed) {
 TEST(Failure, AnUnknownSceneNameListsTheBuiltinOnes) {
     const TemporaryFolder folder;
     const Result result = run({"render", "citty", "-o", "a.png"}, folder.path);
-    EXPECT_TRUE(failed_with(result, 1));
+    EXPECT_TRUE(failed_with(result, 2));
     EXPECT_THAT(result.err, HasSubstr("city"));
 }
 

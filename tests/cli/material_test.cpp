@@ -7,6 +7,8 @@
 #include <fstream>
 #include <functional>
 #include <gmock/gmock.h>
+#include <map>
+#include <memory>
 #include <prelight/image.hpp>
 #include <sstream>
 #include <thread>
@@ -66,13 +68,68 @@ TEST(Material, WrongUsageAndMistakesAreOneLine) {
     EXPECT_TRUE(failed_with(form, 2));
     const Result missing = run(with(small, {"--material", "floor=no.glsl"}), folder.path);
     EXPECT_TRUE(failed_with(missing, 1));
-    EXPECT_THAT(missing.err, HasSubstr("no.glsl: no such file"));
+    EXPECT_THAT(missing.err, HasSubstr("no.glsl: cannot be opened (No such file"));
     write(folder.path / "bad.glsl", good + "float lines = none;\n");
     const Result mistake = run(with(small, {"--material", "floor=bad.glsl"}), folder.path);
     EXPECT_TRUE(failed_with(mistake, 1));
     const auto line = std::count(good.begin(), good.end(), '\n') + 1;
     EXPECT_THAT(mistake.err, HasSubstr("bad.glsl:" + std::to_string(line) + ": 'none' : undeclared identifier"));
     EXPECT_FALSE(fs::exists(folder.path / "a.png"));
+}
+
+/// Names of the files that keep what was compiled, with when they were written.
+std::map<std::string, fs::file_time_type> kept_code(const fs::path& cache) {
+    std::map<std::string, fs::file_time_type> files;
+    for (std::error_code none; const auto& entry : fs::directory_iterator(cache / "prelight/materials", none))
+        files[entry.path().filename()] = entry.last_write_time();
+    return files;
+}
+
+TEST(Material, IsCompiledOnceAndOnlyForWhatDrawsWithIt) {
+    const TemporaryFolder folder, cache;
+    const std::map<std::string, std::string> environment{{"XDG_CACHE_HOME", cache.path}};
+    write(folder.path / "toon.glsl", documented_material());
+    const auto render = [&](const char* renderer) {
+        EXPECT_TRUE(succeeded(run(with(small, {"--renderer", renderer, "--material", "floor=toon.glsl"}), folder.path, {}, environment)));
+        return text_of(folder.path / "a.png");
+    };
+    const std::string first = render("light-prepass");
+    const auto kept = kept_code(cache.path);
+    EXPECT_EQ(kept.size(), 4u) << "two that look for mistakes, and the two passes over all geometry";
+    EXPECT_TRUE(render("light-prepass") == first);
+    EXPECT_TRUE(kept_code(cache.path) == kept) << "it was compiled again";
+    render("deferred");
+    EXPECT_EQ(kept_code(cache.path).size(), 5u) << "the G-buffer's pass alone is new";
+
+    // Damage is found, and another source is another key.
+    for (const auto& [name, time] : kept) {
+        const fs::path file = cache.path / "prelight/materials" / name;
+        std::string bytes = text_of(file);
+        bytes[bytes.size() / 2] ^= 1;
+        write(file, bytes);
+    }
+    EXPECT_TRUE(render("light-prepass") == first);
+    write(folder.path / "toon.glsl", documented_material() + "\n// changed\n");
+    render("light-prepass");
+    EXPECT_EQ(kept_code(cache.path).size(), 9u);
+}
+
+TEST(Material, ProcessesThatCompileAtOnceDoNotDisturbEachOther) {
+    const TemporaryFolder cache;
+    const std::map<std::string, std::string> environment{{"XDG_CACHE_HOME", cache.path}};
+    std::vector<std::unique_ptr<TemporaryFolder>> folders;
+    std::vector<std::unique_ptr<Prelight>> programs;
+    for (int i = 0; i < 3; ++i) {
+        folders.push_back(std::make_unique<TemporaryFolder>());
+        write(folders.back()->path / "toon.glsl", documented_material());
+        programs.push_back(std::make_unique<Prelight>(with(small, {"--material", "floor=toon.glsl"}), folders.back()->path, environment));
+    }
+    for (const auto& program : programs)
+        EXPECT_TRUE(succeeded(program->wait()));
+    for (const auto& folder : folders)
+        EXPECT_TRUE(text_of(folder->path / "a.png") == text_of(folders[0]->path / "a.png"));
+    for (const auto& [name, time] : kept_code(cache.path))
+        EXPECT_TRUE(name.ends_with(".spv")) << name << ": a temporary file was left behind";
 }
 
 TEST(Material, IsTakenUpUnderWatchAndAMistakeKeepsTheLastThatWorked) {

@@ -70,12 +70,12 @@ std::vector<std::string> make_environment(std::map<std::string, std::string> cha
     return result;
 }
 
-/// The lines of stderr that are not warnings of the loader.
+/// The lines of stderr that are neither warnings of the loader nor a long command's progress.
 std::vector<std::string> complaints(const std::string& err) {
     std::vector<std::string> lines;
     std::istringstream stream(err);
     for (std::string line; std::getline(stream, line);)
-        if (line.rfind("warning: ", 0) != 0)
+        if (line.rfind("warning: ", 0) != 0 && line.rfind("[", 0) != 0)
             lines.push_back(line);
     return lines;
 }

@@ -14,7 +14,9 @@ namespace {
 
 void load(std::span<const uint8_t> bytes) {
     try {
-        const prelight::Scene scene = prelight::gltf::load(bytes, "fuzz", "/nonexistent");
+        // Memory that does not depend on the machine: the same bytes give the same path.
+        const prelight::LoadOptions options{.memory_limit = uint64_t(512) << 20};
+        const prelight::Scene scene = prelight::gltf::load(bytes, "fuzz", "/nonexistent", options);
         for (uint32_t i = 0; i < scene.scenes.size() && i < 4; ++i)
             for (const auto& moment : {std::optional<prelight::Moment>(), {prelight::Moment{0.5}}})
                 prelight::resolve(scene, i, moment);

@@ -1,8 +1,8 @@
-#include "gltf_builder.hpp"
+#include "pictures.hpp"
 #include <cstdio>
 #include <fstream>
 
-// fuzz_seeds FOLDER: writes one small valid file for each part of the reader.
+// fuzz_seeds FOLDER: writes one small valid file for each part of each reader, in a folder for each target.
 
 using namespace prelight::test;
 
@@ -88,6 +88,28 @@ GltfBuilder with_cookie() {
     return b;
 }
 
+/// Each kind of picture that decoders treat differently.
+std::vector<std::pair<std::string, Bytes>> pictures() {
+    using Stored = JpegForm::Stored;
+    const Bytes rgba = solid(9, 9, {200, 100, 50, 128}), rgb = solid(9, 9, {200, 100, 50}), grey(81, 77);
+    std::vector<std::pair<std::string, Bytes>> all{
+        {"rgba.png", png(9, 9, rgba)},
+        {"palette.png", RawPng{.width = 4, .bits = 2, .colour = 3, .chunks = {{"PLTE", {1, 2, 3, 4, 5, 6}}, {"tRNS", {7}}}, .lines = {0, 0x1b}}.bytes()},
+        {"wide.png", RawPng{.width = 2, .bits = 16, .colour = 2, .chunks = {{"tRNS", Bytes(6, 1)}}, .lines = Bytes(13, 1)}.bytes()},
+        {"interlaced.png", RawPng{.width = 3, .height = 3, .colour = 0, .interlaced = true, .lines = Bytes(15, 0)}.bytes()},
+        {"lossless.webp", webp_lossless(9, 9, rgba)},
+        {"lossy.webp", webp_lossy(9, 9, rgba)},
+    };
+    for (const auto& [name, form] : {std::pair("baseline", JpegForm{}), {"progressive", JpegForm{.progressive = true}},
+                                     {"arithmetic", JpegForm{.arithmetic = true}}, {"rgb", JpegForm{.stored = Stored::rgb}}})
+        all.emplace_back(std::string(name) + ".jpg", jpeg_of(9, 9, rgb, form));
+    all.emplace_back("grey.jpg", jpeg_of(9, 9, grey, {.stored = Stored::grey}));
+    for (const bool marker : {false, true})
+        all.emplace_back(marker ? "ycck.jpg" : "cmyk.jpg",
+                         jpeg_of(9, 9, rgba, {.stored = marker ? Stored::ycck : Stored::cmyk, .adobe_marker = marker}));
+    return all;
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -96,28 +118,30 @@ int main(int count, char** arguments) {
         return 2;
     }
     const std::filesystem::path folder = arguments[1];
-    std::filesystem::create_directories(folder);
-    const auto write = [&folder](const char* name, const Bytes& bytes) {
+    for (const char* target : {"gltf", "pictures", "ies"})
+        std::filesystem::create_directories(folder / target);
+    const auto write = [&folder](const std::string& name, const Bytes& bytes) {
         std::ofstream(folder / name, std::ios::binary)
             .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     };
     const Bytes pixels = solid(4, 4, {200, 100, 50, 128});
-    write("triangle.glb", GltfBuilder::triangle().glb());
-    write("triangle.gltf", GltfBuilder::triangle().gltf());
-    write("png.glb", with_texture(png(4, 4, pixels)).glb());
-    write("jpeg.glb", with_texture(jpeg(4, 4, pixels)).glb());
-    write("webp-lossless.glb", with_texture(webp_lossless(4, 4, pixels)).glb());
-    write("webp-lossy.glb", with_texture(webp_lossy(4, 4, pixels)).glb());
-    write("sparse.glb", with_sparse().glb());
-    write("nodes.glb", with_nodes().glb());
-    write("draco-edgebreaker.glb", draco_grid(true).glb());
-    write("draco-sequential.glb", draco_grid(false).glb());
-    write("meshopt.glb", meshopt_grid().glb());
-    write("animation.glb", with_animation().glb());
-    write("draco-joints.glb", draco_grid(true, nullptr, true).glb());
-    write("meshopt-joints.glb", meshopt_grid(true).glb());
-    write("cookie.glb", with_cookie().glb());
-    std::filesystem::create_directories(folder / "ies");
+    write("gltf/triangle.glb", GltfBuilder::triangle().glb());
+    write("gltf/triangle.gltf", GltfBuilder::triangle().gltf());
+    write("gltf/png.glb", with_texture(png(4, 4, pixels)).glb());
+    write("gltf/jpeg.glb", with_texture(jpeg(4, 4, pixels)).glb());
+    write("gltf/webp-lossless.glb", with_texture(webp_lossless(4, 4, pixels)).glb());
+    write("gltf/webp-lossy.glb", with_texture(webp_lossy(4, 4, pixels)).glb());
+    write("gltf/sparse.glb", with_sparse().glb());
+    write("gltf/nodes.glb", with_nodes().glb());
+    write("gltf/draco-edgebreaker.glb", draco_grid(true).glb());
+    write("gltf/draco-sequential.glb", draco_grid(false).glb());
+    write("gltf/meshopt.glb", meshopt_grid().glb());
+    write("gltf/animation.glb", with_animation().glb());
+    write("gltf/draco-joints.glb", draco_grid(true, nullptr, true).glb());
+    write("gltf/meshopt-joints.glb", meshopt_grid(true).glb());
+    write("gltf/cookie.glb", with_cookie().glb());
+    for (const auto& [name, bytes] : pictures())
+        write("pictures/" + name, bytes);
     for (const auto& [name, text] : {std::pair("ies/quarter.ies", "IESNA91\n[TEST] 1\nTILT=NONE\n1 -1 2 3 2 1 2 0 0 0\n1 1 9\n0 45 90\n0 90\n1 2 3\n4 5 6\n"),
                                      {"ies/tilt.ies", "TILT=INCLUDE\n1 2 0 90 1 .9\n1 1 1 2 1 1 1 0 0 0 1 1 0 0 180 0 7 8"}})
         write(name, Bytes(text, text + std::strlen(text)));

@@ -17,15 +17,14 @@ async function checkFigures(browser, files) {
   check(await count("#passes details") === runs.length, "a run has no table of passes");
   check(await count("#limits tbody tr") === limits.length, "a figure of the limit is missing");
   check(await browser.evaluate(`document.getElementById("limit").hidden`) === (limits.length === 0), "the limit is shown without figures, or hidden");
-  const points = await count("#chart-time circle");
-  check(points === (limits.length || runs.length), `the chart has ${points} points`);
-  const metrics = await browser.evaluate(`[...document.getElementById("metric").options].map((option) => option.textContent)`);
-  check((metrics[0] === "in F") === limits.length > 0, `times are offered as ${metrics}`);
-  for (let index = 0; index < metrics.length; ++index) {
-    await browser.evaluate(`(() => { const at = document.getElementById("metric"); at.value = "${index}"; at.dispatchEvent(new Event("change")); })()`);
-    const expected = metrics[index] === "in F" ? limits.length : runs.length;
-    check(await count("#chart-time circle") === expected, `${metrics[index]}: the chart has not ${expected} points`);
+  if (new Set(runs.map((run) => run.lights)).size > 1) await checkChart(browser, runs, limits, count);
+  else {
+    check(await count("svg circle") === 0, "a chart is drawn of one number of lights");
+    check(await browser.evaluate(`document.querySelector(".charts").getBoundingClientRect().height`) === 0, "the place of a chart is left empty");
+    check((await browser.evaluate(`document.getElementById("lights-caption").textContent`)).includes("no line to draw"), "nothing says why there is no chart");
   }
+  const fills = await browser.evaluate(`[...document.querySelectorAll("#legend .swatch")].map((at) => getComputedStyle(at).background)`);
+  check(new Set(fills).size === fills.length, "two passes look the same");
   const counts = await browser.evaluate(`[...document.getElementById("count").options].map((option) => option.value)`);
   for (const lights of counts) {
     await browser.evaluate(`(() => { const at = document.getElementById("count"); at.value = "${lights}"; at.dispatchEvent(new Event("change")); })()`);
@@ -35,15 +34,28 @@ async function checkFigures(browser, files) {
   const full = await browser.evaluate(`[...document.querySelectorAll("#bars .track")].every((track) =>
     Math.abs([...track.children].reduce((sum, part) => sum + part.getBoundingClientRect().width, 0) - track.clientWidth) < 1)`);
   check(full, "bars of shares are not full");
-  await browser.evaluate(`document.getElementById("shares").click(); document.querySelector("#lines input").click()`);
-  await browser.settle();
-  check(await count("#chart-time circle") < runs.length, "a line cannot be taken out of the chart");
-  await browser.evaluate(`document.querySelector("#lines input").click()`);
+  await browser.evaluate(`document.getElementById("shares").click()`);
   const text = await browser.evaluate("document.body.innerText");
   for (const wrong of ["NaN", "undefined", "Infinity", "[object", "null"]) check(!text.includes(wrong), `the page says ${wrong}`);
   const cell = await browser.evaluate(`document.querySelector("#summary tbody tr td[data-label='CPU, ms'] span").firstChild.textContent`);
   const shown = Number(cell.replaceAll(",", "").split(" ")[0]), right = runs[0].cpu_ms.median;
   check(Math.abs(shown - right) <= 0.02 * right + 0.01, `the table says ${cell}, not ${right}`);
+}
+
+async function checkChart(browser, runs, limits, count) {
+  const points = await count("#chart-time circle");
+  check(points === (limits.length || runs.length), `the chart has ${points} points`);
+  const metrics = await browser.evaluate(`[...document.getElementById("metric").options].map((option) => option.textContent)`);
+  check((metrics[0] === "in F") === limits.length > 0, `times are offered as ${metrics}`);
+  for (let index = 0; index < metrics.length; ++index) {
+    await browser.evaluate(`(() => { const at = document.getElementById("metric"); at.value = "${index}"; at.dispatchEvent(new Event("change")); })()`);
+    const expected = metrics[index] === "in F" ? limits.length : runs.length;
+    check(await count("#chart-time circle") === expected, `${metrics[index]}: the chart has not ${expected} points`);
+  }
+  await browser.evaluate(`document.querySelector("#lines input").click()`);
+  await browser.settle();
+  check(await count("#chart-time circle") < runs.length, "a line cannot be taken out of the chart");
+  await browser.evaluate(`document.querySelector("#lines input").click()`);
 }
 
 async function checkSizes(browser) {

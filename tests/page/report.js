@@ -142,6 +142,43 @@ async function checkFigures(browser, report) {
   for (const wrong of ["NaN", "undefined", "Infinity", "[object"]) check(!text.includes(wrong), `the page says ${wrong}`);
 }
 
+/** Each architecture with its picture, a diagram whose words stay in their boxes, and its equation. */
+async function checkArchitectures(browser, report) {
+  const names = [...new Set(report.runs.filter((run) => run.error === null).map((run) => run.renderer))];
+  const shown = await browser.evaluate(`[...document.querySelectorAll(".architecture")].map((at) => [at.getAttribute("aria-label"),
+    at.querySelectorAll("img").length, at.querySelectorAll("math").length > 0 && at.querySelector("math").getBoundingClientRect().height > 10,
+    at.querySelector("svg").getAttribute("aria-label").length > 20,
+    [...at.querySelectorAll("svg text")].every((text) => { const b = text.getBBox(); const box = [...at.querySelectorAll("svg rect")].map((rect) => rect.getBBox())
+      .find((r) => r.x <= b.x && b.y >= r.y - 1 && b.y + b.height <= r.y + r.height + 1 && b.x < r.x + r.width); return text.classList.contains("loop") || (box && b.x + b.width <= box.x + box.width); })])`);
+  check(shown.length === names.length, `${shown.length} of ${names.length} architectures are explained`);
+  for (const [name, images, formula, label, inside] of shown) {
+    check(images === 1, `${name} stands without its picture`);
+    check(formula, `${name} has no equation`);
+    check(label, `the diagram of ${name} says nothing to who can't see it`);
+    check(inside, `words of the diagram of ${name} leave their box`);
+  }
+}
+
+/** Passes can be told apart, and short bars be read beside long ones. */
+async function checkBars(browser, report) {
+  const fills = await browser.evaluate(`[...document.querySelectorAll("#legend .swatch")].map((at) => getComputedStyle(at).background)`);
+  check(new Set(fills).size === fills.length, "two passes look the same");
+  const many = await browser.evaluate(`[...Array(32).keys()].map(fill)`);
+  check(new Set(many).size === 32, "of 32 passes two would look the same");
+  const totals = report.runs.filter((run) => run.error === null).map((run) => run.passes.reduce((sum, pass) => sum + pass.gpu_ms.median, 0));
+  const drawn = `(() => { const place = document.createElement("div"); place.style.width = "800px"; document.body.append(place);
+    const bar = (ms) => ({ name: "x", total: ms, parts: [{ name: "p", ms }] });
+    const cut = document.getElementById("cut"), was = cut.checked; cut.checked = CUT; drawBars(place, [bar(10), bar(12), bar(1000)], ["p"]);
+    const all = [...place.querySelectorAll(".track")].map((at) => [at.firstChild.getBoundingClientRect().width / at.clientWidth, at.classList.contains("over")]);
+    place.remove(); cut.checked = was; return all; })()`;
+  const far = await browser.evaluate(drawn.replace("CUT", "false")), near = await browser.evaluate(drawn.replace("CUT", "true"));
+  check(far[0][0] < 0.02 && !far[2][1], "bars do not have one scale");
+  check(Math.abs(near[0][0] - 10 / 12) < 0.01 && near[2][1], "a long bar is not cut off");
+  check(totals.length > 0, "no bar");
+  const texts = await browser.evaluate(`[slopeText(10, 1), slopeText(10, 6), slopeText(-73.5, 1), slopeText(null, null)]`);
+  check(JSON.stringify(texts) === JSON.stringify(["10.0 ± 1.00", "not measurable", "not measurable", "–"]), `slopes read ${texts}`);
+}
+
 async function checkSizes(browser) {
   const background = [];
   for (const theme of ["light", "dark"])
@@ -172,6 +209,8 @@ async function main(browser) {
   await checkDivider(browser);
   await checkZoom(browser);
   await checkFigures(browser, report);
+  await checkArchitectures(browser, report);
+  await checkBars(browser, report);
   await checkFocus(browser);
   await checkSizes(browser);
   for (const url of browser.requests) check(/^(file|data):/.test(url), `it asks the network for ${url}`);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <prelight/error.hpp>
+#include <prelight/scene_io.hpp>
 #include <reference/environment.hpp>
 
 namespace prelight {
@@ -130,6 +132,91 @@ TEST(Irradiance, IsExactForWhatTheHarmonicsHold) {
         EXPECT_NEAR(got.r, 1 + 0.5 * n.y * 2 / 3, 1e-3);
         EXPECT_NEAR(got.g, 1 + n.x * n.z / 4, 1e-3);
         EXPECT_NEAR(got.b, 1 + 0.4 * (3 * n.z * n.z - 1) / 4, 1e-3);
+    }
+}
+
+/// The cosine integral over the map itself: what a white wall really sends on.
+double wall_under(const reference::EnvironmentLight& light, glm::dvec3 n) {
+    return integral([&](glm::dvec3 l) { return std::max(glm::dot(n, l), 0.0) * light.radiance(l); }).g / pi;
+}
+
+TEST(Studio, IsGreyAndHasLampsBrighterThanWhite) {
+    const Environment studio = make_environment("studio");
+    float brightest = 0, darkest = 1;
+    for (const Image* map : {&studio.image, &studio.backdrop}) {
+        ASSERT_EQ(map->width, 2 * map->height);
+        for (const glm::vec3& p : map->pixels) {
+            ASSERT_EQ(p.r, p.g);
+            ASSERT_EQ(p.g, p.b);
+            ASSERT_GT(p.r, 0.1f);
+            brightest = std::max(brightest, p.r);
+            darkest = std::min(darkest, p.r);
+        }
+    }
+    EXPECT_GT(brightest, 5) << "of high dynamic range";
+    EXPECT_LT(darkest, 0.25f) << "metals have something dark to mirror too";
+    EXPECT_TRUE(studio.image.pixels == make_environment("studio").image.pixels);
+    EXPECT_THROW(make_environment("meadow"), UsageError);
+}
+
+TEST(Studio, ShowsWhiteAsWhiteFromTheFrontAndLeavesFormFromTheOtherSides) {
+    const Environment studio = make_environment("studio");
+    const reference::EnvironmentLight light(&studio);
+    const auto from = [&](double azimuth, double elevation) {
+        const double a = azimuth * pi / 180, e = elevation * pi / 180;
+        return wall_under(light, {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)});
+    };
+    const double front = from(25, 15), above = from(0, 90), below = from(0, -90);
+    std::printf("    front %.3f, left %.3f, right %.3f, behind %.3f, above %.3f, below %.3f\n", front, from(-60, 15), from(90, 0), from(-155, 0), above, below);
+    const auto shine = [&](double azimuth, double elevation) {
+        const double a = azimuth * pi / 180, e = elevation * pi / 180;
+        return light.radiance({std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)}).g;
+    };
+    EXPECT_GT(shine(-40, 34), 5) << "the key, from the upper left of the camera";
+    EXPECT_LT(shine(40, 34), 1);
+    EXPECT_GT(front, 0.8);
+    EXPECT_LT(front, 1);
+    for (int azimuth = -180; azimuth < 180; azimuth += 60)
+        for (int elevation = -90; elevation <= 90; elevation += 45) {
+            EXPECT_LT(from(azimuth, elevation), 1.5) << azimuth << " " << elevation;
+            EXPECT_GT(from(azimuth, elevation), 0.2) << azimuth << " " << elevation;
+        }
+    EXPECT_GT(above, 1.8 * below) << "light comes from above";
+}
+
+TEST(Studio, ItsHarmonicsLieWithinAFewPercentOfTheIntegral) {
+    const Environment studio = make_environment("studio");
+    const reference::EnvironmentLight light(&studio);
+    for (const glm::dvec3& n : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::normalize(glm::dvec3(-1, 0.5, 1)), glm::normalize(glm::dvec3(1, -0.3, -1))})
+        EXPECT_NEAR(light.lambert(n).g / wall_under(light, n), 1, 0.06);
+}
+
+/// A backdrop is grey, light and soft: no step that an eye would find, nothing near white or black.
+TEST(Backdrop, IsSoftAndNeutral) {
+    const Image backdrop = soft_backdrop();
+    for (uint32_t y = 0; y < backdrop.height; ++y)
+        for (uint32_t x = 0; x < backdrop.width; ++x) {
+            const glm::vec3 p = backdrop.at(x, y);
+            EXPECT_EQ(p.r, p.b);
+            EXPECT_GT(p.r, 0.1f);
+            EXPECT_LT(p.r, 0.7f);
+            if (y > 0) {
+                EXPECT_LT(std::abs(srgb_encode(p.r) - srgb_encode(backdrop.at(x, y - 1).r)), 0.02f);
+            }
+        }
+}
+
+/// It is seen, and lights nothing.
+TEST(Backdrop, StandsInFrontOfTheMap) {
+    Environment sky = sky_of([](glm::dvec3) { return glm::dvec3(1, 2, 3); }, 64);
+    sky.backdrop = sky_of([](glm::dvec3 d) { return glm::dvec3(0.5 + 0.25 * d.y); }, 256).image;
+    sky.intensity = 0.5f;
+    sky.rotation = 1;
+    const reference::EnvironmentLight light(&sky);
+    for (const glm::dvec3& d : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, -1), glm::normalize(glm::dvec3(1, -1, 1))}) {
+        EXPECT_NEAR(light.background(d).g, 0.5 * (0.5 + 0.25 * d.y), 1e-3);
+        EXPECT_NEAR(light.radiance(d).g, 1, 1e-6);
+        EXPECT_NEAR(light.lambert(d).b, 1.5, 1e-3);
     }
 }
 

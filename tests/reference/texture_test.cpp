@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 #include <reference/texture.hpp>
 
@@ -64,6 +65,29 @@ TEST_F(Strip, TransformIsAppliedBeforeWrapping) {
     ref.uv_offset = {0.125f, 0.5f};
     const double got = Textures(scene, true).sample(ref, {77, 0.5}, Encoding::linear).r * 255;
     EXPECT_NEAR(got, 51, 1e-6); // u' = 0.375
+}
+
+TEST_F(Strip, MinifiedReadsTheLevelThatTheFootprintAsksFor) {
+    const Textures textures(scene, false);
+    ref.sampler = {.wrap_s = Wrap::clamp_to_edge, .mag = Filter::nearest, .min = Filter::nearest};
+    const auto red_at = [&](double u, double texels, MipFilter mip) {
+        ref.sampler.mip = mip;
+        const Footprint footprint{{texels / 4, 0}, {0, 0}};
+        return textures.sample(ref, {u, 0.5}, Encoding::linear, footprint).r * 255;
+    };
+    for (const MipFilter mip : {MipFilter::none, MipFilter::nearest, MipFilter::linear})
+        EXPECT_NEAR(red_at(0.375, 1, mip), 51, 1e-9) << "one texel a pixel is magnified";
+    EXPECT_NEAR(red_at(0.375, 2, MipFilter::none), 51, 1e-9);
+    EXPECT_NEAR(red_at(0.375, 2, MipFilter::nearest), 25.5, 1e-9) << "level 1: the means of two";
+    EXPECT_NEAR(red_at(0.875, 2, MipFilter::linear), 178.5, 1e-9);
+    EXPECT_NEAR(red_at(0.375, 1.4, MipFilter::nearest), 51, 1e-9) << "nearer to level 0";
+    EXPECT_NEAR(red_at(0.375, std::sqrt(2.0), MipFilter::linear), 0.5 * (51 + 25.5), 1e-9);
+    EXPECT_NEAR(red_at(0.375, 4, MipFilter::nearest), 102, 1e-9) << "level 2: of all four";
+    EXPECT_NEAR(red_at(0.375, 4000, MipFilter::linear), 102, 1e-9) << "there is none beyond";
+    ref.sampler.min = Filter::linear;
+    EXPECT_NEAR(red_at(0.5, 2, MipFilter::nearest), 102, 1e-9) << "between the two texels of level 1";
+    ref.uv_linear = glm::mat2(0.5f);
+    EXPECT_NEAR(red_at(0.75, 2, MipFilter::nearest), 51, 1e-9) << "the transform halves the footprint: magnified";
 }
 
 TEST(Textures, RowsRunFromTheTop) {

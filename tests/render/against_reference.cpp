@@ -40,7 +40,7 @@ RenderOptions options_of(const Shot& shot) {
     options.exposure = shot.exposure;
     options.shading = shot.shading;
     options.settings = shot.settings;
-    options.settings["texture-filter"] = "bilinear";
+    options.settings.emplace("texture-filter", "bilinear");
     options.views = {"linear"};
     return options;
 }
@@ -70,6 +70,7 @@ ReferenceForm form_of(const Shot& shot) {
     form.specular_antialiasing = !is(shot, "specular-antialiasing", "off") && form.specular == Specular::stored;
     if (shot.settings.contains("ssao") && !is(shot, "ssao", "off"))
         form.occlusion_radius = shot.settings.contains("ssao-radius") ? std::stod(shot.settings.at("ssao-radius")) : 1;
+    form.bilinear_level0 = !shot.settings.contains("texture-filter") || is(shot, "texture-filter", "bilinear");
     form.own_shaders = shot.renderer == "deferred"    ? ReferenceForm::OwnShaders::no_lamps
                        : shot.renderer == "multipass" ? ReferenceForm::OwnShaders::each_light
                                                       : ReferenceForm::OwnShaders::sums;

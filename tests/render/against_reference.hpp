@@ -42,7 +42,7 @@ ReferenceForm form_of(const Shot& shot);
 /// What render_linear() asks of the shot's renderer.
 RenderOptions options_of(const Shot& shot);
 Image render_linear(Device& device, const Shot& shot);
-/// Renders both and compares; texture filtering is bilinear on level 0 in both.
+/// Renders both and compares; texture filtering is bilinear on level 0 in both unless the settings name another.
 Comparison against_reference(Device& device, const Shot& shot);
 /// EXPECTs the bound, printing the figures.
 void expect_within(const Comparison& comparison, const Bound& bound);

@@ -3,12 +3,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
 #include <prelight/scene_io.hpp>
 #include <reference/lighting.hpp>
 #include <reference/ray_scene.hpp>
 
 namespace prelight {
 namespace {
+
+double luminance(glm::dvec3 c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 TEST(Bounce, AgreesWithTheReference) {
     const Scene scene = make_scene("bounce", 65, 1);
@@ -17,6 +20,35 @@ TEST(Bounce, AgreesWithTheReference) {
     expect_agrees(shot);
     shot.renderer = "deferred";
     expect_agrees(shot);
+}
+
+/// Fake indirect light is many small lights that the scene places: with them alone is there light where the sun is not.
+TEST(FakeIndirectLight, OfManySmallLightsFillsWhatTheSunDoesNotReach) {
+    const Scene scene = make_scene("bounce", 257, 1);
+    const World world = resolve(scene);
+    ASSERT_EQ(world.lights.size(), 257u);
+    EXPECT_EQ(world.lights[0].light.kind, LightKind::directional);
+    for (size_t i = 1; i < world.lights.size(); ++i) {
+        ASSERT_FALSE(world.lights[i].light.casts_shadow) << "that would be 256 shadow maps";
+        ASSERT_LT(world.lights[i].light.intensity, world.lights[0].light.intensity);
+    }
+    RenderOptions options{.width = 160, .height = 90, .settings = {{"shadows", "on"}, {"light-culling", "tiles"}}};
+    const auto renderer = create_renderer("light-prepass", &test_device(), options);
+    renderer->set_world(world);
+    renderer->render(world.cameras[0]);
+    const Image both = renderer->read("linear");
+    renderer->set_lights(std::span(world.lights).first(1));
+    renderer->render(world.cameras[0]);
+    const Image sun = renderer->read("linear");
+    size_t dark = 0, filled = 0;
+    for (size_t i = 0; i < sun.pixels.size(); ++i)
+        if (luminance(sun.pixels[i]) < 0.01) { // in the sun's shadow
+            ++dark;
+            filled += luminance(both.pixels[i]) > luminance(sun.pixels[i]) + 0.005;
+        }
+    EXPECT_GT(dark, sun.pixels.size() / 3);
+    EXPECT_GT(filled, dark * 9 / 10);
+    expect_validation_clean(test_device());
 }
 
 /// What reaches points of the room from its surfaces, once reflected.
@@ -74,8 +106,6 @@ private:
     reference::RayScene rays_;
     reference::LightTree lights_;
 };
-
-double luminance(glm::dvec3 c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 struct Fake {
     double ratio = 0, off = 0, hue = 0; ///< fake ÷ true in all; mean relative difference of irradiance; mean angle of colours, degrees

@@ -52,5 +52,31 @@ TEST(Emitters, AgreeWithTheReferenceAtAnyTime) {
     expect_validation_clean(test_device());
 }
 
+/// A light per particle, thousands of them: each particle has its light, no light is lost, and all are in the picture.
+TEST(LightPerParticle, ThousandsOfThemAllLight) {
+    Fountains fountains;
+    for (Emitter& emitter : fountains.scene.emitters) {
+        emitter.count = 1500;
+        emitter.size = 0; // lights alone: no edges beside them
+        emitter.intensity = 0.02f;
+        emitter.range = 0.8f;
+    }
+    const World world = resolve(fountains.scene, {}, Moment{1.0});
+    ASSERT_EQ(world.lights.size(), 3000u);
+    std::vector<Stats> stats;
+    for (const char* culling : {"tiles", "volumes", "fullscreen"}) {
+        RenderOptions options{.width = 96, .height = 54, .count_pairs = true, .settings = {{"light-culling", culling}}};
+        const auto renderer = create_renderer("light-prepass", &test_device(), options);
+        renderer->set_world(world);
+        renderer->render(world.cameras[0]);
+        stats.push_back(renderer->stats());
+        EXPECT_EQ(stats.back().lights, 3000u);
+        EXPECT_EQ(stats.back().pairs_contributing, stats[0].pairs_contributing) << culling;
+    }
+    EXPECT_GT(stats[0].pairs_contributing, 96u * 54 * 20); // on every pixel many
+    EXPECT_LT(stats[0].pairs_evaluated, stats[2].pairs_evaluated / 4);
+    expect_agrees({.world = &world, .camera = world.cameras[0], .width = 192, .height = 108});
+}
+
 } // namespace
 } // namespace prelight

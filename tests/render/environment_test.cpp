@@ -3,6 +3,7 @@
 #include "garden.hpp"
 #include <cmath>
 #include <prelight/material_shader.hpp>
+#include <prelight/scene_io.hpp>
 
 namespace prelight {
 namespace {
@@ -177,6 +178,44 @@ std::shared_ptr<Environment> painted_sky() {
         for (uint32_t x = 0; x < 64; ++x)
             sky->image.at(x, y) = quarters[x / 16];
     return sky;
+}
+
+/// The built-in studio, which most pictures of files are lit by: its mirrors, walls and backdrop.
+TEST(EnvironmentLight, OfTheStudioAgreesInEveryArchitecture) {
+    Garden garden;
+    garden.scene.environment = std::make_shared<Environment>(make_environment("studio"));
+    Judge judge;
+    for (const char* renderer : {"light-prepass", "deferred", "multipass", "z-prepass"}) {
+        Shot shot = garden.shot();
+        shot.width = 160;
+        shot.height = 90;
+        shot.renderer = renderer;
+        judge.expect_agrees(shot);
+    }
+}
+
+/// A backdrop is seen instead of the map, turned and exposed as it is, and nothing is lit by it.
+TEST(Background, ShowsTheBackdropWhereThereIsOne) {
+    TestWorld wall;
+    wall.add_material({.name = "wall", .metallic = 0});
+    wall.add(square(0.5f), glm::translate(glm::dmat4(1), {0, 0, -5}));
+    Environment sky{.name = "white", .image = Image(64, 32), .intensity = 0.5f, .rotation = pi / 2, .backdrop = painted_sky()->image};
+    std::fill(sky.image.pixels.begin(), sky.image.pixels.end(), glm::vec3(1));
+    wall.scene.environment = std::make_shared<Environment>(sky);
+    Camera lens;
+    lens.yfov = 0.6;
+    for (const char* name : {"light-prepass", "deferred", "multipass", "z-prepass", "reference"}) {
+        RenderOptions options{.width = 32, .height = 24, .exposure = -1, .views = {"linear"}};
+        const auto renderer = create_renderer(name, std::string_view(name) == "reference" ? nullptr : &test_device(), options);
+        renderer->set_world(wall.world);
+        renderer->render(look_at(lens, {0, 0, 0}, {-1, 0, -1})); // turned by 90°: what stood over −Z to +X
+        EXPECT_LT(glm::length(renderer->read("linear").at(16, 12) - 0.25f * glm::vec3(0, 0, 1)), 1e-3) << name;
+        renderer->render(look_at(lens, {0, 0, 0}, {0, 0, -1}));
+        const glm::vec3 lit = renderer->read("linear").at(16, 12);
+        EXPECT_NEAR(lit.r, lit.b, 1e-3) << name << ": the white map lights the wall";
+        EXPECT_NEAR(lit.r, 0.25, 0.02) << name;
+    }
+    expect_validation_clean(test_device());
 }
 
 TEST(Background, ShowsTheEnvironmentWhereNothingIs) {

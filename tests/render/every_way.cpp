@@ -12,7 +12,8 @@ std::vector<Shot> every_way(const Shot& shot) {
                         continue; // one of the others
                     Shot& one = shots.emplace_back(shot);
                     one.renderer = info.name;
-                    one.settings["model"] = "nv";
+                    if (shot.shading == Shading::ggx)
+                        one.settings["model"] = "nv";
                     one.settings[setting.key] = value;
                     if (value != "tiles")
                         continue;

@@ -158,7 +158,8 @@ TEST(Deferred, D1_IntensityKeepsBrightnessBeyondBytes) {
         test.add_material({.name = "lamp", .base_colour = {0, 0, 0, 1}, .emissive = x < 0 ? glm::vec3(6, 9, 3) : glm::vec3(1.5f, 1, 0.5f)});
         test.add(square(1.5f), glm::translate(glm::dmat4(1), {x, 0, 0}));
     }
-    Shot shot = deferred({.world = &test.world, .camera = front_camera(5)}, {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}});
+    Shot shot = deferred({.world = &test.world, .camera = front_camera(5)},
+                         {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"light-scale", "2"}});
     const Image picture = picture_of(shot);
     const auto luminance = [](glm::vec3 c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; };
     const glm::vec3 bright = picture.at(shot.width * 3 / 10, shot.height / 2), dim = picture.at(shot.width * 7 / 10, shot.height / 2);
@@ -179,7 +180,7 @@ TEST(Deferred, D1_PresetIsTheLayoutAndSettingsGoBeforeIt) {
         return renderer->stats().settings;
     };
     EXPECT_THAT(settings_of(), testing::IsSupersetOf({std::pair<const std::string, std::string>("g-buffer", "killzone2"),
-                                                      {"accumulation", "rgba8"}, {"light-scale", "2"}, {"model", "full"}}));
+                                                      {"accumulation", "rgba8"}, {"light-scale", "auto"}, {"model", "full"}}));
     options.settings = {{"accumulation", "rgba16f"}};
     EXPECT_THAT(settings_of(), testing::IsSupersetOf({std::pair<const std::string, std::string>("g-buffer", "killzone2"),
                                                       {"accumulation", "rgba16f"}}));

@@ -26,8 +26,9 @@ struct FourLights : Garden {
         Shot shot = Garden::shot();
         shot.exposure = 0.7;
         shot.settings = {{"light-buffer", buffer}, {"light-writes", writes}};
-        if (std::string(writes) == "once")
-            shot.settings["light-scale"] = "8";
+        const std::string name = buffer;
+        if (name == "rgba8" || name == "packed-rgba8" || name == "rgb10a2")
+            shot.settings["light-scale"] = std::string(writes) == "once" ? "8" : "2";
         return shot;
     }
 };

@@ -1,5 +1,6 @@
 // [V1] [V3] [V5]: volumes find every pixel of their light once, wherever the camera is.
 #include "found_pixels.hpp"
+#include "vulkan_calls.hpp"
 #include <passes/volume_meshes.hpp>
 #include <resident/lights.hpp>
 
@@ -138,6 +139,42 @@ TEST(VolumeCulling, LightsOffScreenOrDarkCostNothing) { // [L8]
     renderer->set_world(garden.world);
     renderer->render(garden.camera);
     EXPECT_GT(renderer->stats().pairs_contributing, 0u);
+}
+
+/// What a frame draws under `count` lights each of spheres and cones, seen from outside and from inside.
+std::pair<uint64_t, uint64_t> draws_and_instances(const char* renderer, const char* culling, uint32_t count) {
+    Garden garden;
+    for (uint32_t i = 0; i < count; ++i) {
+        const double x = -4 + 8.0 * i / 200;
+        for (const double range : {1.0, 40.0}) {
+            garden.add_light(garden.point(static_cast<float>(range), 0.1f), garden.at(x, 1, 0));
+            garden.add_light(garden.spot(0.5f, static_cast<float>(range), 0.1f), garden.at(x, 1, 1), {0, -1, 0.1});
+        }
+    }
+    Shot shot = garden.shot();
+    shot.renderer = renderer;
+    shot.settings = {{"light-culling", culling}};
+    const auto one = create_renderer(renderer, &test_device(), options_of(shot));
+    one->set_world(garden.world);
+    one->render(garden.camera); // with the warm-up
+    const VulkanCalls calls;
+    one->render(garden.camera);
+    one->stats();
+    return {calls.draws, calls.instances};
+}
+
+TEST(InstancedVolumes, V5_AreOneDrawForAllLightsOfAKind) {
+    for (const char* renderer : {"light-prepass", "deferred"}) {
+        const auto [none, surfaces] = draws_and_instances(renderer, "volumes", 0);
+        const auto [few, one_each] = draws_and_instances(renderer, "volumes", 1);
+        const auto [many, all] = draws_and_instances(renderer, "volumes", 200);
+        EXPECT_EQ(few, none + 4) << renderer << ": spheres and cones, from outside and from inside";
+        EXPECT_EQ(one_each, surfaces + 4);
+        EXPECT_EQ(many, few) << renderer;
+        EXPECT_EQ(all, surfaces + 800) << renderer << ": each light is an instance";
+        // What the count would be without: stencil marks light by light.
+        EXPECT_EQ(draws_and_instances(renderer, "stencil", 200).first, none + 1600);
+    }
 }
 
 /// Distance from the origin to the nearest triangle's plane, outward positive.

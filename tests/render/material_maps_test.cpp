@@ -76,7 +76,7 @@ TEST(Maps, DetailNormalsUnderAMaskGlossAndIncandescenceAgree) {
     wall.wall().parameters["detail"] = glm::vec4(0.7f);
     expect_agrees(wall.shot());
     wall.wall().textures = {{"gloss_map", {.image = wall.grey}}, {"incandescence_map", {.image = wall.detail}}};
-    wall.wall().parameters = {{"incandescence", glm::vec4(0.5f)}};
+    wall.wall().parameters = {{"incandescence", glm::vec4(0.5f)}, {"gloss_roughness", glm::vec4(0.4f)}};
     for (const char* renderer : {"light-prepass", "z-prepass", "deferred"}) {
         Shot shot = wall.shot();
         shot.renderer = renderer;
@@ -84,10 +84,72 @@ TEST(Maps, DetailNormalsUnderAMaskGlossAndIncandescenceAgree) {
     }
 }
 
+TEST(Maps, GlossDimsSpecularLightDownToNothing) {
+    // A metal sends on nothing else: black where gloss is, half of it where that is half.
+    const auto lit = [](uint8_t gloss, float rough, const char* renderer, bool reference) {
+        TestWorld world;
+        Material metal{.name = "metal", .metallic = 1, .roughness = 0.5f};
+        metal.shader = find_material_shader("detailed");
+        metal.textures["gloss_map"] = {.image = world.add_image(1, 1, {gloss, gloss, gloss, 255})};
+        metal.parameters["gloss_roughness"] = glm::vec4(rough);
+        world.add_material(metal);
+        world.add(square(1));
+        world.add_light({.kind = LightKind::point, .intensity = 9, .range = 9}, {0.2, 0.3, 2});
+        world.world.ambient = {0.3f, 0.2f, 0.1f};
+        const Shot shot{.world = &world.world, .camera = front_camera(2), .width = 32, .height = 32, .renderer = renderer};
+        return reference ? render_reference(world.world, shot.camera, 32, 32, 0, form_of(shot)).linear.at(16, 16) : render_linear(test_device(), shot).at(16, 16);
+    };
+    for (const char* renderer : {"light-prepass", "z-prepass", "multipass"})
+        for (const bool reference : {false, true}) {
+            const glm::vec3 whole = lit(255, 0, renderer, reference), half = lit(128, 0, renderer, reference), none = lit(0, 0, renderer, reference);
+            EXPECT_GT(whole.r, 0.5f) << renderer;
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_EQ(none[c], 0) << renderer;
+                EXPECT_NEAR(half[c], whole[c] * 128 / 255, 0.004f * whole[c]) << renderer;
+                EXPECT_LT(lit(128, 1, renderer, reference)[c], 0.9f * half[c]) << "and rough where it is asked to be";
+            }
+        }
+}
+
+TEST(Maps, GlossDimsReflectanceInAGBuffer) {
+    ReliefWall wall;
+    wall.wall().metallic = 0.7f;
+    wall.wall().textures = {{"gloss_map", {.image = wall.grey}}};
+    Shot shot = wall.shot();
+    shot.renderer = "deferred";
+    expect_agrees(shot);
+    shot.shading = Shading::phong;
+    shot.exposure = -1;
+    expect_agrees(shot);
+}
+
+TEST(Maps, DetailColourAgreesUnderAMask) {
+    ReliefWall wall;
+    wall.wall().textures = {{"detail_map", {.image = wall.detail}}, {"detail_mask", {.image = wall.grey}}};
+    wall.wall().parameters["detail_colour"] = glm::vec4(0.6f);
+    for (const char* renderer : {"light-prepass", "z-prepass", "multipass", "deferred"}) {
+        Shot shot = wall.shot();
+        shot.renderer = renderer;
+        expect_agrees(shot);
+    }
+    // The middle of what a code can say changes nothing; nor does any where the mask is black.
+    ReliefWall plain;
+    plain.wall().parameters.clear();
+    const Image before = render_linear(test_device(), plain.shot());
+    plain.wall().textures = {{"detail_map", {.image = plain.add_image(1, 1, {128, 128, 128, 255})}}};
+    const Image grey = render_linear(test_device(), plain.shot());
+    plain.wall().textures = {{"detail_map", {.image = plain.detail}}, {"detail_mask", {.image = plain.add_image(1, 1, {0, 0, 0, 255})}}};
+    const Image masked = render_linear(test_device(), plain.shot());
+    for (size_t i = 0; i < before.pixels.size(); ++i) {
+        EXPECT_NEAR(grey.pixels[i].g, before.pixels[i].g, 0.002f + 0.002f * before.pixels[i].g);
+        EXPECT_NEAR(masked.pixels[i].g, before.pixels[i].g, 0.002f + 0.002f * before.pixels[i].g);
+    }
+}
+
 TEST(Maps, EachChangesThePicture) {
     ReliefWall plain;
     const Image before = render_linear(test_device(), plain.shot());
-    for (const char* name : {"height_map", "detail_normal_map", "gloss_map", "incandescence_map"}) {
+    for (const char* name : {"height_map", "detail_normal_map", "gloss_map", "incandescence_map", "detail_map"}) {
         ReliefWall wall;
         wall.wall().textures[name] = {.image = std::string_view(name) == "height_map" ? wall.heights : wall.detail};
         EXPECT_FALSE(render_linear(test_device(), wall.shot()).pixels == before.pixels) << name;

@@ -32,7 +32,7 @@ void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
 
 class MultipassForms : public testing::TestWithParam<Form> {};
 
-// [M1] with every kind of light.
+// with every kind of light.
 TEST_P(MultipassForms, M1_AgreeWithTheReference) {
     Garden garden;
     garden.add_lights(12, 4, 6);
@@ -63,7 +63,26 @@ INSTANTIATE_TEST_SUITE_P(Multipass, MultipassForms,
                                          Form{"phong_reflection", Shading::phong, {{"specular-vector", "reflection"}}}),
                          [](const auto& form) { return std::string(form.param.name); });
 
-// [M1] [M2] 14 lights are no multiple of 3 or 8; most objects are reached by more than eight.
+// An alpha mask's holes have another's depth: LESS_OR_EQUAL must not light what is not there, EQUAL cannot.
+TEST(Multipass, M1_LessOrEqualAndEqualGiveTheSamePicture) {
+    MixedMaterials mixed;
+    const Settings forms[] = {{{"ambient", "first"}}, {{"ambient", "per-object"}}, {{"ambient", "per-object"}, {"order", "objects"}}};
+    for (Settings settings : forms) {
+        const Shot by_default = multipass(mixed.shot(), settings);
+        settings["depth-test"] = "less-equal";
+        const Shot less = multipass(mixed.shot(), settings);
+        settings["depth-test"] = "equal";
+        const Shot equal = multipass(mixed.shot(), settings);
+        expect_agrees(less);
+        expect_agrees(equal);
+        const Image image = render_linear(test_device(), less);
+        EXPECT_TRUE(image.pixels == render_linear(test_device(), equal).pixels);
+        EXPECT_TRUE(image.pixels == render_linear(test_device(), by_default).pixels);
+        EXPECT_EQ(stats_of(by_default).settings.at("depth-test"), "less-equal");
+    }
+}
+
+// [M2] 14 lights are no multiple of 3 or 8; most objects are reached by more than eight.
 TEST(Multipass, M2_EveryOrderAmbientAndBatchGivesTheSamePicture) {
     Garden garden;
     garden.add_lights(14, 7, 5);
@@ -89,7 +108,7 @@ TEST(Multipass, M1_MaskedMirroredDoubleSidedUnlit) {
             expect_agrees(multipass(mixed.shot(), {{"order", order}, {"ambient", ambient}, {"lights-per-pass", "4"}}));
 }
 
-// [M3] A light costs one draw for each object that it reaches, and none where it reaches nothing.
+// A light costs one draw for each object that it reaches, and none where it reaches nothing.
 TEST(Multipass, M3_ALightThatReachesNothingCostsNoDraw) {
     TestWorld test;
     test.add_material();

@@ -1,6 +1,7 @@
 // The presets, exactly as the source texts configure the light pre-pass.
 #include "garden.hpp"
 #include <cstdlib>
+#include <prelight/error.hpp>
 #include <vulkan/vulkan_core.h>
 
 namespace prelight {
@@ -69,10 +70,15 @@ TEST_P(Presets, AgreeWithTheReferenceOfTheirForm) {
 
 TEST_P(Presets, HaveTheirSettingsInForce) {
     PresetGarden garden;
-    const Rendered ours = render(garden, options_for(GetParam().name, Shading::phong));
+    RenderOptions options = options_for(GetParam().name, Shading::phong);
+    options.shading.reset(); // the source text's own
+    if (GetParam().settings.contains("shadow-memory"))
+        options.settings["shadows"] = "on"; // without them it says nothing
+    const Rendered ours = render(garden, options);
     for (const auto& [key, value] : GetParam().settings)
         EXPECT_EQ(ours.stats.settings.at(key), value) << key;
     EXPECT_TRUE(ours.stats.notes.empty());
+    EXPECT_EQ(ours.stats.shading, Shading::phong);
 }
 
 TEST_P(Presets, AreListedAndGiveWayToTheUser) {
@@ -98,16 +104,17 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Preset{"engel",
                            {{"normals", "spherical"}, {"normal-space", "world"}, {"light-buffer", "packed-rgba8"},
                             {"specular", "luminance"}, {"light-culling", "volumes"}},
-                           40},
+                           50},
                     Preset{"round2",
                            {{"depth", "r32f"}, {"normals", "rgb10a2"}, {"position", "ray"}, {"ambient", "light"},
                             {"light-buffer", "packed-rgba8"}, {"specular-vector", "reflection"},
                             {"light-culling", "volumes"}, {"spot-volume", "cone"}, {"volume-depth-test", "off"}},
-                           40},
+                           50},
                     Preset{"prelighting",
                            {{"normals", "rgb8"}, {"normal-space", "view"}, {"light-buffer", "rgba8"},
-                            {"specular", "stored"}, {"light-culling", "rectangles"}},
-                           35}),
+                            {"specular", "stored"}, {"light-culling", "rectangles"},
+                            {"shadow-memory", "reuse"}},
+                           50}),
     [](const auto& preset) { return std::string(preset.param.name); });
 
 TEST(L4L5Presets, EngelTakesEachOfItsThreeWays) {
@@ -144,6 +151,29 @@ TEST(L4L5Presets, PrelightingPutsNormalsIntoTheMemoryOfTheFrame) {
     EXPECT_EQ(render(garden, options).stats.attachment_bytes, 16u * 320 * 180);
     options.views = {"linear"};
     EXPECT_EQ(render(garden, options).stats.attachment_bytes, 20u * 320 * 180);
+}
+
+// Lee: each light's maps in the memory of the light before. Lists read all maps at once: there the preset gives way.
+TEST(L4L5Presets, PrelightingReusesShadowMemoryLightByLight) {
+    PresetGarden garden;
+    RenderOptions options = options_for("prelighting", Shading::phong);
+    options.settings.insert({{"shadows", "on"}, {"shadow-detail", "0.25"}}); // so that all of them fit
+    const Stats stats = render(garden, options).stats;
+    EXPECT_EQ(stats.settings.at("shadow-memory"), "reuse");
+    EXPECT_EQ(stats.settings.at("light-culling"), "rectangles");
+    const uint64_t together = [&] {
+        options.settings["shadow-memory"] = "atlas";
+        return render(garden, options).stats.shadows->texels;
+    }();
+    EXPECT_LT(stats.shadows->texels, together) << "one light's maps, not all";
+    options.settings.erase("shadow-memory");
+    options.settings["light-culling"] = "tiles";
+    const Stats lists = render(garden, options).stats;
+    EXPECT_EQ(lists.settings.at("shadow-memory"), "atlas");
+    EXPECT_THAT(lists.notes, testing::Contains(testing::HasSubstr("shadow-memory=reuse is for lights that are drawn one by one")));
+    options.settings["shadow-memory"] = "reuse";
+    EXPECT_THROW(create_renderer("light-prepass", &test_device(), options), UsageError);
+    expect_validation_clean(test_device());
 }
 
 TEST(L4L5Presets, ADeviceWithoutTheFormatsTakesTheSourceTextsFallbacks) {

@@ -1,4 +1,4 @@
-// Where shadow maps lie in their atlas, and how lights look through them; without a device.
+// Where shadow maps lie in their atlas, how lights look through them, and what casts in them; without a device.
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ PlacedCamera camera_at(glm::dvec3 eye, double turn) {
     return look_at(lens, eye, eye + glm::dvec3(std::sin(turn), -0.2, std::cos(turn)));
 }
 
-// [S1] Cascades move in whole texels and do not change as the camera turns: edges of shadows do not crawl.
+// Cascades move in whole texels and do not change as the camera turns: edges of shadows do not crawl.
 TEST(ShadowViews, CascadesAreStable) {
     const PlacedLight sun{{.kind = LightKind::directional}, glm::dvec3(0), glm::normalize(glm::dvec3(-0.4, -1, 0.3))};
     const uint32_t side = 1024, guard = 6;
@@ -136,6 +136,81 @@ TEST(ShadowViews, FacesMeetAtTheirEdges) {
             EXPECT_NEAR(p.z, 1, 1e-9);
         }
     }
+}
+
+/// A floor, and a box on either side of the middle.
+std::vector<Draw> boxes() {
+    std::vector<Draw> draws(3);
+    draws[0].low = {-10, -0.1, -10}, draws[0].high = {10, 0, 10};
+    draws[1].low = {-4, 0.5, -1}, draws[1].high = {-3, 1.5, 1};
+    draws[2].low = {3, 0.5, -1}, draws[2].high = {4, 1.5, 1};
+    return draws;
+}
+
+std::vector<ShadowTile> tiles_of(ShadowPlan& plan, const std::vector<PlacedLight>& lights) {
+    std::vector<uint32_t> visible(lights.size());
+    for (uint32_t i = 0; i < visible.size(); ++i)
+        visible[i] = i;
+    plan.update(lights, visible, camera_at({0, 3, -1}, 0), 320, 180); // in range: sizes stay
+    return plan.tiles();
+}
+
+// A plan that knew the light before it changed has the maps that a new plan has.
+TEST(ShadowPlan, CastersAreThoseOfTheLightAsItIs) {
+    const std::vector<Draw> draws = boxes();
+    const PlacedLight light{{.kind = LightKind::spot, .range = 20, .outer_cone = 0.3f}, {0, 4, 0}, glm::normalize(glm::dvec3(-3.5, -3, 0))};
+    std::vector<PlacedLight> changed(6, light);
+    changed[0].direction = glm::normalize(glm::dvec3(3.5, -3, 0));
+    changed[1].light.outer_cone = 1.0f;
+    changed[2].light.kind = LightKind::point;
+    changed[3].light.kind = LightKind::directional;
+    changed[4].position = {1, 4, 0};
+    changed[5].light.range = 3; // the matrix stays, the casters don't
+    for (const PlacedLight& next : changed) {
+        ShadowPlan plan(draws, {}, 4096), fresh(draws, {}, 4096);
+        const std::vector<ShadowTile> before = tiles_of(plan, {light});
+        ASSERT_EQ(before.size(), 1u);
+        EXPECT_EQ(before[0].map.casters, (std::vector<uint32_t>{0, 1}));
+        const std::vector<ShadowTile> after = tiles_of(plan, {next}), right = tiles_of(fresh, {next});
+        ASSERT_EQ(after.size(), right.size());
+        for (size_t i = 0; i < after.size(); ++i) {
+            EXPECT_TRUE(after[i].map == right[i].map) << "change " << &next - changed.data() << ", tile " << i;
+            EXPECT_FALSE(after[i].map == before[0].map);
+        }
+        EXPECT_TRUE(tiles_of(plan, {next})[0].map == right[0].map);
+    }
+}
+
+// A change that no caster and no texel of the maps depends on leaves them equal: they are not drawn again.
+TEST(ShadowPlan, MapsStayWhereNothingThatTheyShowChanged) {
+    const std::vector<Draw> draws = boxes();
+    PlacedLight light{{.kind = LightKind::point, .range = 20}, {0, 4, 0}};
+    ShadowPlan plan(draws, {}, 4096);
+    const std::vector<ShadowTile> before = tiles_of(plan, {light});
+    light.light.intensity = 9;
+    light.light.range = 19.5f;
+    light.direction = {1, 0, 0}; // of a point
+    const std::vector<ShadowTile> after = tiles_of(plan, {light});
+    ASSERT_EQ(after.size(), before.size());
+    for (size_t i = 0; i < after.size(); ++i)
+        EXPECT_TRUE(after[i].map == before[i].map) << i;
+}
+
+// A light asks for no more than it could have alone, so that what is left out is what others took.
+TEST(ShadowPlan, LightsAskForWhatFits) {
+    const std::vector<Draw> draws = boxes();
+    const PlacedLight sun{{.kind = LightKind::directional}, glm::dvec3(0), glm::normalize(glm::dvec3(-0.4, -1, 0.3))};
+    const PlacedLight lamp{{.kind = LightKind::point, .range = 30}, {0, 4, 0}};
+    for (const PlacedLight& light : {sun, lamp}) {
+        ShadowPlan plan(draws, {}, 16384);
+        tiles_of(plan, {light});
+        EXPECT_EQ(plan.stats().lights_reduced, 0u);
+    }
+    ShadowPlan plan(draws, {}, 16384), small(draws, {.budget = 1 << 12}, 16384);
+    tiles_of(plan, {sun, lamp});
+    EXPECT_EQ(plan.stats().lights_reduced, 0u);
+    tiles_of(small, {sun, lamp});
+    EXPECT_EQ(small.stats().lights_reduced, 2u);
 }
 
 } // namespace

@@ -54,6 +54,21 @@ VKAPI_ATTR void VKAPI_CALL vkCmdBindDescriptorSets(VkCommandBuffer commands, VkP
         commands, point, layout, first, count, sets, offset_count, offsets);
 }
 
+VKAPI_ATTR void VKAPI_CALL vkCmdDraw(VkCommandBuffer commands, uint32_t vertices, uint32_t instances, uint32_t first_vertex,
+                                     uint32_t first_instance) {
+    if (VulkanCalls* calls = VulkanCalls::active())
+        calls->instances += instances;
+    pass_on(&vkCmdDraw, "vkCmdDraw", &VulkanCalls::draws)(commands, vertices, instances, first_vertex, first_instance);
+}
+
+VKAPI_ATTR void VKAPI_CALL vkCmdDrawIndexed(VkCommandBuffer commands, uint32_t indices, uint32_t instances, uint32_t first_index,
+                                            int32_t vertex_offset, uint32_t first_instance) {
+    if (VulkanCalls* calls = VulkanCalls::active())
+        calls->instances += instances;
+    pass_on(&vkCmdDrawIndexed, "vkCmdDrawIndexed", &VulkanCalls::draws)(commands, indices, instances, first_index, vertex_offset,
+                                                                        first_instance);
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
                                                 const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
     return pass_on(&vkAllocateMemory, "vkAllocateMemory", &VulkanCalls::allocations)(device, info, allocator, memory);

@@ -1,17 +1,7 @@
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-#pragma GCC diagnostic ignored "-Wcast-qual"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
-
 #include "gltf_builder.hpp"
+#include "pictures.hpp"
 #include <fstream>
+#include <image/png_writer.hpp>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 #include <random>
@@ -123,12 +113,6 @@ Scene GltfBuilder::load() const {
 }
 
 namespace {
-void append(void* context, void* data, int size) {
-    const auto* bytes = static_cast<const uint8_t*>(data);
-    auto& out = *static_cast<Bytes*>(context);
-    out.insert(out.end(), bytes, bytes + size);
-}
-
 Bytes take(uint8_t* data, size_t size) {
     Bytes out(data, data + size);
     WebPFree(data);
@@ -137,15 +121,16 @@ Bytes take(uint8_t* data, size_t size) {
 } // namespace
 
 Bytes png(uint32_t width, uint32_t height, const Bytes& rgba) {
-    Bytes out;
-    stbi_write_png_to_func(append, &out, int(width), int(height), 4, rgba.data(), int(width) * 4);
-    return out;
+    const auto file = encode_png(width, height, 4, rgba);
+    const auto* begin = reinterpret_cast<const uint8_t*>(file.data());
+    return {begin, begin + file.size()};
 }
 
 Bytes jpeg(uint32_t width, uint32_t height, const Bytes& rgba) {
-    Bytes out;
-    stbi_write_jpg_to_func(append, &out, int(width), int(height), 4, rgba.data(), 95);
-    return out;
+    Bytes rgb;
+    for (size_t i = 0; i < rgba.size(); i += 4)
+        rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+    return jpeg_of(width, height, rgb, {.quality = 95});
 }
 
 Bytes webp_lossless(uint32_t width, uint32_t height, const Bytes& rgba) {
@@ -169,15 +154,24 @@ Bytes solid(uint32_t width, uint32_t height, std::vector<uint8_t> colour) {
     return out;
 }
 
-std::string error_of(const Bytes& bytes) {
+namespace {
+std::string error_of(const Bytes& bytes, const LoadOptions& options) {
     try {
-        const Scene scene = load_bytes(bytes);
+        const Scene scene = gltf::load(bytes, "test.glb", std::filesystem::temp_directory_path(), options);
         resolve(scene);
         resolve(scene, {}, Moment{0.5});
     } catch (const Error& error) {
         return error.what();
     }
     return {};
+}
+} // namespace
+
+std::string error_of(const Bytes& bytes) {
+    return error_of(bytes, {});
+}
+std::string strict_error_of(const GltfBuilder& builder) {
+    return error_of(builder.glb(), {.strict = true});
 }
 
 std::string error_of(const GltfBuilder& builder) {

@@ -80,6 +80,11 @@ GltfBuilder meshopt_grid(bool joints = false);
 std::string error_of(const Bytes& bytes);
 std::string error_of(const GltfBuilder& builder);
 std::string error_of_text(const std::string& json);
+/// The same where every warning is an error.
+std::string strict_error_of(const GltfBuilder& builder);
+/// Expects that the file is repaired: it loads with this warning (its start, after "test.glb: "), and read
+/// strictly ends in it.
+Scene expect_repaired(const GltfBuilder& builder, const std::string& warning);
 
 /// A folder of its own for one test, removed with everything in it.
 class TemporaryFolder {

@@ -19,6 +19,7 @@ struct Bad {
     const char* name;
     std::function<void(GltfBuilder&)> damage;
     std::string line;
+    bool repaired = false; ///< by default; the line is a warning's then
 };
 
 class GltfErrors : public testing::TestWithParam<Bad> {};
@@ -31,6 +32,10 @@ TEST_P(GltfErrors, OneLineThatNamesTheObject) {
     b.json["materials"][0]["emissiveTexture"]["index"] = 0;
     ASSERT_EQ(error_of(b), "");
     GetParam().damage(b);
+    if (GetParam().repaired) {
+        expect_repaired(b, GetParam().line);
+        return;
+    }
     const std::string line = error_of(b);
     EXPECT_THAT(line, StartsWith("test.glb: " + GetParam().line));
     EXPECT_EQ(line.find('\n'), std::string::npos);
@@ -46,12 +51,12 @@ std::vector<Bad> kinds() {
     return {
         {"NoAsset", [](GltfBuilder& b) { b.json.erase("asset"); }, "asset: is missing"},
         {"Version1", [](GltfBuilder& b) { b.json["asset"]["version"] = "1.0"; },
-         "asset: version \"1.0\""},
+         "asset: the file is glTF 1.0; only glTF 2.0 is read"},
         {"MinVersion", [](GltfBuilder& b) { b.json["asset"]["minVersion"] = "2.1"; },
-         "asset: minVersion"},
+         "asset: the file needs glTF 2.1"},
         {"RequiredExtension",
          [](GltfBuilder& b) { b.json["extensionsRequired"] = {"VENDOR_new\nthing"}; },
-         "extension VENDOR_new?thing: the file requires it"},
+         "extension VENDOR_new\\nthing: the file requires it"},
         {"TableNoArray", [](GltfBuilder& b) { b.json["nodes"] = 5; },
          "JSON: nodes is not an array"},
         {"NodeNoObject", [](GltfBuilder& b) { b.json["nodes"][0] = 5; },
@@ -95,20 +100,20 @@ std::vector<Bad> kinds() {
         {"AccessorMissing", [](GltfBuilder& b) { b.attributes()["POSITION"] = 99; },
          "mesh 0 primitive 0 attributes: POSITION is 99, but there are 4"},
         {"PositionsOfTwo", [](GltfBuilder& b) { b.attributes()["POSITION"] = 2; },
-         "mesh 0 primitive 0: POSITION: its type"},
+         "mesh 0 primitive 0: POSITION: accessor 2 holds VEC2 of floats, not VEC3 of floats"},
         {"AttributeOtherLength", [](GltfBuilder& b) { b.json["accessors"][1]["count"] = 2; },
          "mesh 0 primitive 0: NORMAL: has 2 values for 3 vertices"},
         {"IndexBeyondVertices", [](GltfBuilder& b) { b.binary[100] = 3; },
          "mesh 0 primitive 0: index 3 (number 2) is beyond its 3 vertices"},
         {"IndicesOfFloats", [](GltfBuilder& b) { b.primitive()["indices"] = 0; },
-         "accessor 0: is not fit for indices"},
-        {"Mode", [](GltfBuilder& b) { b.primitive()["mode"] = 7; }, "mesh 0 primitive 0: mode 7"},
+         "mesh 0 primitive 0: accessor 0 holds VEC3 of floats, not SCALAR of unsigned integers"},
+        {"Mode", [](GltfBuilder& b) { b.primitive()["mode"] = 7; }, "mesh 0 primitive 0: mode 7 is not known; the primitive is left out", true},
         {"PositionNan",
          [](GltfBuilder& b) { set_position(b, std::numeric_limits<float>::quiet_NaN()); },
-         "mesh 0 primitive 0: POSITION: vertex 1 is not finite"},
+         "mesh 0 primitive 0: POSITION: vertex 1 is not finite; the triangles at it are left out", true},
         {"PositionInfinite",
          [](GltfBuilder& b) { set_position(b, std::numeric_limits<float>::infinity()); },
-         "mesh 0 primitive 0: POSITION: vertex 1 is not finite"},
+         "mesh 0 primitive 0: POSITION: vertex 1 is not finite; the triangles at it are left out", true},
         {"SparseBeyond",
          [](GltfBuilder& b) {
              b.json["accessors"][0]["sparse"] = {
@@ -153,7 +158,7 @@ std::vector<Bad> kinds() {
          [](GltfBuilder& b) {
              b.json["scenes"][0]["nodes"] = {0, 0};
          },
-         "scene 0: node 0 stands twice"},
+         "scene 0: node 0 stands twice", true},
         {"SceneNodeNoRoot",
          [](GltfBuilder& b) {
              b.json["nodes"].push_back({{"children", {0}}});
@@ -174,25 +179,22 @@ std::vector<Bad> kinds() {
          [](GltfBuilder& b) {
              b.json["nodes"][0]["matrix"] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
          },
-         "node 0: matrix: its last row"},
+         "node 0: matrix: its last row", true},
         {"MatrixShort",
          [](GltfBuilder& b) {
              b.json["nodes"][0]["matrix"] = {1, 0};
          },
-         "node 0: matrix has 2 numbers instead of 16"},
-        {"NoTriangles", [](GltfBuilder& b) { b.primitive()["mode"] = 0; }, "scene 0: no triangles"},
-        {"NoMeshInScene", [](GltfBuilder& b) { b.json["nodes"][0].erase("mesh"); },
-         "scene 0: no triangles"},
+         "node 0: matrix is another array, not an array of 16 numbers; it is ignored", true},
         {"PictureCut", [](GltfBuilder& b) { b.json["bufferViews"].back()["byteLength"] = 50; },
-         "image 0: does not decode"},
+         "image 0: does not decode", true},
         {"PictureNone", [](GltfBuilder& b) { b.json["images"][0]["bufferView"] = 0; },
-         "image 0: is neither PNG, JPEG nor WebP"},
+         "image 0: is neither PNG, JPEG nor WebP", true},
         {"PictureBroken", [](GltfBuilder& b) { b.binary[b.binary.size() - 22] ^= 0xff; },
-         "image 0: does not decode"},
+         "image 0: does not decode", true},
         {"PictureViewMissing", [](GltfBuilder& b) { b.json["images"][0]["bufferView"] = 99; },
          "image 0: bufferView is 99"},
         {"PictureNoSource", [](GltfBuilder& b) { b.json["images"][0].erase("bufferView"); },
-         "image 0: has neither uri nor bufferView"},
+         "image 0: has neither uri nor bufferView", true},
         {"TextureMissing",
          [](GltfBuilder& b) { b.json["materials"][0]["emissiveTexture"]["index"] = 4; },
          "material 0 emissiveTexture: index is 4, but there are 1"},
@@ -204,35 +206,35 @@ std::vector<Bad> kinds() {
          [](GltfBuilder& b) {
              b.json["materials"][0]["emissiveFactor"] = {"a", 1, 1};
          },
-         "material 0: emissiveFactor holds something that is not a number"},
+         "material 0: emissiveFactor is another array, not an array of 3 numbers; it is ignored", true},
         {"AlphaMode", [](GltfBuilder& b) { b.json["materials"][0]["alphaMode"] = "GLOW"; },
-         "material 0: alphaMode \"GLOW\""},
+         "material 0: alphaMode \"GLOW\"", true},
         {"CameraFov",
          [](GltfBuilder& b) {
              b.json["cameras"] = Json::array(
                  {{{"type", "perspective"}, {"perspective", {{"yfov", 4}, {"znear", 1}}}}});
          },
-         "camera 0 perspective: yfov 4"},
+         "camera 0 perspective: yfov 4", true},
         {"CameraFar",
          [](GltfBuilder& b) {
              b.json["cameras"] =
                  Json::array({{{"type", "orthographic"},
                                {"orthographic", {{"ymag", 1}, {"znear", 5}, {"zfar", 5}}}}});
          },
-         "camera 0 orthographic: zfar 5 is not beyond znear 5"},
+         "camera 0 orthographic: zfar 5 is not beyond znear 5", true},
         {"LightCone",
          [](GltfBuilder& b) {
              b.json["extensions"]["KHR_lights_punctual"]["lights"] =
                  Json::array({{{"type", "spot"},
                                {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}}});
          },
-         "light 0 spot: cone angles 0.5 and 0.5"},
+         "light 0 spot: innerConeAngle 0.5 is not below outerConeAngle 0.5", true},
         {"LightType",
          [](GltfBuilder& b) {
              b.json["extensions"]["KHR_lights_punctual"]["lights"] =
                  Json::array({{{"type", "sun"}}});
          },
-         "light 0: type \"sun\""},
+         "light 0: type \"sun\"", true},
         {"LightMissing",
          [](GltfBuilder& b) {
              b.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
@@ -263,7 +265,7 @@ TEST(GltfContainer, ChunkLongerThanTheFile) {
     bytes[16] = 'X';
     EXPECT_EQ(error_of(bytes), "test.glb: chunk 0: is not JSON");
     bytes[4] = 1;
-    EXPECT_EQ(error_of(bytes), "test.glb: header: GLB version 1 is not 2");
+    EXPECT_EQ(error_of(bytes), "test.glb: header: the file is binary glTF 1.0; only glTF 2.0 is read");
 }
 
 TEST(GltfContainer, EveryByteChangedInTurn) {
@@ -277,7 +279,8 @@ TEST(GltfContainer, EveryByteChangedInTurn) {
         for (const uint8_t flip : {0xff, 0x20, 0x01}) {
             Bytes damaged = whole;
             damaged[i] ^= flip;
-            errors += !error_of(damaged).empty(); // an error or a scene, and no crash
+            // An error, a warning or a scene, and no crash.
+            errors += !error_of(damaged).empty() || !load_bytes(damaged).warnings.empty();
         }
     EXPECT_GT(errors, whole.size());
 }
@@ -290,15 +293,33 @@ TEST(GltfContainer, TextFormWithBase64AndByteOrderMark) {
 }
 
 TEST(GltfContainer, TextsThatAreNoScene) {
-    EXPECT_THAT(error_of_text(""), StartsWith("test.glb: JSON: "));
-    EXPECT_THAT(error_of_text("not JSON"), StartsWith("test.glb: JSON: "));
-    EXPECT_EQ(error_of_text("[]"), "test.glb: JSON: is not a JSON object");
-    EXPECT_THAT(error_of_text("{\"asset\":{\"version\":\"2.0\"},\"x\":1e999}"),
-                StartsWith("test.glb: JSON: "));
-    EXPECT_EQ(error_of_text("{\"asset\":{\"version\":\"2.0\"}}"),
-              "test.glb: scene 0: no triangles");
-    EXPECT_EQ(error_of_text("{\"asset\":{\"version\":\"2.0\"},\"asset\":{\"version\":\"2.0\"}}"),
-              "test.glb: scene 0: no triangles"); // a key that stands twice
+    const std::string none = "test.glb: file: is no glTF file: it is neither GLB nor a JSON object";
+    EXPECT_EQ(error_of_text(""), "test.glb: file: is empty");
+    for (const char* text : {"not JSON", "[]", "  \n", "\x89PNG\r\n\x1a\n", "v 0 0 0\nf 1 1 1\n", "\xef\xbb\xbf<xml/>"})
+        EXPECT_EQ(error_of_text(text), none) << text;
+    EXPECT_EQ(error_of_text("{}"), "test.glb: asset: is missing: the file's JSON is no glTF 2.0");
+    EXPECT_EQ(error_of_text("{\"asset\":{\"version\":\"2.0\"},\"asset\":{\"version\":\"2.0\"}}"), ""); // a key that stands twice
+}
+
+TEST(GltfContainer, BrokenJsonSaysWhereItBreaks) {
+    const auto broken = [](const std::string& place) {
+        return "test.glb: JSON: is damaged: what stands at " + place + " does not belong there";
+    };
+    EXPECT_EQ(error_of_text("{\"asset\":{\"version\":\"2.0\"},\n \"x\": nope}"), broken("line 2, column 8"));
+    EXPECT_THAT(error_of_text("{\"asset\":{\"version\":\"2.0\"},\"x\":1e999}"), StartsWith("test.glb: JSON: is damaged"));
+    EXPECT_THAT(error_of_text("{\"asset\":"), StartsWith("test.glb: JSON: is damaged"));
+    EXPECT_EQ(error_of_text("{\"name\":\"\xff\"}"), "test.glb: JSON: is not UTF-8");
+}
+
+TEST(GltfContainer, OlderVersionsAreNamed) {
+    const std::string old = "test.glb: asset: ";
+    EXPECT_EQ(error_of_text(R"({"asset":{"version":"1.0"},"nodes":{"a":{}}})"), old + "the file is glTF 1.0; only glTF 2.0 is read");
+    EXPECT_EQ(error_of_text(R"({"asset":{"version":"1.1"}})"), old + "the file is glTF 1.1; only glTF 2.0 is read");
+    EXPECT_EQ(error_of_text(R"({"asset":{"version":1.0},"nodes":{}})"), old + "the file is glTF 1.0; only glTF 2.0 is read");
+    EXPECT_EQ(error_of_text(R"({"asset":{"version":"3.0"}})"), old + "the file is glTF 3.0; only glTF 2.0 is read");
+    EXPECT_EQ(error_of_text(R"({"nodes":{"a":{}}})"), old + "is missing, and tables are objects: the file is glTF 1.0 or older; only glTF 2.0 is read");
+    EXPECT_EQ(error_of_text(R"({"asset":{"generator":"x"},"meshes":{}})"), old + "has no version, and tables are objects: the file is glTF 1.0 or older; only glTF 2.0 is read");
+    EXPECT_EQ(error_of_text(R"({"asset":{"version":2.0}})"), "") << "a number instead of a string";
 }
 
 TEST(GltfContainer, FilesThatCannotBeRead) {
@@ -313,9 +334,17 @@ TEST(GltfContainer, FilesThatCannotBeRead) {
     };
     EXPECT_EQ(line(folder.path / "none.glb"),
               (folder.path / "none.glb").string() +
-                  ": file: cannot be read: No such file or directory");
-    EXPECT_THAT(line(folder.path), HasSubstr(": file: is not a file"));
-    EXPECT_EQ(line(folder.write("good.glb", GltfBuilder::triangle().glb())), "");
+                  ": file: cannot be opened (No such file or directory)");
+    EXPECT_THAT(line(folder.path), HasSubstr(": file: is a folder, not a file"));
+    EXPECT_THAT(line("/dev/zero"), HasSubstr("/dev/zero: file: is a device, not a file"));
+    const std::filesystem::path good = folder.write("good.glb", GltfBuilder::triangle().glb());
+    EXPECT_EQ(line(good), "");
+    try {
+        load_gltf(good, {.memory_limit = 1024});
+        ADD_FAILURE() << "a quarter of that is for files";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("file: needs more memory than the memory limit allows"));
+    }
 }
 
 } // namespace

@@ -45,10 +45,11 @@ TEST(GltfMaterialLayers, ThatSayNothingNewLeaveTheMaterialAsItWas) {
         EXPECT_FALSE(with_extensions(extensions).load().materials.at(0).shader) << extensions;
 }
 
-TEST(GltfMaterialLayers, OutOfTheirRangesAreErrors) {
-    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_ior", {{"ior", 0.5}}}})), HasSubstr("ior 0.5 is outside 1 … 1000"));
-    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}}}})), HasSubstr("clearcoat 2 is outside 0 … 1"));
-    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_sheen", {{"sheenColorFactor", {0, -1, 0}}}}})), HasSubstr("sheen_colour -1 is outside"));
+TEST(GltfMaterialLayers, OutOfTheirRangesAreTakenForTheNearest) {
+    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_ior", {{"ior", 0.5}}}})), HasSubstr("ior 0.5 is outside 1 … 1000"));
+    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}}}})), HasSubstr("clearcoat 2 is outside 0 … 1"));
+    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_sheen", {{"sheenColorFactor", {0, -1, 0}}}}})), HasSubstr("sheen_colour -1 is outside"));
+    EXPECT_EQ(with_extensions({{"KHR_materials_ior", {{"ior", 0.5}}}}).load().materials.at(0).parameters.at("ior").x, 1);
     EXPECT_THAT(error_of(with_extensions({{"KHR_materials_specular", {{"specularTexture", {{"index", 4}}}}}})), HasSubstr("specularTexture"));
     EXPECT_EQ(with_extensions({{"KHR_materials_ior", {{"ior", 0}}}}).load().materials.at(0).parameters.at("ior").x, 1000) << "glTF's word for a mirror";
 }

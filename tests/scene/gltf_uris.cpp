@@ -6,6 +6,7 @@
 
 using namespace prelight;
 using namespace prelight::test;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 namespace {
@@ -73,7 +74,8 @@ TEST_F(GltfUris, SymbolicLinksAreFollowedBeforeTheCheck) {
 
 TEST_F(GltfUris, OddUris) {
     EXPECT_THAT(error_with(""), HasSubstr("is empty"));
-    EXPECT_THAT(error_with("none.bin"), HasSubstr("cannot be read: No such file"));
+    EXPECT_THAT(error_with("none.bin"), HasSubstr("buffer 0: \"none.bin\" cannot be read: No such file"));
+    EXPECT_THAT(error_with("sub/../no%20ne.bin"), HasSubstr("buffer 0: \"sub/../no%20ne.bin\" cannot be read")) << "as the file names it";
     EXPECT_THAT(error_with("sub"), HasSubstr("does not name a file"));
     EXPECT_THAT(error_with("."), HasSubstr("leads outside")); // the folder itself
     EXPECT_THAT(error_with("%zz.bin"), HasSubstr("bad percent code"));
@@ -104,16 +106,46 @@ TEST_F(GltfUris, PicturesFollowTheSameRules) {
     builder_.json["images"][0]["uri"] = "../outside.png";
     const std::string text = builder_.json.dump();
     const auto path = folder_.write("inner/scene.gltf", Bytes(text.begin(), text.end()));
-    EXPECT_THROW(
-        {
-            try {
-                load_gltf(path);
-            } catch (const Error& error) {
-                EXPECT_THAT(error.what(), HasSubstr("image 0: its URI leads outside"));
-                throw;
-            }
-        },
-        Error);
+    const Scene scene = load_gltf(path);
+    EXPECT_FALSE(scene.materials[0].emissive_texture);
+    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("image 0: its URI leads outside the scene's folder: \"../outside.png\"")));
+}
+
+TEST_F(GltfUris, ThatAreNoPercentCodesOrOnDiskAsWritten) {
+    folder_.write("inner/example 10%.bin", builder_.binary);
+    folder_.write("inner/100%zz.bin", builder_.binary);
+    folder_.write("inner/big%20ball.bin", builder_.binary);
+    const auto warning_of = [&](const std::string& uri) {
+        EXPECT_EQ(error_with(uri), "") << uri;
+        const Scene scene = load_gltf(folder_.path / "inner/scene.gltf");
+        return scene.warnings.empty() ? std::string() : scene.warnings[0];
+    };
+    EXPECT_THAT(warning_of("example 10%.bin"), HasSubstr("buffer 0: its URI has a bad percent code; it is taken as it is written"));
+    EXPECT_THAT(warning_of("100%zz.bin"), HasSubstr("bad percent code"));
+    EXPECT_THAT(warning_of("big%20ball.bin"), HasSubstr("buffer 0: its URI names a file only as it is written"));
+    EXPECT_THAT(warning_of("sub\\data.bin"), HasSubstr("backslashes"));
+    EXPECT_THAT(warning_of("sub%5Cdata.bin"), HasSubstr("backslashes"));
+    folder_.write("inner/big ball.bin", builder_.binary);
+    EXPECT_EQ(warning_of("big%20ball.bin"), "") << "the decoded name comes first";
+    EXPECT_NO_THROW(load_gltf(folder_.path / "inner/scene.gltf", {.strict = true}));
+    EXPECT_THAT(error_with("..%2fsecret.bin%"), HasSubstr("bad percent code"));
+    EXPECT_THAT(error_with("..\\secret.bin"), HasSubstr("leads outside"));
+}
+
+TEST_F(GltfUris, PicturesThatAreNotThereLeaveTheMaterialPlain) {
+    builder_ = GltfBuilder::textured_triangle();
+    builder_.json["textures"] = Json::array({{{"source", 0}}, {{"source", 1}}});
+    builder_.json["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 1}}, {"baseColorTexture", {{"index", 0}}}}},
+                                     {"normalTexture", {{"index", 1}}}, {"emissiveTexture", {{"index", 0}}}};
+    builder_.json["images"] = Json::array({{{"uri", "not there.png"}}, {{"uri", "data.bin"}}});
+    folder_.write("inner/data.bin", builder_.binary);
+    EXPECT_EQ(error_with("data.bin"), "");
+    const Scene scene = load_gltf(folder_.path / "inner/scene.gltf");
+    const Material& m = scene.materials[0];
+    EXPECT_FALSE(m.base_colour_texture || m.normal_texture || m.emissive_texture);
+    EXPECT_EQ(m.base_colour, glm::vec4(0.5f, 0.25f, 1, 1));
+    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("image 0: \"not there.png\" cannot be read: No such file or directory; what shows it is plain"),
+                                            HasSubstr("image 1: is neither PNG, JPEG nor WebP; what shows it is plain")));
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <prelight/error.hpp>
+#include <prelight/framing.hpp>
 #include <prelight/scene.hpp>
 
 using namespace prelight;
@@ -149,34 +150,55 @@ TEST(Resolve, DefaultsWhenThereIsNeitherCameraNorLight) {
     EXPECT_EQ(world.ambient, glm::vec3(0.25f));
     ASSERT_THAT(world.cameras, SizeIs(1));
     EXPECT_EQ(world.cameras[0].camera.name, "framed");
-    EXPECT_EQ(world.cameras[0].camera.yfov, 0.87);
+    EXPECT_TRUE(world.framed);
     Scene lit = box();
     lit.ambient = glm::vec3(0.1f);
     EXPECT_THAT(resolve(lit).lights, SizeIs(0));
     EXPECT_EQ(resolve(lit).ambient, glm::vec3(0.1f));
 }
 
-TEST(Resolve, FramedCameraShowsTheBoundsAndFillsThePicture) {
+TEST(Resolve, FramedCameraIsFrameOfASquarePicture) {
     for (const glm::vec3& size :
          {glm::vec3(1), glm::vec3(100, 1, 1), glm::vec3(0.01f, 5, 0.01f), glm::vec3(1, 0, 300)})
         for (const double away : {0.0, 10'000.0}) {
             Scene scene = box(size);
             scene.nodes[0].local = glm::translate(glm::dmat4(1), glm::dvec3(away));
             const World world = resolve(scene);
-            const PlacedCamera& placed = world.cameras.at(0);
-            expect_near(placed.axes[2], glm::normalize(glm::dvec3(1, 0.6, 1.4)));
-            double widest = 0;
-            for (const glm::vec3& corner : scene.meshes[0].primitives[0].positions) {
-                const glm::dvec3 view =
-                    glm::transpose(placed.axes) * (glm::dvec3(corner) + away - placed.position);
-                ASSERT_LT(-placed.camera.zfar, view.z);
-                ASSERT_LT(view.z, -placed.camera.znear);
-                const double edge = -view.z * std::tan(placed.camera.yfov / 2);
-                widest = std::max({widest, std::abs(view.x) / edge, std::abs(view.y) / edge});
-            }
-            EXPECT_LE(widest, 1); // in a square picture
-            EXPECT_GE(widest, 0.9);
+            ASSERT_THAT(world.cameras, SizeIs(1));
+            const PlacedCamera &placed = world.cameras[0], expected = frame(world, 1);
+            EXPECT_EQ(placed.position, expected.position);
+            EXPECT_EQ(placed.axes, expected.axes);
+            EXPECT_EQ(placed.camera.zfar, expected.camera.zfar);
         }
+    Scene own = box();
+    own.cameras.emplace_back();
+    own.nodes[0].camera = 0;
+    EXPECT_FALSE(resolve(own).framed);
+}
+
+TEST(IsLit, ByLightsEmittersAmbientAndEnvironment) {
+    Scene scene = box();
+    scene.nodes.resize(4); // 1 below 0, 2 in another tree, 3 in none
+    scene.nodes[0].children = {1};
+    scene.scenes.push_back({"other", {2}});
+    EXPECT_FALSE(is_lit(scene));
+    scene.lights.emplace_back();
+    EXPECT_FALSE(is_lit(scene)) << "a light that no node has";
+    scene.nodes[3].light = 0;
+    EXPECT_FALSE(is_lit(scene));
+    scene.nodes[2].light = 0;
+    EXPECT_FALSE(is_lit(scene));
+    EXPECT_TRUE(is_lit(scene, 1));
+    for (const bool emitter : {false, true}) {
+        Scene lit = scene;
+        (emitter ? lit.nodes[1].emitter : lit.nodes[1].light) = 0;
+        EXPECT_TRUE(is_lit(lit));
+    }
+    Scene ambient = scene, surrounded = scene;
+    ambient.ambient = {0, 0.1f, 0};
+    EXPECT_TRUE(is_lit(ambient));
+    surrounded.environment = std::make_shared<Environment>();
+    EXPECT_TRUE(is_lit(surrounded));
 }
 
 TEST(Resolve, Errors) {
@@ -196,9 +218,38 @@ TEST(Resolve, Errors) {
     scene = box(glm::vec3(3e38f));
     scene.nodes[0].local[0].x = 1e300;
     EXPECT_EQ(line(scene), "box: scene 0: a vertex's world position is not finite");
+}
+
+TEST(World, WithoutTrianglesIsEmptyAndSaysWhatThereIs) {
+    const auto warning = [](const Scene& scene) {
+        const World world = resolve(scene);
+        EXPECT_EQ(world.triangles, 0u);
+        EXPECT_EQ(world.bounds_min, glm::dvec3(0));
+        EXPECT_EQ(world.bounds_max, glm::dvec3(0));
+        EXPECT_GE(world.cameras.size(), 1u);
+        const auto warnings = warnings_of(world);
+        return warnings.empty() ? std::string() : warnings.back();
+    };
+    EXPECT_TRUE(warnings_of(resolve(box())).empty());
+    Scene scene = box();
+    scene.nodes[0].mesh.reset();
+    EXPECT_EQ(warning(scene), fmt::format("box: scene: no triangles, so the picture is empty; the file has {} empty nodes", scene.nodes.size()));
+    scene.lights.resize(1);
+    scene.cameras.resize(1);
+    scene.nodes[0].light = 0;
+    scene.nodes.resize(3);
+    scene.nodes[1].light = 0;
+    scene.nodes[2].camera = 0;
+    scene.scenes[0].nodes = {0, 1, 2};
+    EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has 2 nodes with a light, 1 node with a camera");
+    EXPECT_EQ(resolve(scene).lights.size(), 2u);
     scene = box();
-    scene.meshes[0].primitives[0].indices.clear();
-    EXPECT_EQ(line(scene), "box: scene 0: no triangles");
+    scene.nodes[0].visible = false;
+    EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has 1 node with a mesh that is hidden, "
+                              "flattened or in another scene, 1 node hidden");
+    scene.nodes.clear();
+    scene.scenes[0].nodes.clear();
+    EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has no nodes");
 }
 
 TEST(ScatterLights, AboutEightReachAPoint) {

@@ -50,7 +50,6 @@ Json run_json(const std::string& scene, const Run& run) {
     json.update(stats_entry(scene, job.variant.renderer, job.options, run.stats));
     for (Json& pass : json["passes"])
         pass["kind"] = pass_kind_name(kind_of(pass["name"].get<std::string>()));
-    json["notes"] = run.stats.notes;
     return json;
 }
 

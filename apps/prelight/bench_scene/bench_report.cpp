@@ -5,11 +5,13 @@
 #include "output.hpp"
 #include "page.hpp"
 
+#include <array>
 #include <fmt/format.h>
 
 namespace prelight::app {
 
 void bench_report(const BenchCommand& command) {
+    check_distinct(std::array{command.output}, command.files);
     check_writable(command.output);
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     size_t runs = 0;

@@ -4,12 +4,15 @@
 #include "baseline.hpp"
 #include "bench_json.hpp"
 #include "device_type.hpp"
+#include "memory_check.hpp"
 #include "output.hpp"
+#include "scene_files.hpp"
 #include "stats_json.hpp"
 #include "table.hpp"
 #include "validation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 
@@ -49,7 +52,7 @@ Json heading(const BenchCommand& command, const Device& device, const std::strin
             {"seed", command.seed},
             {"time", command.moment ? Json(command.moment->time) : Json(nullptr)},
             {"size", {command.options.width, command.options.height}},
-            {"shading", command.options.shading == Shading::ggx ? "ggx" : "phong"},
+            {"shading", command.options.shading.value_or(Shading::ggx) == Shading::ggx ? "ggx" : "phong"},
             {"triangles", measured.triangles},
             {"frames", *command.frames},
             {"steady_time", type == "software" ? "cpu_ms" : "gpu_ms"}};
@@ -60,6 +63,9 @@ Json heading(const BenchCommand& command, const Device& device, const std::strin
 void bench_scene(const BenchCommand& given) {
     BenchCommand command = given;
     command.frames = given.frames.value_or(default_frames);
+    std::vector<std::filesystem::path> inputs = files_named_in(command.scene);
+    inputs.insert(inputs.end(), {command.scene, command.baseline, command.environment.file});
+    check_distinct(std::array{command.json}, inputs);
     if (!command.json.empty())
         check_writable(command.json);
     const std::optional<SavedBench> baseline =
@@ -71,11 +77,11 @@ void bench_scene(const BenchCommand& given) {
         for (Job& job : limit_jobs(contenders, command, missing))
             jobs.push_back(std::move(job));
 
-    const auto device = Device::create({.select = command.device, .validate = command.validate});
+    const auto device = open_device({.select = command.device, .validate = command.validate}, command.options.width, command.options.height);
     const std::string type = type_of(*device);
     const bool software = type == "software";
-    const SceneSeries scenes(command.scene, command.lights, command.seed, {command.moment, command.animation},
-                             environment_edit(command.environment));
+    const SceneSeries scenes(command.scene, command.lights, command.seed, {command.moment, command.animation, command.reading},
+                             environment_edit(command.environment), {double(command.options.width) / command.options.height, command.framing});
     const std::vector<Stop> stops = stops_of(command, scenes);
     check_light_counts(jobs, stops, *device);
     const Measured measured = measure(jobs, stops, scenes, command, *device, software);

@@ -31,6 +31,11 @@ Job make_job(Variant variant, Role role, const BenchCommand& command) {
 
 /// The contender's light pass over lists of another making, in tiles of `size` pixels.
 Variant with_lists(Variant variant, const char* lists, uint32_t size) {
+    // What only another way of finding lights obeys is refused with this one.
+    for (const SettingInfo& setting : find_renderer(variant.renderer).settings)
+        for (const SettingNeed& need : setting.needs)
+            if (need.key == "light-culling" && std::ranges::find(need.values, "tiles") == need.values.end())
+                variant.settings.erase(setting.key);
     variant.settings["light-lists"] = lists;
     variant.settings["light-culling"] = "tiles";
     variant.settings["tile-size"] = std::to_string(size);

@@ -68,7 +68,7 @@ private:
             const auto renderer = create_renderer(job.variant.renderer, &device_, options);
             renderer->set_world(scene_->world);
             for (; stop < stops_.size(); ++stop) {
-                progress_.show(share_of_survey * double(j * stops_.size() + stop) / double(jobs_.size() * stops_.size()),
+                progress_.step(share_of_survey * double(j * stops_.size() + stop) / double(jobs_.size() * stops_.size()),
                                "pairs of " + place(job, stop));
                 renderer->set_lights(lights_of(job, stop));
                 renderer->render(camera_);
@@ -93,6 +93,7 @@ private:
 
     /// All jobs at one stop, interleaved.
     void time(size_t s, std::vector<std::unique_ptr<Renderer>>& renderers) {
+        progress_.step(share_of_stop(s, 0), fmt::format("frames with {} light{}", stops_[s].lights, stops_[s].lights == 1 ? "" : "s"));
         std::vector<Contender> contenders;
         std::vector<const Job*> owners;
         for (size_t j = 0; j < jobs_.size(); ++j) {
@@ -132,9 +133,12 @@ private:
         out_.runs.push_back({job, stop, std::move(stats)});
     }
 
+    double share_of_stop(size_t s, double part) const {
+        return share_of_survey + (1 - share_of_survey) * (double(s) + part) / double(stops_.size());
+    }
+
     void show(size_t s, double part, const std::string& what) {
-        progress_.show(share_of_survey + (1 - share_of_survey) * (double(s) + part) / double(stops_.size()),
-                       fmt::format("{} lights: {}", stops_[s].lights, what));
+        progress_.show(share_of_stop(s, part), fmt::format("{} lights: {}", stops_[s].lights, what));
     }
 
     const std::vector<Job>& jobs_;

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <prelight/error.hpp>
+#include <system/read_file.hpp>
 
 namespace prelight::app {
 namespace {
@@ -195,13 +195,7 @@ SavedBench saved_bench(Json json, const std::string& name) {
 }
 
 SavedBench load_bench(const std::filesystem::path& file) {
-    std::error_code error;
-    std::ifstream stream;
-    if (std::filesystem::is_regular_file(file, error))
-        stream.open(file, std::ios::binary);
-    if (!stream.is_open())
-        throw Error(file.string() + ": cannot be read");
-    Json json = Json::parse(stream, nullptr, false);
+    Json json = Json::parse(read_file(file, largest_file::figures), nullptr, false);
     if (json.is_discarded())
         throw Error(file.string() + ": is not JSON");
     return saved_bench(std::move(json), file.string());

@@ -1,10 +1,13 @@
 // `prelight compare`: every architecture on one scene, as a page that needs no server.
 #include "commands.hpp"
 #include "device_type.hpp"
+#include "memory_check.hpp"
+#include "meter.hpp"
 #include "output.hpp"
 #include "page.hpp"
 #include "pictures.hpp"
 #include "renderer_info.hpp"
+#include "scene_files.hpp"
 #include "stats_json.hpp"
 #include "times.hpp"
 #include "validation.hpp"
@@ -37,18 +40,44 @@ std::vector<RunReport> make_runs(const CompareCommand& command) {
     return runs;
 }
 
+std::vector<std::filesystem::path> inputs_of(const CompareCommand& command) {
+    std::vector<std::filesystem::path> files = files_named_in(command.scene);
+    if (names_file(command.scene))
+        files.emplace_back(command.scene);
+    files.push_back(command.environment.file);
+    return files;
+}
+
+/// All that decides what the steps come to: the same arguments, files, program and device.
+std::string key_of(const Report& report) {
+    const CompareCommand& command = report.command;
+    std::string key = fmt::format("{}\n{}{}\n{}\n", command.arguments, program_key(), report.device, report.driver);
+    for (const std::filesystem::path& file : inputs_of(command))
+        key += content_key(file);
+    return key;
+}
+
+/// One exposure for all, found by looking at the scene.
+void take_exposure(Report& report, Device& device, const World& world) {
+    RenderOptions& options = report.command.options;
+    options.exposure = meter_exposure(&device, world, camera_of(world, report.command.camera), options);
+    print_exposure(options.exposure);
+    for (RunReport& run : report.runs)
+        run.options.exposure = options.exposure;
+}
+
 void take_all_pictures(Report& report, Device& device, const World& world, ReportFolder& folder,
-                       Progress& progress) {
+                       KeptSteps& kept, Progress& progress) {
     const PlacedCamera& camera = camera_of(world, report.command.camera);
     report.camera = camera.camera.name;
-    PictureStore store(folder);
-    progress.show(0, "reference");
-    take_reference_pictures(report, world, camera, store);
+    PictureStore store(folder, kept);
+    progress.step(0, kept.found() ? fmt::format("{} finished steps of an earlier run found", kept.found()) : "reference");
+    take_reference_pictures(report, world, camera, store, kept);
     References references(world, camera, report.command.options);
     for (size_t i = 0; i < report.runs.size(); ++i) {
         const double done = double(i + 1) / double(report.runs.size() + 1);
-        progress.show(share_of_pictures * done, "picture of " + report.runs[i].variant.name());
-        take_pictures(report.runs[i], device, world, camera, references, store);
+        progress.step(share_of_pictures * done, "picture of " + report.runs[i].variant.name());
+        take_or_find_pictures(report.runs[i], device, world, camera, references, store, kept);
     }
 }
 
@@ -65,26 +94,32 @@ void check_any(const Report& report) {
     throw Error(line);
 }
 
-void make_report(Report& report, ReportFolder& folder) {
+/// With what is to be forgotten once the report is in its place.
+KeptSteps make_report(Report& report, ReportFolder& folder) {
     const CompareCommand& command = report.command;
-    const auto device = Device::create({.select = command.device, .validate = command.validate});
+    const auto device = open_device({.select = command.device, .validate = command.validate}, command.options.width, command.options.height);
     report.device = device->name();
     report.driver = device->driver();
     report.device_type = type_of(*device);
     const SceneSeries scenes(command.scene, command.lights, command.seed,
-                             {command.moment, command.animation}, environment_edit(command.environment));
+                             {command.moment, command.animation, command.reading}, environment_edit(command.environment),
+                             {double(command.options.width) / command.options.height, command.framing});
+    KeptSteps kept(key_of(report));
     {
         Progress progress;
         const auto scene = scenes.make();
         report.lights = scene->world.lights.size();
         report.lights_added = scenes.added();
         report.triangles = scene->world.triangles;
-        take_all_pictures(report, *device, scene->world, folder, progress);
+        if (command.auto_exposure)
+            take_exposure(report, *device, scene->world);
+        take_all_pictures(report, *device, scene->world, folder, kept, progress);
         check_any(report);
-        take_times(report, *device, scenes, scene->world, progress, share_of_pictures);
+        take_times(report, *device, scenes, scene->world, kept, progress, share_of_pictures);
         check_any(report);
     }
     check_validation(*device);
+    return kept;
 }
 
 } // namespace
@@ -96,8 +131,10 @@ void run(const CompareCommand& command) {
                        ? std::filesystem::path(command.scene).filename().string()
                        : command.scene;
     report.runs = make_runs(command);
+    check_scene_name(command.scene);
+    check_outside(command.folder, inputs_of(command));
     ReportFolder folder(command.folder);
-    make_report(report, folder);
+    KeptSteps kept = make_report(report, folder);
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
@@ -107,10 +144,11 @@ void run(const CompareCommand& command) {
         save_text(fill_page(report_page, json), path / "index.html");
     });
     folder.publish();
+    kept.forget();
     const auto failed = std::ranges::count_if(
         report.runs, [](const RunReport& run) { return !run.error.empty(); });
     fmt::print("{}: {}, rendered in {} way(s){}, {} light(s), {:.0f} s on {}\n",
-               (command.folder / "index.html").string(), report.scene,
+               escaped((command.folder / "index.html").string()), escaped(report.scene),
                report.runs.size() - size_t(failed), failed ? fmt::format(", {} failed", failed) : "",
                report.lights, report.seconds, report.device);
 }

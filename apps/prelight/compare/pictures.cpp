@@ -1,11 +1,14 @@
 #include "pictures.hpp"
 
+#include "output.hpp"
 #include "renderer_info.hpp"
+#include "stats_state.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <prelight/error.hpp>
 
 namespace prelight::app {
@@ -20,6 +23,42 @@ uint64_t hash_of(const Image& image) {
         for (int channel = 0; channel < 3; ++channel)
             add(static_cast<uint64_t>(std::lround(std::clamp(pixel[channel], 0.0f, 1.0f) * 255)));
     return hash;
+}
+
+using Json = nlohmann::json;
+
+/// What take_pictures() fills.
+Json state_of(const RunReport& run) {
+    const Comparison& d = run.difference;
+    return {{"error", run.error},
+            {"wrong_usage", run.wrong_usage},
+            {"shading", run.options.shading ? Json(static_cast<int>(*run.options.shading)) : Json(nullptr)},
+            {"form", run.form},
+            {"psnr", std::isfinite(d.psnr) ? Json(d.psnr) : Json(nullptr)},
+            {"flip", d.flip},
+            {"off_share", d.off_share},
+            {"block", {d.block, d.block_x, d.block_y}},
+            {"left_out_share", d.left_out_share},
+            {"pictures", run.pictures},
+            {"stats", stats_state(run.stats)}};
+}
+
+void take_state(RunReport& run, const Json& state) {
+    run.error = state.at("error");
+    run.wrong_usage = state.at("wrong_usage");
+    if (const Json& shading = state.at("shading"); !shading.is_null())
+        run.options.shading = static_cast<Shading>(shading.get<int>());
+    run.form = state.at("form");
+    const Json& psnr = state.at("psnr");
+    run.difference = {.psnr = psnr.is_null() ? std::numeric_limits<double>::infinity() : psnr.get<double>(),
+                      .flip = state.at("flip"),
+                      .off_share = state.at("off_share"),
+                      .block = state.at("block").at(0),
+                      .block_x = state.at("block").at(1),
+                      .block_y = state.at("block").at(2),
+                      .left_out_share = state.at("left_out_share")};
+    run.pictures = state.at("pictures").get<std::map<std::string, std::string>>();
+    run.stats = stats_from_state(state.at("stats"));
 }
 
 /// FLIP 0 … 1 as a colour, from black through violet, red and orange to pale yellow. The root lets
@@ -67,7 +106,7 @@ void take(RunReport& run, Device& device, const World& world, const PlacedCamera
     renderer->render(camera);
     run.stats = renderer->stats();
 
-    const ReferenceForm form = reference_form(run.options.shading, run.stats.settings);
+    const ReferenceForm form = reference_form(run.stats.shading, run.stats.settings);
     run.form = form_name(form);
     const References::Picture& reference = references.of(form);
     Image errors;
@@ -81,6 +120,35 @@ void take(RunReport& run, Device& device, const World& world, const PlacedCamera
 
 } // namespace
 
+PictureStore::PictureStore(ReportFolder& folder, KeptSteps& kept) : folder_(folder), kept_(kept) {
+    const Json* state = kept.find("pictures");
+    if (!state || restore(*state))
+        return;
+    kept.forget(); // the steps speak of pictures that are not there
+    files_.clear();
+    names_.clear();
+}
+
+bool PictureStore::restore(const Json& state) {
+    for (const auto& [hash, file] : state.at("files").items()) {
+        const std::string name = file.get<std::string>();
+        const std::optional<std::string> bytes = kept_.find_file(name.substr(name.rfind('/') + 1));
+        if (!bytes)
+            return false;
+        folder_.write([&](const std::filesystem::path& folder) { save_text(*bytes, folder / name); });
+        files_[std::stoull(hash)] = name;
+    }
+    names_ = state.at("names").get<std::map<std::string, int>>();
+    return true;
+}
+
+void PictureStore::keep() {
+    Json files = Json::object();
+    for (const auto& [hash, file] : files_)
+        files[std::to_string(hash)] = file;
+    kept_.keep("pictures", {{"files", std::move(files)}, {"names", names_}});
+}
+
 std::string PictureStore::add(const std::string& name, const Image& display) {
     const auto [known, is_new] = files_.try_emplace(hash_of(display));
     if (!is_new)
@@ -93,46 +161,42 @@ std::string PictureStore::add(const std::string& name, const Image& display) {
     known->second = "pictures/" + file + ".png";
     folder_.write([&](const std::filesystem::path& folder) {
         save_png(display, folder / known->second);
+        kept_.keep_file(file + ".png", folder / known->second);
     });
     return known->second;
 }
 
-/// The preset finds a material's shininess in a way that only [phong] has.
-bool is_of_phong(const RunReport& run) {
-    const auto preset = run.info.preset_settings.find(run.variant.preset);
-    if (preset == run.info.preset_settings.end())
-        return false;
-    const auto way = preset->second.find("specular");
-    return way != preset->second.end() && way->second != "stored";
-}
-
 void take_pictures(RunReport& run, Device& device, const World& world, const PlacedCamera& camera,
                    References& references, PictureStore& store) {
-    const Shading wanted = run.options.shading;
-    std::vector<Shading> models{wanted};
-    if (!run.variant.preset.empty() && wanted == Shading::ggx)
-        models.insert(is_of_phong(run) ? models.begin() : models.end(), Shading::phong);
-    for (const Shading shading : models) {
-        run.options.shading = shading;
-        try {
-            take(run, device, world, camera, references, store);
-            run.error.clear();
-            run.wrong_usage = false;
-            return;
-        } catch (const UsageError& error) {
-            if (run.error.empty()) // of the model that was asked for
-                run.error = error.what();
-            run.wrong_usage = true;
-        } catch (const Error& error) {
-            run.error = error.what();
-            return;
-        }
+    try {
+        take(run, device, world, camera, references, store);
+    } catch (const UsageError& error) {
+        run.error = error.what();
+        run.wrong_usage = true;
+    } catch (const Error& error) {
+        run.error = error.what();
     }
-    run.options.shading = wanted;
+}
+
+void take_or_find_pictures(RunReport& run, Device& device, const World& world, const PlacedCamera& camera,
+                           References& references, PictureStore& store, KeptSteps& kept) {
+    const std::string step = "picture of " + run.variant.name();
+    if (const Json* state = kept.find(step))
+        return take_state(run, *state);
+    take_pictures(run, device, world, camera, references, store);
+    if (!run.error.empty() && !run.wrong_usage)
+        return; // another run may have more luck
+    store.keep();
+    kept.keep(step, state_of(run));
 }
 
 void take_reference_pictures(Report& report, const World& world, const PlacedCamera& camera,
-                             PictureStore& store) {
+                             PictureStore& store, KeptSteps& kept) {
+    if (const Json* state = kept.find("reference")) {
+        report.reference_ms = state->at("ms");
+        report.reference_pictures = state->at("pictures").get<std::map<std::string, std::string>>();
+        return;
+    }
     const RendererInfo info = find_renderer("reference");
     RenderOptions options = report.command.options;
     options.views = views_to_show(info);
@@ -141,6 +205,8 @@ void take_reference_pictures(Report& report, const World& world, const PlacedCam
     renderer->render(camera);
     report.reference_ms = renderer->stats().wall_ms.median;
     report.reference_pictures = store_views(*renderer, "reference", options.views, store);
+    store.keep();
+    kept.keep("reference", {{"ms", report.reference_ms}, {"pictures", report.reference_pictures}});
 }
 
 } // namespace prelight::app

@@ -10,7 +10,7 @@ namespace prelight::app {
 struct RunReport {
     Variant variant;
     RendererInfo info;
-    RenderOptions options; ///< the shading model may differ from the command's: a preset's own
+    RenderOptions options;
     std::string error;     ///< why there are no figures; empty: there are
     bool wrong_usage = false; ///< the error is one of settings that do not go together
     std::string form;      ///< of the reference that its picture is judged against

@@ -6,9 +6,11 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
+#include <image/atomic_file.hpp>
 #include <nlohmann/json.hpp>
 #include <prelight/error.hpp>
+#include <set>
+#include <system/read_file.hpp>
 #include <unistd.h>
 
 namespace prelight::app {
@@ -20,16 +22,46 @@ namespace fs = std::filesystem;
     throw Error(fmt::format("{}: {}", place.string(), reason));
 }
 
-/// Whether all that is in the folder was written by `compare`.
-bool is_report(const fs::path& folder) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename();
-        if (name != "index.html" && name != "report.json" && name != "pictures")
-            return false;
+using Json = nlohmann::json;
+
+void add_pictures(std::set<std::string>& files, const Json& entry) {
+    const auto pictures = entry.is_object() ? entry.find("pictures") : entry.end();
+    if (!entry.is_object() || pictures == entry.end() || !pictures->is_object())
+        return;
+    for (const Json& file : *pictures)
+        if (file.is_string())
+            files.insert(file.get<std::string>());
+}
+
+/// What the report in the folder consists of, relative to it; nothing: there is none.
+std::set<std::string> files_of_report(const fs::path& folder) {
+    Json json;
+    try {
+        json = Json::parse(read_bytes(folder / "report.json", largest_file::figures), nullptr, false);
+    } catch (const FileError&) {
+        return {};
     }
-    std::ifstream stream(folder / "report.json");
-    const auto json = nlohmann::json::parse(stream, nullptr, false);
-    return json.is_object() && json.contains("prelight_report");
+    if (!json.is_object() || !json.contains("prelight_report"))
+        return {};
+    std::set<std::string> files{"index.html", "report.json", "pictures"};
+    if (const auto reference = json.find("reference"); reference != json.end())
+        add_pictures(files, *reference);
+    if (const auto runs = json.find("runs"); runs != json.end() && runs->is_array())
+        for (const Json& run : *runs)
+            add_pictures(files, run);
+    return files;
+}
+
+/// The first thing in the folder that is none of `known`: replacing the folder would remove it.
+std::optional<std::string> stranger_in(const fs::path& folder, const std::set<std::string>& known) {
+    for (fs::recursive_directory_iterator at(folder), end; at != end; ++at) {
+        const std::string name = at->path().lexically_relative(folder).generic_string();
+        const bool right_kind = name == "pictures" ? at->is_directory() && !at->is_symlink()
+                                                   : at->symlink_status().type() == fs::file_type::regular;
+        if (!known.contains(name) || !right_kind)
+            return name;
+    }
+    return {};
 }
 
 void check_place(const fs::path& place) {
@@ -43,8 +75,10 @@ void check_place(const fs::path& place) {
         return;
     if (error)
         refuse(place, "cannot be read");
-    if (!is_report(place))
-        refuse(place, "holds other files; name a new folder, an empty one or an earlier report");
+    const std::optional<std::string> stranger = stranger_in(place, files_of_report(place));
+    if (stranger)
+        refuse(place, fmt::format("holds {}, which is of no earlier report; name a new folder, an empty one or one with "
+                                  "nothing but an earlier report", *stranger));
 }
 
 /// Swaps the two folders at once where the file system can, else by way of a third name.
@@ -67,19 +101,19 @@ bool swap_folders(const fs::path& a, const fs::path& b) {
 
 } // namespace
 
-ReportFolder::ReportFolder(const fs::path& place) : place_(fs::absolute(place).lexically_normal()) {
+ReportFolder::ReportFolder(const fs::path& place) : place_(fs::absolute(follow_links(place)).lexically_normal()) {
     if (place.empty())
         refuse(place, "not the name of a folder");
     if (!place_.has_filename()) // "report/"
-        place_ = place_.parent_path();
+        place_ = follow_links(place_.parent_path());
     check_place(place_);
-    growing_ = place_.parent_path() / fmt::format(".{}.{}.tmp", place_.filename().string(), getpid());
+    growing_ = place_.parent_path() / fmt::format(".prelight-{}.tmp", getpid());
     guard_.emplace(growing_);
     const auto lock = guard_->hold();
     std::error_code error;
+    fs::remove_all(growing_, error); // of a process of this number that was killed
     if (!fs::create_directory(growing_, error) || !fs::create_directory(growing_ / "pictures", error))
-        refuse(place, fmt::format("cannot be written ({})",
-                                  error ? error.message() : growing_.string() + " exists"));
+        refuse(place, fmt::format("cannot be written ({})", error.message()));
 }
 
 ReportFolder::~ReportFolder() {

@@ -1,3 +1,4 @@
+#include "bench_scene/noise.hpp"
 #include "report.hpp"
 #include "stats_json.hpp"
 
@@ -85,16 +86,20 @@ Json run_json(const Report& report, const RunReport& run) {
         return json;
     }
     json.update(entry(report, run, run.stats));
-    json["notes"] = run.stats.notes;
     json["reference_form"] = run.form;
     json["difference"] = difference_json(run.difference);
     json["pictures"] = Json(run.pictures);
     return json;
 }
 
-/// Least squares of a time over the number of lights: what one light more costs, microseconds, and what
-/// is left without any, milliseconds. Null with fewer than two numbers of lights.
-std::pair<Json, Json> cost(const std::vector<Stats>& series, Spread Stats::*time) {
+/// Least squares of a time over the number of lights.
+struct Line {
+    Json slope;         ///< what one light more costs, microseconds; null with fewer than two numbers of lights
+    Json error;         ///< standard error of it, by what each point's median may be off
+    Json without_lights; ///< milliseconds
+};
+
+Line line_through(const std::vector<Stats>& series, Spread Stats::*time) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const Stats& stats : series) {
         const double lights = double(stats.lights), ms = (stats.*time).median;
@@ -106,9 +111,14 @@ std::pair<Json, Json> cost(const std::vector<Stats>& series, Spread Stats::*time
     }
     const double spread = n * xx - x * x;
     if (n < 2 || spread <= 0)
-        return {nullptr, nullptr};
+        return {};
     const double slope = (n * xy - x * y) / spread;
-    return {slope * 1000, (y - slope * x) / n};
+    double variance = 0; // of a weighted sum of the medians, which is what the slope is
+    for (const Stats& stats : series) {
+        const double weight = (n * double(stats.lights) - x) / spread, noise = figure_of(stats.*time).noise;
+        variance += weight * weight * noise * noise;
+    }
+    return {slope * 1000, std::sqrt(variance) * 1000, (y - slope * x) / n};
 }
 
 Json series_json(const Report& report) {
@@ -116,13 +126,14 @@ Json series_json(const Report& report) {
     for (const RunReport& run : report.runs) {
         if (!run.error.empty() || !run.in_series)
             continue;
-        const auto [slope, base] = cost(run.series, &Stats::gpu_ms);
-        const auto [cpu_slope, cpu_base] = cost(run.series, &Stats::cpu_ms);
+        const Line device = line_through(run.series, &Stats::gpu_ms), cpu = line_through(run.series, &Stats::cpu_ms);
         Json json = {{"variant", run.variant.name()},
-                     {"us_per_light", slope},
-                     {"ms_without_lights", base},
-                     {"cpu_us_per_light", cpu_slope},
-                     {"cpu_ms_without_lights", cpu_base},
+                     {"us_per_light", device.slope},
+                     {"us_per_light_error", device.error},
+                     {"ms_without_lights", device.without_lights},
+                     {"cpu_us_per_light", cpu.slope},
+                     {"cpu_us_per_light_error", cpu.error},
+                     {"cpu_ms_without_lights", cpu.without_lights},
                      {"stopped", run.stopped.empty() ? Json(nullptr) : Json(run.stopped)},
                      {"points", Json::array()}};
         for (const Stats& stats : run.series)
@@ -169,7 +180,7 @@ Json report_json(const Report& report) {
                  {"scene", report.scene},
                  {"camera", report.camera},
                  {"size", {command.options.width, command.options.height}},
-                 {"shading", command.options.shading == Shading::ggx ? "ggx" : "phong"},
+                 {"shading", command.options.shading.value_or(Shading::ggx) == Shading::ggx ? "ggx" : "phong"},
                  {"exposure", command.options.exposure},
                  {"seed", command.seed},
                  {"time", command.moment ? Json(command.moment->time) : Json(nullptr)},

@@ -7,10 +7,10 @@ namespace prelight::app {
 /// read once.
 class SceneSeries {
 public:
-    /// As `--lights`, `--seed` and `--time` say; `edit` is done to the scene. A file that has no lights and is given no number gets
-    /// `default_lights`. Throws Error, UsageError.
+    /// As `--lights`, `--seed` and `--time` say; `edit` is done to the scene, `view` says from where it is seen. A file
+    /// that has no lights and is given no number gets `default_lights`. Throws Error, UsageError.
     SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed,
-                SceneTime time, SceneEdit edit = {});
+                SceneTime time, SceneEdit edit = {}, SceneView view = {});
 
     static constexpr uint32_t default_lights = 256;
 
@@ -30,6 +30,7 @@ private:
     uint64_t seed_;
     SceneTime time_;
     SceneEdit edit_;
+    SceneView view_;
     std::unique_ptr<LoadedScene> file_; ///< with no lights added; null for a built-in scene
 };
 

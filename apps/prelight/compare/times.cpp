@@ -1,9 +1,11 @@
 #include "times.hpp"
 
 #include "interleave.hpp"
+#include "stats_state.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <prelight/device.hpp>
 #include <prelight/error.hpp>
 #include <thread>
@@ -53,10 +55,13 @@ struct Timed {
             }
             renderer->set_lights(lights);
             return true;
+        } catch (const UsageError& error) {
+            run.wrong_usage = stop.own();
+            fail(error.what(), stop);
         } catch (const Error& error) {
             fail(error.what(), stop);
-            return false;
         }
+        return false;
     }
 
     void fail(const std::string& reason, const Stop& stop) {
@@ -80,9 +85,31 @@ struct Timed {
     }
 };
 
+/// Takes what a process before has measured at the stop; false: not all of it is there.
+bool find_times(const Stop& stop, const nlohmann::json* state, std::vector<Timed>& all, const Report& report) {
+    const auto unknown = [&](const Timed& timed) {
+        return timed.wanted_at(stop) && !(state && state->contains(timed.run.variant.name()));
+    };
+    if (!state || std::ranges::any_of(all, unknown))
+        return false;
+    for (Timed& timed : all)
+        if (timed.wanted_at(stop)) {
+            const nlohmann::json& figures = state->at(timed.run.variant.name());
+            if (figures.is_string())
+                timed.fail(figures, stop);
+            else
+                timed.keep(stats_from_state(figures), stop, report.command.frame_limit, report.software());
+        }
+    return true;
+}
+
 void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight>& lights,
-             const Report& report, std::vector<Timed>& all, Device& device,
+             const Report& report, std::vector<Timed>& all, Device& device, KeptSteps& kept,
              const std::function<void(double, const std::string&)>& show) {
+    const std::string step = fmt::format("times of {}", stop.total);
+    if (find_times(stop, kept.find(step), all, report))
+        return;
+    nlohmann::json figures = nlohmann::json::object();
     std::vector<Contender> contenders;
     std::vector<Timed*> owners;
     for (Timed& timed : all)
@@ -91,7 +118,8 @@ void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight
             if (timed.take(world, lights, device, stop)) {
                 contenders.push_back({.renderer = timed.renderer.get()});
                 owners.push_back(&timed);
-            }
+            } else
+                figures[timed.run.variant.name()] = stop.own() ? timed.run.error : timed.run.stopped;
         }
     const CompareCommand& command = report.command;
     const double frames = std::max<double>(1, double(command.frames) * double(contenders.size()));
@@ -103,11 +131,17 @@ void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight
                            const auto index = static_cast<size_t>(&contender - contenders.data());
                            show(double(frame++) / frames, owners[index]->run.variant.name());
                        });
-    for (size_t i = 0; i < contenders.size(); ++i)
-        if (contenders[i].error.empty())
+    for (size_t i = 0; i < contenders.size(); ++i) {
+        nlohmann::json& kept_figures = figures[owners[i]->run.variant.name()];
+        if (contenders[i].error.empty()) {
+            kept_figures = stats_state(contenders[i].stats);
             owners[i]->keep(std::move(contenders[i].stats), stop, command.frame_limit, report.software());
-        else
+        } else {
+            kept_figures = contenders[i].error;
             owners[i]->fail(contenders[i].error, stop);
+        }
+    }
+    kept.keep(step, std::move(figures));
 }
 
 } // namespace
@@ -117,7 +151,7 @@ const PlacedCamera& camera_of(const World& world, const std::string& name) {
 }
 
 void take_times(Report& report, Device& device, const SceneSeries& scenes, const World& world,
-                Progress& progress, double share) {
+                KeptSteps& kept, Progress& progress, double share) {
     const std::vector<Stop> stops = make_stops(report, scenes);
     std::vector<Timed> all;
     for (RunReport& run : report.runs)
@@ -130,7 +164,9 @@ void take_times(Report& report, Device& device, const SceneSeries& scenes, const
             progress.show(share + (1 - share) * done,
                           fmt::format("{} lights: {}", stops[i].total, what));
         };
-        time_at(stops[i], world, lights, report, all, device, show);
+        progress.step(share + (1 - share) * double(i) / double(stops.size()),
+                      fmt::format("frames with {} light{}", stops[i].total, stops[i].total == 1 ? "" : "s"));
+        time_at(stops[i], world, lights, report, all, device, kept, show);
         own_done = own_done || stops[i].own();
         for (Timed& timed : all) // those that will not be asked again free their memory
             if (own_done && !(timed.run.in_series && timed.run.stopped.empty()))

@@ -81,6 +81,11 @@ function linesOf(runs) {
 }
 
 function showLines(lines, metrics) {
+  if (new Set(lines.flatMap((line) => line.runs.map((run) => run.lights))).size < 2) { // a point, not a line
+    for (const part of [document.getElementById("lines"), document.querySelector("#lights .charts")]) part.hidden = true;
+    document.getElementById("lights-caption").textContent = "One number of lights was timed: there is no line to draw. The tables below have the figures.";
+    return;
+  }
   const select = document.getElementById("metric"), field = document.getElementById("lines");
   select.append(...metrics.map((metric, index) => element("option", { value: index }, metric.label)));
   const boxes = lines.map((line) => {
@@ -125,28 +130,21 @@ function showBars(runs, several) {
   const cpu = runs.every((run) => run.passes.every((pass) => pass.cpu_ms));
   const partsIn = (run) => partsOf(run, (pass) => (cpu ? pass.cpu_ms : pass.gpu_ms).median);
   const names = [...new Set(runs.flatMap((run) => partsIn(run).map((part) => part.name)))];
-  const select = document.getElementById("count"), shares = document.getElementById("shares"), place = document.getElementById("bars");
+  const select = document.getElementById("count");
   const counts = [...new Set(runs.map((run) => run.lights))].sort((a, b) => a - b);
   select.append(...counts.map((count) => element("option", { value: count, selected: count === counts[counts.length - 1] }, whole.format(count))));
   document.getElementById("time-caption").textContent =
     `${cpu ? "CPU time of each pass, submitted alone" : "Device time of each pass"}; medians. Hover over a part for its figure, or see the tables below.`;
   const draw = () => {
-    const shown = runs.filter((run) => String(run.lights) === select.value);
-    const parts = shown.map(partsIn), used = names.filter((name) => parts.some((all) => all.some((part) => part.name === name)));
-    document.getElementById("legend").replaceChildren(...used.map((name) =>
-      element("li", {}, element("span", { class: "swatch", style: `background:${colour(names.indexOf(name))}` }), name)));
-    const totals = parts.map((all) => all.reduce((total, part) => total + part.ms, 0));
-    place.replaceChildren(...shown.map((run, index) => {
-      const full = (shares.checked ? totals[index] : Math.max(...totals)) || 1;
-      const track = element("div", { class: "track", role: "img", "aria-label": parts[index].map((part) => `${part.name} ${milliseconds(part.ms)}`).join(", ") },
-        ...parts[index].map((part) => element("div", { title: `${part.name}: ${milliseconds(part.ms)}, ${percent(part.ms / (totals[index] || 1))}`,
-          style: `width:${(part.ms / full) * 100}%;background:${colour(names.indexOf(part.name))}` })));
-      return element("div", { class: "bar" }, element("div", { class: "name" }, nameIn(run, several)), track,
-        element("div", { class: "total" }, milliseconds(totals[index])));
-    }));
+    const bars = runs.filter((run) => String(run.lights) === select.value).map((run) => {
+      const parts = partsIn(run);
+      return { name: nameIn(run, several), parts, total: parts.reduce((total, part) => total + part.ms, 0) };
+    });
+    drawLegend(names.filter((name) => bars.some((bar) => bar.parts.some((part) => part.name === name))), names);
+    drawBars(document.getElementById("bars"), bars, names);
   };
   select.addEventListener("change", draw);
-  shares.addEventListener("change", draw);
+  for (const id of ["shares", "cut"]) document.getElementById(id).addEventListener("change", draw);
   draw();
 }
 

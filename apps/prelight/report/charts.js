@@ -3,27 +3,14 @@
 /** One stacked bar for each variant. A pass has one colour in all of them. */
 function showBars(runs) {
   const names = [...new Set(runs.flatMap((run) => run.passes.map((pass) => pass.name)))];
-  const place = document.getElementById("bars"), shares = document.getElementById("shares");
-  document.getElementById("legend").append(...names.map((name, index) =>
-    element("li", {}, element("span", { class: "swatch", style: `background:${colour(index)}` }), name)));
+  drawLegend(names, names);
   document.getElementById("time-caption").textContent =
     "Device time of each pass, medians. Every architecture finds what is visible, lights it and maps the result to the display; they differ in " +
     "which pass does how much of it. Hover over a part for its figure, or see the tables below.";
-  const draw = () => {
-    place.replaceChildren();
-    const totals = runs.map((run) => run.passes.reduce((total, pass) => total + pass.gpu_ms.median, 0));
-    runs.forEach((run, index) => {
-      const whole = (shares.checked ? totals[index] : Math.max(...totals)) || 1;
-      const track = element("div", { class: "track", role: "img", "aria-label":
-        run.passes.map((pass) => `${pass.name} ${milliseconds(pass.gpu_ms.median)}`).join(", ") });
-      for (const pass of run.passes)
-        track.append(element("div", { title: `${pass.name}: ${milliseconds(pass.gpu_ms.median)}, ${percent(pass.gpu_ms.median / (totals[index] || 1))}`,
-          style: `width:${(pass.gpu_ms.median / whole) * 100}%;background:${colour(names.indexOf(pass.name))}` }));
-      place.append(element("div", { class: "bar" }, element("div", { class: "name" }, nameOf(run.variant)), track,
-        element("div", { class: "total" }, milliseconds(run.gpu_ms.median))));
-    });
-  };
-  shares.addEventListener("change", draw);
+  const bars = runs.map((run) => ({ name: nameOf(run.variant), total: run.gpu_ms.median,
+    parts: run.passes.map((pass) => ({ name: pass.name, ms: pass.gpu_ms.median })) }));
+  const draw = () => drawBars(document.getElementById("bars"), bars, names);
+  for (const id of ["shares", "cut"]) document.getElementById(id).addEventListener("change", draw);
   draw();
 }
 
@@ -42,6 +29,11 @@ function showCharts(report) {
   if (!all.length) {
     document.getElementById("lights").hidden = true;
     return;
+  }
+  const counts = new Set(all.flatMap((line) => line.points.map((point) => point.lights)));
+  if (counts.size < 2) {
+    showNoCharts();
+    return showCosts(all, report.steady_time);
   }
   document.getElementById("lights-caption").textContent =
     "Both axes of the first chart are logarithmic: a line at 45° doubles with the lights, a flat one does not feel them. " +
@@ -80,6 +72,13 @@ function showCharts(report) {
   showCosts(all, metric.value);
 }
 
+/** One number of lights is a point, not a line. */
+function showNoCharts() {
+  document.getElementById("lines").hidden = true;
+  document.querySelector("#lights .charts").hidden = true;
+  document.getElementById("lights-caption").textContent = "One number of lights was timed: there is no line to draw.";
+}
+
 /** The chart's figures, with what one light more costs. */
 function showCosts(all, metric) {
   const counts = [...new Set(all.flatMap((line) => line.points.map((point) => point.lights)))].sort((a, b) => a - b);
@@ -94,7 +93,7 @@ function showCosts(all, metric) {
       ...counts.map((count) => {
         const point = line.points.find((known) => known.lights === count);
         return element("td", {}, point ? figure(point[metric].median) : "–");
-      }), element("td", {}, figure(line[slopeKeys[metric]])), element("td", {}, percent(last.light_pass_share),
+      }), element("td", {}, slopeText(line[slopeKeys[metric]], line[`${slopeKeys[metric]}_error`])), element("td", {}, percent(last.light_pass_share),
         last.light_pass_share === null ? null : element("span", { class: "detail" }, `at ${whole.format(last.lights)}`))));
   }
   document.getElementById("costs").replaceChildren(element("thead", {}, head), body);

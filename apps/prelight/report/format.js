@@ -46,5 +46,16 @@ function plainName(variant) {
   return detail ? `${name} (${detail})` : name;
 }
 
-/** Colours repeat after eight; what repeats gets a dash pattern where there are lines. */
+/** Colours repeat after eight; what repeats gets a dash pattern where there are lines, and stripes where there are areas. */
 const colour = (index) => `var(--c${index % 8})`;
+
+/** Style of an area: eight colours, then the same striped upwards, striped downwards, and chequered. */
+function fill(index) {
+  const own = colour(index), stripes = (angle) => `repeating-linear-gradient(${angle}deg,${own} 0 4px,var(--page) 4px 6px)`;
+  const patterns = [own, stripes(45), stripes(-45), `repeating-conic-gradient(${own} 0 25%,var(--page) 0 50%) 0 0/6px 6px`];
+  return `background:${patterns[Math.floor(index / 8) % patterns.length]}`;
+}
+
+/** A slope with what it may be off by; one that noise could have made is none. */
+const isMeasured = (slope, error) => slope !== null && slope !== undefined && slope > 2 * (error ?? 0);
+const slopeText = (slope, error) => (slope === null || slope === undefined ? "–" : isMeasured(slope, error) ? `${figure(slope)} ± ${figure(error)}` : "not measurable");

@@ -5,6 +5,7 @@
   showHighlights(report, runs);
   showSummary(report, runs);
   new Viewer(report, runs);
+  showArchitectures(runs);
   showBars(runs);
   showCharts(report);
   showPasses(runs);

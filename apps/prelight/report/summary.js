@@ -25,7 +25,7 @@ function showHeading(report, runs) {
   document.title = `${headline} · Prelight compare`;
   document.getElementById("headline").textContent = headline;
   document.getElementById("facts").textContent =
-    `The same scene, camera “${report.camera}” and lighting model (${report.shading}) in every row: ` +
+    `The same scene and camera “${report.camera}” in every row, lighting model ${report.shading} unless a preset has its own: ` +
     (report.time === null ? "" : `at ${figure(report.time)} s, `) + `${report.size.join("×")} pixels, ${whole.format(report.triangles)} triangles` +
     (report.lights_added ? `, ${whole.format(report.lights_added)} of the lights scattered at random` : "") +
     `. Rendered on ${report.device}, checked against a ray-cast reference.`;
@@ -44,12 +44,18 @@ function showHighlights(report, runs) {
   add(`Fastest frame (${timeNames[report.steady_time]})`, milliseconds(time(fastest)),
     runs.length > 1 ? `${plainName(fastest.variant)}; the slowest takes ${times(time(slowest) / time(fastest))} as long` : plainName(fastest.variant));
   const slope = (series) => series[slopeKeys[report.steady_time]];
-  const slopes = report.light_counts.filter((series) => slope(series) !== null && slope(series) > 0);
-  if (slopes.length) {
+  const error = (series) => series[`${slopeKeys[report.steady_time]}_error`] ?? 0;
+  const known = report.light_counts.filter((series) => slope(series) !== null);
+  const slopes = known.filter((series) => isMeasured(slope(series), error(series)));
+  // One whose slope is lost in noise may be the cheapest: then nobody is.
+  if (slopes.length && slopes.length === known.length) {
     const cheap = bestOf(slopes, slope), dear = bestOf(slopes, slope, true);
-    add("Cheapest extra light", `${figure(slope(cheap))} µs`,
-      slopes.length > 1 ? `${plainName(cheap.variant)}; the dearest costs ${times(slope(dear) / slope(cheap))} as much` : plainName(cheap.variant));
-  }
+    const rivals = slopes.filter((series) => series !== cheap && slope(series) - 2 * error(series) <= slope(cheap) + 2 * error(cheap));
+    add("Cheapest extra light", `${slopeText(slope(cheap), error(cheap))} µs`, rivals.length
+      ? `${plainName(cheap.variant)}; ${rivals.map((series) => plainName(series.variant)).join(", ")} may be as cheap`
+      : slopes.length > 1 ? `${plainName(cheap.variant)}; the dearest costs ${times(slope(dear) / slope(cheap))} as much` : plainName(cheap.variant));
+  } else if (known.length)
+    add("Cheapest extra light", "not measurable", `${known.length - slopes.length} of ${known.length} slopes are lost in noise`);
   const bytes = (run) => run.attachment_bytes_per_pixel.shared, least = bytes(bestOf(runs, bytes));
   const small = [...new Set(runs.filter((run) => bytes(run) === least).map((run) => titleOf(run.variant).name))];
   add("Smallest images", `${figure(least)} bytes a pixel`, small.join(", "));

@@ -1,10 +1,11 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <scene/gltf/budget.hpp>
 
 namespace prelight::gltf {
 
 uint64_t Budget::limit(Pool pool) const {
-    return (pool == Pool::images ? image_constant : geometry_constant) + multiple * input_;
+    return pool == Pool::images ? share_ : std::min(share_, geometry_constant + multiple * input_);
 }
 
 uint64_t Budget::left(Pool pool) const {
@@ -14,10 +15,18 @@ uint64_t Budget::left(Pool pool) const {
 
 void Budget::charge(Pool pool, uint64_t count, uint64_t size) {
     if (size != 0 && count > left(pool) / size)
-        throw Exceeded(fmt::format("needs more memory than a file of this size may take "
-                                   "({} elements of {} bytes, {} MiB left of {} MiB)",
+        throw Exceeded(fmt::format("needs more memory than {} ({} elements of {} bytes, {} MiB left of {} MiB)",
+                                   limit(pool) < share_ ? "a file of this size may take" : "the memory limit allows",
                                    count, size, left(pool) >> 20, limit(pool) >> 20));
     used(pool) += count * size;
+}
+
+void Budget::charge_work(uint64_t pixels) {
+    const uint64_t most = work_constant + work_multiple * input_;
+    if (pixels > most - work_)
+        throw Exceeded(fmt::format("the file's pictures have more pixels in all than a file of this size may have ({} million)",
+                                   most / 1'000'000));
+    work_ += pixels;
 }
 
 } // namespace prelight::gltf

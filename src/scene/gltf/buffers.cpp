@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 #include <scene/gltf/buffers.hpp>
+#include <scene/gltf/uri.hpp>
 
 namespace prelight::gltf {
 namespace {
@@ -22,7 +23,11 @@ void Buffers::read_buffer(uint32_t index) {
     const uint64_t length = item.required_integer("byteLength");
     std::span<const uint8_t> bytes;
     if (item.has("uri")) {
-        bytes = document_.read_uri(item.text("uri"), item.label());
+        try {
+            bytes = document_.read_uri(item.text("uri"), item.label());
+        } catch (const UriError& error) {
+            item.fail(error.what());
+        }
     } else if (index == 0 && !document_.binary_chunk().empty()) {
         bytes = document_.binary_chunk();
     } else {

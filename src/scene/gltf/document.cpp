@@ -2,7 +2,9 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <scene/gltf/document.hpp>
+#include <scene/gltf/json_mistake.hpp>
 #include <scene/gltf/uri.hpp>
+#include <system/read_file.hpp>
 
 namespace prelight::gltf {
 namespace {
@@ -35,6 +37,7 @@ constexpr std::array known_extensions{
     "KHR_materials_ior",       "KHR_materials_specular", "KHR_materials_clearcoat", "KHR_materials_sheen",
     "KHR_texture_transform",   "KHR_mesh_quantization", "KHR_draco_mesh_compression",
     "EXT_meshopt_compression", "EXT_texture_webp",      "EXT_mesh_gpu_instancing",
+    "KHR_materials_pbrSpecularGlossiness", "KHR_node_visibility",
 };
 
 uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
@@ -43,24 +46,41 @@ uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
     return value;
 }
 
+std::span<const uint8_t> without_byte_order_mark(std::span<const uint8_t> text) {
+    constexpr uint8_t mark[] = {0xef, 0xbb, 0xbf};
+    return text.size() >= 3 && std::memcmp(text.data(), mark, 3) == 0 ? text.subspan(3) : text;
+}
+
 } // namespace
 
-Document::Document(std::string file, fs::path folder, Bytes bytes)
-    : file_(std::move(file)), folder_(std::move(folder)), bytes_(std::move(bytes)) {
+Bytes read_within(const Budget& budget, const fs::path& file, size_t padding) {
+    const uint64_t room = budget.room_for_input();
+    if (room >= largest_file::scene)
+        return read_bytes(file, largest_file::scene, padding);
+    std::error_code none;
+    if (const uint64_t size = fs::file_size(file, none); !none && size > room && size <= largest_file::scene)
+        throw FileError(fmt::format("needs more memory than the memory limit allows ({} MiB, {} MiB left for files)",
+                                    size >> 20, room >> 20));
+    return read_bytes(file, room, padding);
+}
+
+Document::Document(std::string file, fs::path folder, Bytes bytes, const LoadOptions& options, uint64_t memory)
+    : warnings_(std::move(file), options.strict), folder_(std::move(folder)), budget_(memory), bytes_(std::move(bytes)) {
     budget_.add_input(bytes_.size() - simdjson::SIMDJSON_PADDING);
     split_glb();
-    check_version();
     check_extensions();
 }
 
 void Document::split_glb() {
     const std::span<const uint8_t> all(bytes_.data(), bytes_.size() - simdjson::SIMDJSON_PADDING);
-    if (all.size() < 4 || std::memcmp(all.data(), "glTF", 4) != 0)
+    if (all.size() < 4 || std::memcmp(all.data(), "glTF", 4) != 0) {
+        check_text(all);
         return parse(all);
+    }
     if (all.size() < 12)
         fail("header", "the file is truncated");
-    if (read_u32(all, 4) != 2)
-        fail("header", fmt::format("GLB version {} is not 2", read_u32(all, 4)));
+    if (const uint32_t version = read_u32(all, 4); version != 2)
+        fail("header", fmt::format("the file is binary glTF {}.0; only glTF 2.0 is read", version));
     const uint32_t length = read_u32(all, 8);
     if (length > all.size())
         fail("header", fmt::format("the file is truncated: {} of {} bytes", all.size(), length));
@@ -90,11 +110,18 @@ void Document::split_glb() {
     parse(json);
 }
 
+void Document::check_text(std::span<const uint8_t> all) const {
+    if (all.empty())
+        fail("file", "is empty");
+    all = without_byte_order_mark(all);
+    const auto first = std::find_if(all.begin(), all.end(), [](uint8_t c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; });
+    if (first == all.end() || *first != '{')
+        fail("file", "is no glTF file: it is neither GLB nor a JSON object");
+}
+
 void Document::parse(std::span<const uint8_t> json) {
     charge("JSON", json.size(), json_cost);
-    constexpr uint8_t byte_order_mark[] = {0xef, 0xbb, 0xbf};
-    if (json.size() >= 3 && std::memcmp(json.data(), byte_order_mark, 3) == 0)
-        json = json.subspan(3);
+    json = without_byte_order_mark(json);
     // A little capacity even for nothing: simdjson reports an empty text as such.
     simdjson::error_code error = parser_.allocate(std::max<size_t>(json.size(), 64), max_depth);
     simdjson::dom::element top;
@@ -102,9 +129,16 @@ void Document::parse(std::span<const uint8_t> json) {
         error = parser_.parse(json.data(), json.size(), false).get(top);
     if (error == simdjson::DEPTH_ERROR)
         fail("JSON", fmt::format("is nested deeper than {}", max_depth));
-    if (error)
-        fail("JSON", simdjson::error_message(error));
-    root_.emplace(file_, "JSON", top);
+    if (error == simdjson::UTF8_ERROR)
+        fail("JSON", "is not UTF-8");
+    if (error == simdjson::MEMALLOC || error == simdjson::CAPACITY)
+        fail("JSON", "there is not enough memory to read it");
+    if (error) {
+        const std::string place = place_of_mistake(json);
+        fail("JSON", place.empty() ? "is damaged" : fmt::format("is damaged: what stands at {} does not belong there", place));
+    }
+    root_.emplace(warnings_, "JSON", top);
+    check_version();
     for (size_t t = 0; t < table_count; ++t) {
         std::optional<Item> holder = *root_;
         if (Table(t) == Table::lights)
@@ -120,15 +154,31 @@ void Document::parse(std::span<const uint8_t> json) {
     }
 }
 
+/// Tables were objects before glTF 2.0, and the version need not stand anywhere.
 void Document::check_version() const {
     const auto asset = root_->object("asset");
+    const bool old = std::any_of(table_names.begin(), table_names.end(), [&](const auto& name) {
+        const auto table = root_->find(name.first);
+        return table && table->is_object();
+    });
     if (!asset)
-        fail("asset", "is missing: this is not glTF 2.0");
-    const std::string version = asset->text("version"), least = asset->text("minVersion");
+        fail("asset", old ? "is missing, and tables are objects: the file is glTF 1.0 or older; only glTF 2.0 is read"
+                          : "is missing: the file's JSON is no glTF 2.0");
+    std::string version;
+    if (const auto given = asset->find("version"); given && given->is_number()) {
+        version = fmt::format("{:.1f}", asset->number("version", 0));
+        asset->warn("version is a number instead of a string");
+    } else {
+        version = asset->text("version");
+    }
+    const std::string least = asset->text("minVersion");
+    if (version.empty())
+        fail("asset", old ? "has no version, and tables are objects: the file is glTF 1.0 or older; only glTF 2.0 is read"
+                          : "has no version; only glTF 2.0 is read");
     if (version.substr(0, 2) != "2.")
-        fail("asset", fmt::format("version \"{}\" is not 2.x", printable(version)));
+        fail("asset", fmt::format("the file is glTF {}; only glTF 2.0 is read", printable(version)));
     if (!least.empty() && least != "2.0")
-        fail("asset", fmt::format("minVersion \"{}\" is beyond 2.0", printable(least)));
+        fail("asset", fmt::format("the file needs glTF {}; only glTF 2.0 is read", printable(least)));
 }
 
 void Document::check_extensions() {
@@ -136,7 +186,10 @@ void Document::check_extensions() {
         return std::find(known_extensions.begin(), known_extensions.end(), name) !=
                known_extensions.end();
     };
-    for (const std::string& name : root_->texts("extensionsRequired"))
+    extensions_ = root_->texts("extensionsUsed");
+    const std::vector<std::string> required = root_->texts("extensionsRequired");
+    extensions_.insert(extensions_.end(), required.begin(), required.end());
+    for (const std::string& name : required)
         if (!known(name))
             fail(fmt::format("extension {}", printable(name)),
                  "the file requires it, and it is not supported");
@@ -153,26 +206,32 @@ std::string Document::label(Table table, size_t i) const {
     return fmt::format("{} {}", table_names[size_t(table)].second, i);
 }
 
+bool Document::uses(std::string_view extension) const {
+    return std::find(extensions_.begin(), extensions_.end(), extension) != extensions_.end();
+}
+
 Item Document::item(Table table, size_t i) const {
-    return Item(file_, label(table, i), tables_[size_t(table)][i]);
+    return Item(warnings_, label(table, i), tables_[size_t(table)][i]);
 }
 
 std::span<const uint8_t> Document::read_uri(const std::string& uri, const std::string& object) {
-    try {
-        if (is_data_uri(uri)) {
-            charge(object, data_uri_size(uri), 1);
-            return *data_uris_.emplace_back(std::make_unique<Bytes>(decode_data_uri(uri)));
-        }
-        const fs::path target = resolve_uri(folder_, uri);
-        auto found = files_.find(target.string());
-        if (found == files_.end()) {
-            found = files_.emplace(target.string(), read_file(target, 0)).first;
-            budget_.add_input(found->second.size());
-        }
-        return found->second;
-    } catch (const UriError& error) {
-        fail(object, error.what());
+    if (is_data_uri(uri)) {
+        charge(object, data_uri_size(uri), 1);
+        return *data_uris_.emplace_back(std::make_unique<Bytes>(decode_data_uri(uri)));
     }
+    const FoundFile target = resolve_uri(folder_, uri);
+    if (!target.warning.empty())
+        warn(target.warning, object);
+    auto found = files_.find(target.path.string());
+    if (found == files_.end()) {
+        try {
+            found = files_.emplace(target.path.string(), read_within(budget_, target.path)).first;
+        } catch (const FileError& error) {
+            throw UriError(fmt::format("\"{}\" {}", printable(uri), error.what()));
+        }
+        budget_.add_input(found->second.size());
+    }
+    return found->second;
 }
 
 void Document::charge(const std::string& object, uint64_t count, uint64_t size) {
@@ -181,24 +240,6 @@ void Document::charge(const std::string& object, uint64_t count, uint64_t size) 
     } catch (const Budget::Exceeded& error) {
         fail(object, error.what());
     }
-}
-
-void Document::warn(const std::string& kind, const std::string& object) {
-    const auto found = std::find_if(warnings_.begin(), warnings_.end(),
-                                    [&](const auto& entry) { return entry.first == kind; });
-    if (found == warnings_.end())
-        warnings_.push_back({kind, {object, 1}});
-    else
-        ++found->second.count;
-}
-
-std::vector<std::string> Document::warnings() const {
-    std::vector<std::string> out;
-    for (const auto& [kind, warning] : warnings_)
-        out.push_back(
-            fmt::format("{}: {}: {}{}", file_, warning.first, kind,
-                        warning.count > 1 ? fmt::format(" ({} in all)", warning.count) : ""));
-    return out;
 }
 
 } // namespace prelight::gltf

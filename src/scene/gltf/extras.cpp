@@ -12,8 +12,10 @@ void read_ambient(const Item& own, Scene& scene) {
     const auto ambient = own.numbers<3>("ambient", {0, 0, 0});
     for (int c = 0; c < 3; ++c) {
         scene.ambient[c] = float(ambient[size_t(c)]);
-        if (!(scene.ambient[c] >= 0) || !std::isfinite(scene.ambient[c]))
-            own.fail("ambient is negative or too large");
+        if (scene.ambient[c] >= 0 && std::isfinite(scene.ambient[c]))
+            continue;
+        own.warn("ambient holds {}, which is negative or too large; 0 is used", ambient[size_t(c)]);
+        scene.ambient[c] = 0;
     }
 }
 
@@ -21,17 +23,35 @@ void read_environment(const Document& document, const Item& own, Textures& textu
     const auto object = own.object("environment");
     if (!object)
         return;
-    const TextureImage picture = textures.take(object->required_index("source", document.count(Table::images)));
-    if (picture.width != 2 * picture.height)
-        object->fail(fmt::format("an environment map is twice as wide as high, and this one has {}x{} pixels",
-                                 picture.width, picture.height));
-    Environment environment = from_picture(picture);
-    environment.intensity = object->real("intensity", 1);
+    /// Nothing, with a warning, where there is no such picture or it has another shape.
+    const auto take = [&](uint32_t index, std::string_view what) {
+        std::optional<TextureImage> picture = textures.take(index);
+        if (picture && picture->width != 2 * picture->height) {
+            object->warn("an environment {} is twice as wide as high, and this one has {}x{} pixels; it is left out", what,
+                         picture->width, picture->height);
+            picture.reset();
+        }
+        return picture;
+    };
+    const auto picture = take(object->required_index("source", document.count(Table::images)), "map");
+    if (!picture)
+        return;
+    Environment environment{.name = picture->name, .image = from_picture(*picture)};
+    if (const auto index = object->index("backdrop", document.count(Table::images)))
+        if (const auto backdrop = take(*index, "backdrop"))
+            environment.backdrop = from_picture(*backdrop);
+    environment.intensity = object->real_within("intensity", 1, 0, std::numeric_limits<float>::max());
     environment.rotation = object->number("rotation", 0);
     environment.background = object->flag("background", true);
-    if (!(environment.intensity >= 0))
-        object->fail("intensity is negative");
     scene.environment = std::make_shared<Environment>(std::move(environment));
+}
+
+float above_zero(const Item& own, const char* key, float absent) {
+    const float value = own.real(key, absent);
+    if (value > 0)
+        return value;
+    own.warn("{} {} is not above 0; {} is used", key, value, absent);
+    return absent;
 }
 
 void read_light(const Item& own, Light& light) {
@@ -41,14 +61,23 @@ void read_light(const Item& own, Light& light) {
     else if (falloff == "quadratic")
         light.falloff = Falloff::quadratic;
     else if (!falloff.empty())
-        own.fail(fmt::format("falloff \"{}\" is not known", printable(falloff)));
-    if (light.falloff != Falloff::gltf && !std::isfinite(light.range))
-        own.fail(fmt::format("falloff {} needs a range", falloff));
-    light.shininess = own.real("shininess", 1);
-    if (!(light.shininess > 0))
-        own.fail("shininess is not above 0");
+        own.warn("falloff \"{}\" is not known; glTF's own is used", printable(falloff));
+    if (light.falloff != Falloff::gltf && !std::isfinite(light.range)) {
+        own.warn("falloff {} needs a range; glTF's own is used", falloff);
+        light.falloff = Falloff::gltf;
+    }
+    light.shininess = above_zero(own, "shininess", 1);
     light.casts_shadow = own.flag("castsShadow", true);
-    light.size = own.real("size", light.size);
+    light.size = above_zero(own, "size", light.size);
+}
+
+/// A cookie or profile that the light cannot throw is taken away.
+void check_distribution(const Item& item, const Scene& scene, Light& light) {
+    if (const auto fault = light_fault(scene, light)) {
+        item.warn("{}; it shines without", *fault);
+        light.cookie = no_cookie;
+        light.profile.reset();
+    }
 }
 
 } // namespace
@@ -57,21 +86,25 @@ std::optional<Item> own_extras(const Item& item) {
     const auto extras = item.find("extras");
     if (!extras || !extras->is_object())
         return {};
-    return Item(item.file(), item.label() + " extras", *extras).object("prelight");
+    return Item(item.warnings(), item.label() + " extras", *extras).object("prelight");
 }
 
-void read_extras(Document& document, Buffers& buffers, Textures& textures, Scene& scene) {
+void read_extras(Document& document, Buffers& buffers, Textures& textures, const Places& lights, Scene& scene) {
     if (const auto own = own_extras(document.root())) {
         read_ambient(*own, scene);
         read_environment(document, *own, textures, scene);
     }
     LightDistributions distributions(document, buffers, textures);
-    for (size_t i = 0; i < scene.lights.size(); ++i)
-        if (const auto own = own_extras(document.item(Table::lights, i))) {
-            read_light(*own, scene.lights[i]);
-            distributions.read(*own, scene.lights[i]);
-            check_light(scene, scene.lights[i], fmt::format("{}: {}", document.file(), document.label(Table::lights, i)));
-        }
+    for (size_t i = 0; i < lights.size(); ++i) {
+        const Item item = document.item(Table::lights, i);
+        const auto own = lights[i] ? own_extras(item) : std::nullopt;
+        if (!own)
+            continue;
+        Light& light = scene.lights[*lights[i]];
+        read_light(*own, light);
+        distributions.read(*own, light);
+        check_distribution(item, scene, light);
+    }
 }
 
 } // namespace prelight::gltf

@@ -11,10 +11,7 @@ std::string printable(std::string_view text) {
     size_t length = std::min(text.size(), longest);
     while (length < text.size() && length > 0 && (text[length] & 0xc0) == 0x80)
         --length; // not within a character
-    std::string out(text.substr(0, length));
-    for (char& c : out)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            c = '?';
+    const std::string out = escaped(text.substr(0, length));
     return text.size() > longest ? out + "…" : out;
 }
 
@@ -22,14 +19,19 @@ void fail(std::string_view file, std::string_view object, std::string_view reaso
     throw Error(fmt::format("{}: {}: {}", file, object, reason));
 }
 
-Item::Item(std::string_view file, std::string label, dom::element element)
-    : file_(file), label_(std::move(label)) {
+Item::Item(Warnings& warnings, std::string label, dom::element element)
+    : warnings_(&warnings), label_(std::move(label)) {
     if (element.get(object_) != simdjson::SUCCESS)
         fail("is not a JSON object");
 }
 
 void Item::bad(std::string_view key, std::string_view reason) const {
     fail(fmt::format("{} {}", printable(key), reason));
+}
+
+void Item::ignore(std::string_view key, std::string_view wanted, dom::element value) const {
+    const std::string text = value.is_array() ? "another array" : value.is_object() ? "an object" : simdjson::minify(value);
+    warn("{} is {}, not {}; it is ignored", printable(key), printable(text), wanted);
 }
 
 std::optional<dom::element> Item::find(std::string_view key) const {
@@ -47,29 +49,42 @@ std::string Item::text(std::string_view key) const {
     const auto value = find(key);
     std::string_view text;
     if (value && value->get(text) != simdjson::SUCCESS)
-        bad(key, "is not a string");
+        ignore(key, "a string", *value);
     return std::string(text);
 }
 
 bool Item::flag(std::string_view key, bool absent) const {
     const auto value = find(key);
     if (value && value->get(absent) != simdjson::SUCCESS)
-        bad(key, "is not true or false");
+        ignore(key, "true or false", *value);
     return absent;
 }
 
 double Item::number(std::string_view key, double absent) const {
     const auto value = find(key);
     if (value && value->get(absent) != simdjson::SUCCESS)
-        bad(key, "is not a number");
+        ignore(key, "a number", *value);
     return absent;
 }
 
 float Item::real(std::string_view key, float absent) const {
     const auto value = float(number(key, absent));
-    if (has(key) && !std::isfinite(value))
-        bad(key, "is too large");
-    return value;
+    if (std::isfinite(value) || !has(key))
+        return value;
+    ignore(key, "a number that fits into 32 bits", *find(key));
+    return absent;
+}
+
+double Item::within(std::string_view key, double value, double low, double high) const {
+    if (value >= low && value <= high)
+        return value;
+    const double nearest = std::clamp(value, low, high);
+    warn("{} is {}, outside {:.6g} … {:.6g}; {:.6g} is used", printable(key), value, low, high, nearest);
+    return nearest;
+}
+
+float Item::real_within(std::string_view key, float absent, float low, float high) const {
+    return has(key) ? float(within(key, double(real(key, absent)), low, high)) : absent;
 }
 
 uint64_t Item::to_integer(std::string_view key, dom::element value) const {
@@ -139,51 +154,56 @@ std::vector<float> Item::reals(std::string_view key) const {
     std::vector<float> out;
     if (!value)
         return out;
-    if (value->get(array) != simdjson::SUCCESS)
-        bad(key, "is not an array");
+    if (value->get(array) != simdjson::SUCCESS) {
+        ignore(key, "an array of numbers", *value);
+        return out;
+    }
     for (const dom::element element : array) {
         double number = 0;
-        if (element.get(number) != simdjson::SUCCESS)
-            bad(key, "holds something that is not a number");
+        if (element.get(number) != simdjson::SUCCESS || !std::isfinite(float(number))) {
+            warn("{} {} is no number that fits into 32 bits; 0 is used", printable(key), out.size());
+            number = 0;
+        }
         out.push_back(float(number));
-        if (!std::isfinite(out.back()))
-            bad(key, "holds a number that is too large");
     }
     return out;
 }
 
-void Item::read_numbers(std::string_view key, double* values, size_t count) const {
+bool Item::read_numbers(std::string_view key, double* values, size_t count) const {
     const auto value = find(key);
     dom::array array;
     if (!value)
-        return;
-    if (value->get(array) != simdjson::SUCCESS)
-        bad(key, "is not an array");
+        return true;
+    bool good = value->get(array) == simdjson::SUCCESS;
     size_t i = 0;
-    for (const dom::element element : array) {
-        if (i < count && element.get(values[i]) != simdjson::SUCCESS)
-            bad(key, "holds something that is not a number");
-        ++i;
-    }
-    if (i != count)
-        bad(key, fmt::format("has {} numbers instead of {}", i, count));
+    if (good)
+        for (const dom::element element : array) {
+            good = good && (i >= count || element.get(values[i]) == simdjson::SUCCESS);
+            ++i;
+        }
+    constexpr size_t longest_vector = 4; // of a colour with or without alpha, what is there counts; half a matrix does not
+    if (!good || (i != count && (count > longest_vector || i == 0)))
+        ignore(key, fmt::format("an array of {} numbers", count), *value);
+    else if (i != count)
+        warn("{} has {} numbers instead of {}; the first {} count", printable(key), i, count, std::min(i, count));
+    return good && (i == count || (i > 0 && count <= longest_vector));
 }
 
 std::optional<Item> Item::object(std::string_view key) const {
     const auto value = find(key);
     if (!value)
         return {};
-    return Item(file_, fmt::format("{} {}", label_, printable(key)), *value);
+    return Item(*warnings_, fmt::format("{} {}", label_, printable(key)), *value);
 }
 
 std::optional<Item> Item::extension(std::string_view name) const {
     const auto value = find("extensions");
     if (!value)
         return {};
-    const auto inner = Item(file_, label_, *value).find(name);
+    const auto inner = Item(*warnings_, label_, *value).find(name);
     if (!inner)
         return {};
-    return Item(file_, fmt::format("{} {}", label_, name), *inner);
+    return Item(*warnings_, fmt::format("{} {}", label_, name), *inner);
 }
 
 std::vector<Item> Item::items(std::string_view key, std::string_view singular) const {
@@ -195,7 +215,7 @@ std::vector<Item> Item::items(std::string_view key, std::string_view singular) c
     if (value->get(array) != simdjson::SUCCESS)
         bad(key, "is not an array");
     for (const dom::element element : array)
-        out.emplace_back(file_, fmt::format("{} {} {}", label_, singular, out.size()), element);
+        out.emplace_back(*warnings_, fmt::format("{} {} {}", label_, singular, out.size()), element);
     return out;
 }
 

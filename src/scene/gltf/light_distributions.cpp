@@ -13,7 +13,7 @@ constexpr uint64_t profile_cost = 28;
 void LightDistributions::read(const Item& own, Light& light) {
     if (const auto cookie = own.object("cookie")) {
         if (!cookie->has("texture"))
-            cookie->fail("has no texture");
+            cookie->warn("has no texture");
         if (const TextureRef texture = textures_.read(*cookie, "texture"))
             light.cookie = texture.image;
     }
@@ -31,13 +31,18 @@ void LightDistributions::read(const Item& own, Light& light) {
     else if (const auto view = object.index("bufferView", document_.count(Table::buffer_views)))
         light.profile = profile_of(object, *view);
     else
-        object.fail("has neither uri nor bufferView");
+        object.warn("has neither uri nor bufferView; the light has no profile");
 }
 
 LightDistributions::Profile LightDistributions::profile_of(const Item& own, const std::string& uri) {
     Profile& known = by_uri_[uri];
-    if (!known)
-        known = parsed(own, is_data_uri(uri) ? "ies" : printable(uri), document_.read_uri(uri, own.label()));
+    if (!known) {
+        try {
+            known = parsed(own, is_data_uri(uri) ? "ies" : printable(uri), document_.read_uri(uri, own.label()));
+        } catch (const UriError& error) {
+            own.warn("ies: {}; the light has no profile", error.what());
+        }
+    }
     return known;
 }
 
@@ -54,7 +59,8 @@ LightDistributions::Profile LightDistributions::parsed(const Item& own, const st
         return std::make_shared<LightProfile>(
             parse_profile({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name));
     } catch (const Error& error) {
-        own.fail(error.what());
+        own.warn("{}; the light has no profile", error.what());
+        return {};
     }
 }
 

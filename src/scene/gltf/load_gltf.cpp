@@ -7,6 +7,8 @@
 #include <scene/gltf/primitives.hpp>
 #include <scene/gltf/textures.hpp>
 #include <scene/gltf/uri.hpp>
+#include <system/read_file.hpp>
+#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {
@@ -20,14 +22,17 @@ Scene read_scene(gltf::Document&& document) {
     gltf::Textures textures(document, buffers, scene);
     gltf::read_materials(document, textures, scene);
     gltf::read_meshes(document, buffers, accessors, scene);
-    gltf::read_cameras(document, scene);
-    gltf::read_lights(document, scene);
-    gltf::read_extras(document, buffers, textures, scene);
-    gltf::read_nodes(document, accessors, scene);
+    const gltf::Places cameras = gltf::read_cameras(document, scene);
+    const gltf::Places lights = gltf::read_lights(document, scene);
+    gltf::read_extras(document, buffers, textures, lights, scene);
+    gltf::read_nodes(document, accessors, cameras, lights, scene);
     gltf::read_scenes(document, scene);
     gltf::read_skins(document, accessors, scene);
     gltf::read_animations(document, accessors, scene);
-    scene.warnings = document.warnings();
+    textures.tell_scaled();
+    if (scene.materials.empty()) // a file of lights and cameras; renderers want one
+        scene.materials.emplace_back().name = "default";
+    scene.warnings = document.warnings().lines();
     return scene;
 }
 
@@ -43,26 +48,32 @@ Scene guard_memory(const std::string& file, Read read) {
     }
 }
 
+uint64_t memory_of(const LoadOptions& options) {
+    return options.memory_limit != 0 ? options.memory_limit : spare_memory();
+}
+
 } // namespace
 
 Scene gltf::load(std::span<const uint8_t> bytes, const std::string& file,
-                 const std::filesystem::path& folder) {
+                 const std::filesystem::path& folder, const LoadOptions& options) {
     return guard_memory(file, [&] {
         Bytes padded(bytes.begin(), bytes.end());
         padded.resize(bytes.size() + simdjson::SIMDJSON_PADDING);
-        return read_scene(Document(file, folder, std::move(padded)));
+        return read_scene(Document(file, folder, std::move(padded), options, memory_of(options)));
     });
 }
 
-Scene load_gltf(const std::filesystem::path& path) {
+Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
     const std::string file = path.string();
     return guard_memory(file, [&] {
+        const uint64_t memory = memory_of(options);
+        gltf::Bytes bytes;
         try {
-            return read_scene(gltf::Document(file, path.parent_path(),
-                                             gltf::read_file(path, simdjson::SIMDJSON_PADDING)));
-        } catch (const gltf::UriError& error) {
+            bytes = gltf::read_within(gltf::Budget(memory), path, simdjson::SIMDJSON_PADDING);
+        } catch (const FileError& error) {
             gltf::fail(file, "file", error.what());
         }
+        return read_scene(gltf::Document(file, path.parent_path(), std::move(bytes), options, memory));
     });
 }
 

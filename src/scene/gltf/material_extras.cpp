@@ -10,32 +10,29 @@ namespace {
 
 using simdjson::dom::element;
 
-/// A number, or an array of up to four.
-glm::vec4 read_value(const Item& own, std::string_view key, const element& value) {
-    const auto bad = [&] {
-        own.fail(fmt::format("parameter {} is neither a number nor an array of 1 to 4", printable(key)));
-    };
+/// A number, or an array of up to four; nothing, with a warning, for anything else.
+std::optional<glm::vec4> read_value(const Item& own, std::string_view key, const element& value) {
+    bool good = true;
     const auto number = [&](const element& e) {
         double v = 0;
-        if (e.get_double().get(v) || !std::isfinite(static_cast<float>(v)))
-            bad();
+        good = good && !e.get_double().get(v) && std::isfinite(static_cast<float>(v));
         return static_cast<float>(v);
     };
     glm::vec4 out(0);
     simdjson::dom::array list;
-    if (value.get_array().get(list)) {
+    int count = 1;
+    if (value.get_array().get(list))
         out.x = number(value);
+    else {
+        count = 0;
+        for (const element& e : list)
+            if (count++ < 4)
+                out[count - 1] = number(e);
+    }
+    if (good && count >= 1 && count <= 4)
         return out;
-    }
-    int count = 0;
-    for (const element& e : list) {
-        if (count == 4)
-            bad();
-        out[count++] = number(e);
-    }
-    if (count == 0)
-        bad();
-    return out;
+    own.warn("parameter {} is neither a number nor an array of 1 to 4; its default is used", printable(key));
+    return {};
 }
 
 /// The members of an object of ours; none when it is absent.
@@ -43,8 +40,10 @@ simdjson::dom::object members(const Item& own, std::string_view key, bool& there
     simdjson::dom::object object;
     const auto found = own.find(key);
     there = found.has_value();
-    if (found && found->get_object().get(object))
-        own.fail(fmt::format("{} is not an object", key));
+    if (found && found->get_object().get(object)) {
+        own.warn("{} is not an object; it is ignored", key);
+        there = false;
+    }
     return object;
 }
 
@@ -59,7 +58,8 @@ void read_material_extras(Textures& textures, const Item& item, Material& materi
     const simdjson::dom::object parameters = members(*own, "parameters", there);
     if (there)
         for (const auto& [key, value] : parameters)
-            material.parameters[std::string(key)] = read_value(*own, key, value);
+            if (const auto read = read_value(*own, key, value))
+                material.parameters[std::string(key)] = *read;
     const simdjson::dom::object maps = members(*own, "textures", there);
     if (there) {
         const Item list = *own->object("textures");
@@ -74,9 +74,14 @@ void read_material_extras(Textures& textures, const Item& item, Material& materi
         std::vector<std::string_view> known;
         for (const auto& shader : built_in_material_shaders())
             known.push_back(shader->name);
-        own->fail(fmt::format("material \"{}\" is not built in ({})", printable(name), fmt::join(known, ", ")));
+        own->warn("material \"{}\" is not built in ({}); glTF's own is drawn", printable(name), fmt::join(known, ", "));
     }
-    check_material(material, fmt::format("{}: {}", item.file(), item.label()));
+    if (const auto fault = material_fault(material)) {
+        item.warn("{}; glTF's own is drawn", *fault);
+        material.shader.reset();
+        material.parameters.clear();
+        material.textures.clear();
+    }
 }
 
 } // namespace prelight::gltf

@@ -30,8 +30,10 @@ private:
         const MaterialParameter& parameter = *shader_->find_parameter(name);
         bool differs = false;
         for (int c = 0; c < int(parameter.components); ++c) {
-            if (!(value[c] >= parameter.low && value[c] <= parameter.high))
-                extension.fail(fmt::format("{} {} is outside {} … {}", name, value[c], parameter.low, parameter.high));
+            if (const float v = value[c]; !(v >= parameter.low && v <= parameter.high)) {
+                value[c] = std::clamp(v, parameter.low, parameter.high);
+                extension.warn("{} {} is outside {} … {}; {} is used", name, v, parameter.low, parameter.high, value[c]);
+            }
             differs = differs || value[c] != parameter.default_value[c];
         }
         if (!differs)

@@ -8,13 +8,16 @@ namespace {
 
 /// Factors that the specification keeps within 0 … 1.
 float unit(const Item& item, std::string_view key, float absent) {
-    return std::clamp(item.real(key, absent), 0.f, 1.f);
+    return item.real_within(key, absent, 0, 1);
+}
+
+glm::vec4 colour(const Item& item, std::string_view key) {
+    const auto factor = item.numbers_within<4>(key, {1, 1, 1, 1}, 0, 1);
+    return {factor[0], factor[1], factor[2], factor[3]};
 }
 
 void read_metallic_roughness(const Item& item, Textures& textures, Material& material) {
-    const auto base = item.numbers<4>("baseColorFactor", {1, 1, 1, 1});
-    for (int c = 0; c < 4; ++c)
-        material.base_colour[c] = float(std::clamp(base[size_t(c)], 0.0, 1.0));
+    material.base_colour = colour(item, "baseColorFactor");
     material.metallic = unit(item, "metallicFactor", 1);
     material.roughness = unit(item, "roughnessFactor", 1);
     material.base_colour_texture = textures.read(item, "baseColorTexture");
@@ -22,38 +25,40 @@ void read_metallic_roughness(const Item& item, Textures& textures, Material& mat
 }
 
 void read_emissive(const Item& item, Textures& textures, Material& material) {
-    const auto factor = item.numbers<3>("emissiveFactor", {0, 0, 0});
+    constexpr double largest = std::numeric_limits<float>::max();
+    // Beyond 1 other programs have written strengths before there was an extension for them.
+    const auto factor = item.numbers_within<3>("emissiveFactor", {0, 0, 0}, 0, largest);
     double strength = 1;
     if (const auto extension = item.extension("KHR_materials_emissive_strength"))
-        strength = extension->number("emissiveStrength", 1);
-    for (int c = 0; c < 3; ++c) {
-        material.emissive[c] = float(std::max(factor[size_t(c)], 0.0) * strength);
-        if (!std::isfinite(material.emissive[c]) || material.emissive[c] < 0)
-            item.fail("its emissive light is not finite and positive");
-    }
+        strength = extension->real_within("emissiveStrength", 1, 0, float(largest));
+    for (int c = 0; c < 3; ++c)
+        material.emissive[c] = float(std::min(factor[size_t(c)] * strength, largest));
     material.emissive_texture = textures.read(item, "emissiveTexture");
 }
 
-void read_alpha(Document& document, const Item& item, Material& material) {
+void read_alpha(const Item& item, Material& material) {
     const std::string mode = item.text("alphaMode");
     if (mode == "MASK")
         material.alpha_mode = AlphaMode::mask;
     else if (mode == "BLEND")
         material.alpha_mode = AlphaMode::blend;
     else if (!mode.empty() && mode != "OPAQUE")
-        item.fail(fmt::format("alphaMode \"{}\" is not known", printable(mode)));
+        item.warn("alphaMode \"{}\" is not known; OPAQUE is used", printable(mode));
     if (material.alpha_mode == AlphaMode::blend)
-        document.warn("alphaMode BLEND is drawn opaque for now", item.label());
-    material.alpha_cutoff = item.real("alphaCutoff", 0.5f);
+        item.warn("alphaMode BLEND is drawn opaque for now");
+    material.alpha_cutoff = item.real_within("alphaCutoff", 0.5f, 0, std::numeric_limits<float>::max());
 }
 
 Material read_material(Document& document, Textures& textures, const Item& item) {
     Material material;
     material.name = item.text("name");
-    if (const auto inner = item.object("pbrMetallicRoughness"))
+    material.unlit = item.extension("KHR_materials_unlit").has_value();
+    read_alpha(item, material);
+    if (const auto extension = item.extension("KHR_materials_pbrSpecularGlossiness"))
+        read_specular_glossiness(textures, *extension, material);
+    else if (const auto inner = item.object("pbrMetallicRoughness"))
         read_metallic_roughness(*inner, textures, material);
     read_emissive(item, textures, material);
-    read_alpha(document, item, material);
     material.normal_texture = textures.read(item, "normalTexture");
     if (const auto normal = item.object("normalTexture"))
         material.normal_scale = normal->real("scale", 1);
@@ -61,7 +66,6 @@ Material read_material(Document& document, Textures& textures, const Item& item)
     if (const auto occlusion = item.object("occlusionTexture"))
         material.occlusion_strength = unit(*occlusion, "strength", 1);
     material.double_sided = item.flag("doubleSided");
-    material.unlit = item.extension("KHR_materials_unlit").has_value();
     read_material_extras(textures, item, material);
     read_material_layers(document, textures, item, material);
     return material;

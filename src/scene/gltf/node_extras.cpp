@@ -8,12 +8,17 @@
 namespace prelight::gltf {
 namespace {
 
+/// Why a decal or an emitter cannot be what it says.
+struct Unfit : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A number within low … high.
 float within(const Item& item, std::string_view key, float absent, double low, double high) {
     const double value = item.number(key, absent);
     // The float nearest to a limit may lie beyond it.
     if (!(value >= low - 1e-6 && value <= high + 1e-6))
-        item.fail(fmt::format("{} is {}, outside {:.6g} … {:.6g}", key, value, low, high));
+        throw Unfit(fmt::format("{} is {}, outside {:.6g} … {:.6g}", key, value, low, high));
     return static_cast<float>(value);
 }
 
@@ -21,7 +26,7 @@ float within(const Item& item, std::string_view key, float absent, double low, d
 void read_span(const Item& item, std::string_view key, float& from, float& to, double low, double high) {
     const auto span = item.numbers<2>(key, {from, to});
     if (!(span[0] >= low && span[1] >= span[0] && span[1] <= high + 1e-6))
-        item.fail(fmt::format("{} is [{}, {}]: wanted are two numbers within {:.6g} … {:.6g}, the smaller first", key,
+        throw Unfit(fmt::format("{} is [{}, {}]: wanted are two numbers within {:.6g} … {:.6g}, the smaller first", key,
                               span[0], span[1], low, high));
     from = static_cast<float>(span[0]);
     to = static_cast<float>(span[1]);
@@ -37,7 +42,7 @@ void read_channels(const Item& item, Decal& decal) {
                             : channel == "roughness" ? &decal.roughness
                                                      : nullptr;
         if (!known)
-            item.fail(fmt::format("channel \"{}\" is not known (colour, normal, roughness)", printable(channel)));
+            throw Unfit(fmt::format("channel \"{}\" is not known (colour, normal, roughness)", printable(channel)));
         *known = true;
     }
 }
@@ -46,11 +51,11 @@ Decal read_decal(const Document& document, const Item& item, const Scene& scene)
     Decal decal;
     decal.material = item.required_index("material", document.count(Table::materials));
     if (scene.materials[decal.material].shader)
-        item.fail(fmt::format("material {} has a shader of its own, and decals know none", decal.material));
+        throw Unfit(fmt::format("material {} has a shader of its own, and decals know none", decal.material));
     decal.opacity = within(item, "opacity", 1, 0, 1);
     const double order = item.number("order", 0);
     if (!(std::abs(order) <= std::numeric_limits<int32_t>::max()) || order != std::floor(order))
-        item.fail("order is not a whole number of 32 bits");
+        throw Unfit("order is not a whole number of 32 bits");
     decal.order = static_cast<int32_t>(order);
     read_span(item, "fade", decal.fade_from, decal.fade_to, 0, std::numbers::pi / 2);
     read_channels(item, decal);
@@ -62,7 +67,7 @@ std::vector<glm::vec3> read_colours(const Item& item, std::vector<glm::vec3> abs
     if (!found)
         return absent;
     constexpr size_t most = 64;
-    const auto bad = [&] { item.fail(fmt::format("colours is not an array of 1 to {} times three numbers ≥ 0", most)); };
+    const auto bad = [&] { throw Unfit(fmt::format("colours is not an array of 1 to {} times three numbers ≥ 0", most)); };
     simdjson::dom::array list;
     if (found->get_array().get(list) || list.size() == 0 || list.size() > most)
         bad();
@@ -89,7 +94,7 @@ Emitter read_emitter(Document& document, const Item& item) {
     Emitter out;
     const uint64_t count = item.integer_or("count", out.count);
     if (count < 1 || count > most)
-        item.fail(fmt::format("count is {}, outside 1 … {}", count, most));
+        throw Unfit(fmt::format("count is {}, outside 1 … {}", count, most));
     out.count = static_cast<uint32_t>(count);
     // Each particle's light and octahedron in the world, and on its way there.
     document.charge(item.label(), count, 1024);
@@ -103,7 +108,7 @@ Emitter read_emitter(Document& document, const Item& item) {
     if (item.has("ground"))
         out.ground = within(item, "ground", 0, -far, far);
     if (out.ground && (out.drag > 0 || !(out.gravity > 0)))
-        item.fail("ground goes with a gravity above 0 and without drag");
+        throw Unfit("ground goes with a gravity above 0 and without drag");
     out.bounce = within(item, "bounce", out.bounce, 0, 1);
     out.slip = within(item, "slip", out.slip, 0, 1);
     out.colours = read_colours(item, out.colours);
@@ -126,12 +131,20 @@ void read_node_extras(Document& document, const Item& item, Node& node, Scene& s
     node.receives_decals = own->flag("receivesDecals", true);
     if (const auto decal = own->object("decal")) {
         document.charge(decal->label(), 1, sizeof(Decal) + 4 * sizeof(PlacedDecal));
-        node.decal = static_cast<uint32_t>(scene.decals.size());
-        scene.decals.push_back(read_decal(document, *decal, scene));
+        try {
+            scene.decals.push_back(read_decal(document, *decal, scene));
+            node.decal = static_cast<uint32_t>(scene.decals.size() - 1);
+        } catch (const Unfit& reason) {
+            decal->warn("{}; the decal is left out", reason.what());
+        }
     }
     if (const auto emitter = own->object("emitter")) {
-        node.emitter = static_cast<uint32_t>(scene.emitters.size());
-        scene.emitters.push_back(read_emitter(document, *emitter));
+        try {
+            scene.emitters.push_back(read_emitter(document, *emitter));
+            node.emitter = static_cast<uint32_t>(scene.emitters.size() - 1);
+        } catch (const Unfit& reason) {
+            emitter->warn("{}; the emitter is left out", reason.what());
+        }
     }
 }
 

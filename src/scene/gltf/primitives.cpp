@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <scene/animate.hpp>
-#include <scene/gltf/draco_mesh.hpp>
 #include <scene/gltf/primitives.hpp>
 #include <scene/gltf/triangles.hpp>
+#include <scene/gltf/vectors.hpp>
 #include <scene/tangents.hpp>
 
 namespace prelight::gltf {
@@ -15,34 +16,32 @@ namespace {
 constexpr uint64_t tangent_work_bytes = 256;
 /// An index as read; and a triangle's corner as read, while it is compacted, and kept.
 constexpr uint64_t index_bytes = 4, corner_index_bytes = 16;
-/// Four joints and weights.
-constexpr uint64_t joint_set_bytes = 4 * 2 + 4 * 4;
-
-bool is_finite(const glm::vec4& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-}
 
 class PrimitiveReader {
 public:
     PrimitiveReader(Document& document, Buffers& buffers, Accessors& accessors, Scene& scene,
                     const Item& item)
         : document_(document), buffers_(buffers), accessors_(accessors), scene_(scene), item_(item),
-          attributes_(item.object("attributes")) {}
+          attributes_(document, accessors, item) {}
 
     /// Nothing when the primitive makes no triangles.
     std::optional<Primitive> read() {
         const uint64_t mode = item_.integer_or("mode", uint64_t(Mode::triangles));
-        if (mode > uint64_t(Mode::fan))
-            item_.fail(fmt::format("mode {} is not known", mode));
+        if (mode > uint64_t(Mode::fan)) {
+            item_.warn("mode {} is not known; the primitive is left out", mode);
+            return {};
+        }
         if (mode < uint64_t(Mode::triangles))
             return skip("points and lines are not drawn");
-        if (!attributes_ || !attributes_->has("POSITION"))
+        if (!attributes_.has("POSITION"))
             return skip("primitives without POSITION are not drawn");
         read_topology(Mode(mode));
         if (primitive_.indices.empty())
             return skip("primitives without a whole triangle are not drawn");
         read_material();
         read_attributes();
+        if (primitive_.indices.empty())
+            return skip("primitives without a whole triangle are not drawn");
         complete();
         return std::move(primitive_);
     }
@@ -57,43 +56,44 @@ private:
     /// primitives may share one large buffer.
     void read_topology(Mode mode) {
         if (const auto extension = item_.extension("KHR_draco_mesh_compression")) {
-            draco_.emplace(document_, buffers_, *extension);
-            vertices_ = draco_->points();
-            document_.charge(item_.label(), draco_->corners(), corner_index_bytes);
-            primitive_.indices = draco_->indices();
+            const DracoMesh& draco = attributes_.set_draco(buffers_, *extension);
+            document_.charge(item_.label(), draco.corners(), corner_index_bytes);
+            primitive_.indices = draco.indices();
         } else {
-            vertices_ = elements("POSITION", 3)->count;
+            attributes_.count_vertices();
             std::vector<uint32_t> indices = read_indices();
             const uint64_t corners = indices.size() * (mode == Mode::triangles ? 1 : 3);
             document_.charge(item_.label(), corners, corner_index_bytes);
             primitive_.indices = triangle_list(std::move(indices), mode);
         }
-        used_ = compact(primitive_.indices);
+        attributes_.set_used(compact(primitive_.indices));
     }
 
     std::vector<uint32_t> read_indices() {
+        const uint32_t vertices = attributes_.vertices();
         std::vector<uint32_t> indices;
         const auto accessor = item_.index("indices", document_.count(Table::accessors));
         if (!accessor) {
-            document_.charge(item_.label(), vertices_, index_bytes);
-            indices.resize(vertices_);
-            for (uint32_t i = 0; i < vertices_; ++i)
+            document_.charge(item_.label(), vertices, index_bytes);
+            indices.resize(vertices);
+            for (uint32_t i = 0; i < vertices; ++i)
                 indices[i] = i;
             return indices;
         }
         const Elements& source = accessors_.get(*accessor);
-        if (source.width != 1 || source.normalized ||
-            (source.component != Component::u8 && source.component != Component::u16 &&
-             source.component != Component::u32))
-            gltf::fail(document_.file(), source.label, "is not fit for indices");
+        const std::string mismatch = kind_mismatch(source, "SCALAR of unsigned integers, which indices are");
+        if (source.width != 1 || (source.component != Component::u8 && source.component != Component::u16 &&
+                                  source.component != Component::u32))
+            item_.fail(mismatch);
+        if (source.normalized)
+            item_.warn("{}; they are read as they are", mismatch);
         const uint32_t restart = uint32_t((uint64_t(1) << (8 * size_of(source.component))) - 1);
         document_.charge(item_.label(), source.count, index_bytes);
         indices.reserve(source.count);
         for (uint32_t i = 0; i < source.count; ++i) {
             const uint32_t index = source.index(i);
-            if (index >= vertices_ || index == restart)
-                item_.fail(fmt::format("index {} (number {}) is beyond its {} vertices", index, i,
-                                       vertices_));
+            if (index >= vertices || index == restart)
+                item_.fail(fmt::format("index {} (number {}) is beyond its {} vertices", index, i, vertices));
             indices.push_back(index);
         }
         return indices;
@@ -106,114 +106,56 @@ private:
         primitive_.material = index.value_or(uint32_t(document_.count(Table::materials)));
     }
 
-    /// Checked values of an attribute, `least` … 4 components wide; nothing when it is absent.
-    const Elements* elements(const char* name, uint32_t least) {
-        const auto accessor = attributes_->index(name, document_.count(Table::accessors));
-        if (!accessor)
-            return nullptr;
-        const Elements* found = nullptr;
-        if (draco_) {
-            const Item item = document_.item(Table::accessors, *accessor);
-            document_.charge(item_.label(), vertices_, sizeof(uint32_t));
-            draco_elements_ = draco_->attribute(name, item.flag("normalized"));
-            if (draco_elements_)
-                found = &*draco_elements_;
-        }
-        if (!found)
-            found = &accessors_.get(*accessor);
-        if (found->width < least || found->component == Component::u32)
-            item_.fail(fmt::format("{}: its type is not fit for that", name));
-        if (vertices_ != 0 && found->count != vertices_)
-            item_.fail(
-                fmt::format("{}: has {} values for {} vertices", name, found->count, vertices_));
-        return found;
-    }
-
-    /// Calls `store(place, value)` for each used vertex.
-    template <class Store>
-    void gather(const char* name, const Elements& source, Store store) {
-        for (uint32_t place = 0; place < used_.size(); ++place) {
-            const glm::vec4 value = source.vec(used_[place]);
-            if (!is_finite(value))
-                item_.fail(fmt::format("{}: vertex {} is not finite", name, used_[place]));
-            store(place, value);
-        }
-    }
-
     void read_attributes() {
-        document_.charge(item_.label(), used_.size(), vertex_bytes());
-        const Elements* source = elements("POSITION", 3);
-        primitive_.positions.resize(used_.size());
-        gather("POSITION", *source,
-               [&](uint32_t i, glm::vec4 v) { primitive_.positions[i] = glm::vec3(v); });
-        if ((source = elements("NORMAL", 3))) {
-            primitive_.normals.resize(used_.size());
-            gather("NORMAL", *source,
-                   [&](uint32_t i, glm::vec4 v) { primitive_.normals[i] = glm::vec3(v); });
-        }
-        if ((source = needs_tangents() ? elements("TANGENT", 4) : nullptr)) {
-            primitive_.tangents.resize(used_.size());
-            gather("TANGENT", *source,
-                   [&](uint32_t i, glm::vec4 v) { primitive_.tangents[i] = v; });
-        }
-        read_texcoords("TEXCOORD_0", 0);
-        read_texcoords("TEXCOORD_1", 1);
-        for (uint32_t set = 0; read_joints(set);)
-            ++set;
+        const size_t used = attributes_.used().size();
+        document_.charge(item_.label(), used, vertex_bytes());
+        primitive_.positions.resize(used);
+        const std::vector<uint32_t> nowhere =
+            gather("POSITION", Semantic::position, glm::vec4(0), "the triangles at it are left out",
+                   [&](uint32_t i, glm::vec4 v) { primitive_.positions[i] = glm::vec3(v); });
+        if (!nowhere.empty())
+            drop_triangles_at(primitive_, nowhere);
+        gather("NORMAL", Semantic::normal, glm::vec4(0), "", primitive_.normals, // zero ones are made anew
+               [](glm::vec4 v) { return glm::vec3(v); });
+        if (needs_tangents())
+            gather("TANGENT", Semantic::tangent, glm::vec4(0), "", primitive_.tangents, [](glm::vec4 v) { return v; });
+        for (size_t set = 0; set < primitive_.texcoords.size(); ++set)
+            gather(fmt::format("TEXCOORD_{}", set), Semantic::texcoord, glm::vec4(0), "(0, 0) is used", primitive_.texcoords[set],
+                   [](glm::vec4 v) { return glm::vec2(v); });
+        read_joints(document_, item_, attributes_, primitive_);
+        moving_bytes_ += primitive_.joint_sets.size() * joint_set_bytes;
         read_targets();
-        if ((source = elements("COLOR_0", 3))) {
-            primitive_.colours.resize(used_.size());
-            const bool alpha = source->width == 4;
-            gather("COLOR_0", *source, [&](uint32_t i, glm::vec4 v) {
-                v.w = alpha ? v.w : 1;
-                primitive_.colours[i] = glm::clamp(v, 0.f, 1.f);
-            });
-        }
+        read_colours();
     }
 
-    void read_texcoords(const char* name, size_t set) {
-        const Elements* source = elements(name, 2);
-        if (!source)
+    /// Calls `store(place, value)` for each vertex; nothing when there is no such attribute.
+    template <class Store>
+    std::vector<uint32_t> gather(const std::string& name, Semantic semantic, glm::vec4 instead, std::string_view repair, Store store) {
+        const Attributes::Values values = attributes_.find(name, semantic);
+        return values ? attributes_.gather(item_, name, values, instead, repair, store) : std::vector<uint32_t>();
+    }
+
+    /// The same into a list, which stays empty when there is no such attribute.
+    template <class T, class Convert>
+    void gather(const std::string& name, Semantic semantic, glm::vec4 instead, std::string_view repair, std::vector<T>& out,
+                Convert convert) {
+        const Attributes::Values values = attributes_.find(name, semantic);
+        if (!values)
             return;
-        primitive_.texcoords[set].resize(used_.size());
-        gather(name, *source,
-               [&](uint32_t i, glm::vec4 v) { primitive_.texcoords[set][i] = glm::vec2(v); });
+        out.resize(attributes_.used().size());
+        attributes_.gather(item_, name, values, instead, repair, [&](uint32_t i, glm::vec4 v) { out[i] = convert(v); });
     }
 
-    /// JOINTS_n and WEIGHTS_n; false when there are none.
-    bool read_joints(uint32_t set) {
-        const std::string joints_name = fmt::format("JOINTS_{}", set);
-        const std::string weights_name = fmt::format("WEIGHTS_{}", set);
-        const Elements* source = elements(joints_name.c_str(), 4);
-        if (attributes_->has(joints_name) != attributes_->has(weights_name))
-            item_.fail(fmt::format("{} and {} must stand together", joints_name, weights_name));
-        if (!source)
-            return false;
-        if (source->normalized ||
-            (source->component != Component::u8 && source->component != Component::u16))
-            item_.fail(fmt::format("{}: its type is not fit for that", joints_name));
-        document_.charge(item_.label(), used_.size(), joint_set_bytes);
-        moving_bytes_ += joint_set_bytes;
-        JointSet& out = primitive_.joint_sets.emplace_back();
-        out.joints.resize(used_.size());
-        gather(joints_name.c_str(), *source,
-               [&](uint32_t i, glm::vec4 v) { out.joints[i] = glm::vec<4, uint16_t>(v); });
-        source = elements(weights_name.c_str(), 4);
-        if (source->component != Component::f32 &&
-            (!source->normalized ||
-             (source->component != Component::u8 && source->component != Component::u16)))
-            item_.fail(fmt::format("{}: its type is not fit for that", weights_name));
-        out.weights.resize(used_.size());
-        gather(weights_name.c_str(), *source, [&](uint32_t i, glm::vec4 v) {
-            for (int k = 0; k < 4; ++k) {
-                if (v[k] < 0)
-                    item_.fail(fmt::format("{}: vertex {} has a negative weight", weights_name, used_[i]));
-                if (v[k] == 0) // where nothing follows it, a joint may have any number
-                    out.joints[i][k] = 0;
-            }
-            out.weights[i] = v;
+    void read_colours() {
+        const Attributes::Values values = attributes_.find("COLOR_0", Semantic::colour);
+        if (!values)
+            return;
+        const bool alpha = values.elements->width == 4;
+        primitive_.colours.resize(attributes_.used().size());
+        attributes_.gather(item_, "COLOR_0", values, glm::vec4(1), "white is used", [&](uint32_t i, glm::vec4 v) {
+            v.w = alpha ? v.w : 1;
+            primitive_.colours[i] = glm::clamp(v, 0.f, 1.f);
         });
-        return true;
     }
 
     void read_targets() {
@@ -221,46 +163,37 @@ private:
         document_.charge(item_.label(), targets.size(), sizeof(MorphTarget));
         for (const Item& target : targets) {
             MorphTarget& out = primitive_.morph_targets.emplace_back();
-            read_deltas(target, "POSITION", out.positions);
+            read_deltas(target, "POSITION", Semantic::position_delta, out.positions);
             if (!primitive_.normals.empty()) // else both are made anew
-                read_deltas(target, "NORMAL", out.normals);
+                read_deltas(target, "NORMAL", Semantic::normal_delta, out.normals);
             if (!primitive_.tangents.empty())
-                read_deltas(target, "TANGENT", out.tangents);
+                read_deltas(target, "TANGENT", Semantic::tangent_delta, out.tangents);
             if (target.has("TEXCOORD_0") || target.has("TEXCOORD_1") || target.has("COLOR_0"))
                 document_.warn("morph targets move no texture coordinates and colours", target.label());
         }
     }
 
-    void read_deltas(const Item& target, const char* name, std::vector<glm::vec3>& out) {
-        const auto accessor = target.index(name, document_.count(Table::accessors));
-        if (!accessor)
+    void read_deltas(const Item& target, const char* name, Semantic semantic, std::vector<glm::vec3>& out) {
+        const Attributes::Values values = attributes_.find_delta(target, name, semantic);
+        if (!values)
             return;
-        const Elements& source = accessors_.get(*accessor);
-        if (source.width != 3 || source.component == Component::u32)
-            target.fail(fmt::format("{}: its type is not fit for that", name));
-        if (source.count != vertices_)
-            target.fail(fmt::format("{}: has {} values for {} vertices", name, source.count, vertices_));
-        document_.charge(target.label(), used_.size(), sizeof(glm::vec3));
+        document_.charge(target.label(), attributes_.used().size(), sizeof(glm::vec3));
         moving_bytes_ += sizeof(glm::vec3);
-        out.resize(used_.size());
-        for (uint32_t place = 0; place < used_.size(); ++place) {
-            const glm::vec4 value = source.vec(used_[place]);
-            if (!is_finite(value))
-                target.fail(fmt::format("{}: vertex {} is not finite", name, used_[place]));
-            out[place] = glm::vec3(value);
-        }
+        out.resize(attributes_.used().size());
+        attributes_.gather(target, name, values, glm::vec4(0), "it does not move",
+                           [&](uint32_t i, glm::vec4 v) { out[i] = glm::vec3(v); });
     }
 
     /// A vertex with the attributes that the primitive has or will get.
     uint64_t vertex_bytes() const {
         return 12 + 12 + 2 * 8 + (needs_tangents() ? 16 : 0) +
-               (attributes_->has("COLOR_0") ? 16 : 0) + moving_bytes_;
+               (attributes_.has("COLOR_0") ? 16 : 0) + moving_bytes_;
     }
 
     const Material& material() const { return scene_.materials[primitive_.material]; }
     bool needs_tangents() const {
         const Material& m = material(); // a shader of its own may read any texture as a normal map
-        return m.normal_texture || (m.shader && attributes_->has(m.normal_texture.texcoord == 1 ? "TEXCOORD_1" : "TEXCOORD_0"));
+        return m.normal_texture || (m.shader && attributes_.has(m.normal_texture.texcoord == 1 ? "TEXCOORD_1" : "TEXCOORD_0"));
     }
 
     /// Makes what the file left out, so that every primitive that is drawn has it.
@@ -270,7 +203,7 @@ private:
             document_.charge(item_.label(), primitive_.indices.size(), vertex_bytes());
             make_flat_normals(primitive_);
         } else {
-            unit_normals();
+            unit_normals(item_, primitive_);
         }
         if (!needs_tangents())
             return;
@@ -278,7 +211,7 @@ private:
             document_.charge(item_.label(), primitive_.indices.size(), vertex_bytes());
             const Loan work(document_.budget(), Budget::Pool::geometry,
                             primitive_.indices.size() * tangent_work_bytes);
-            generate_tangents(primitive_, material().normal_texture.texcoord);
+            generate_tangents(primitive_, material().normal_texture);
         }
     }
 
@@ -293,35 +226,6 @@ private:
                            item_.label());
             primitive_.texcoords[ref->texcoord].assign(primitive_.positions.size(), glm::vec2(0));
         }
-    }
-
-    /// Unit length; where a normal is zero, the sum of the triangles around its vertex.
-    void unit_normals() {
-        std::vector<glm::vec3>& normals = primitive_.normals;
-        std::vector<bool> bad(normals.size());
-        bool any_bad = false;
-        for (size_t i = 0; i < normals.size(); ++i) {
-            const glm::dvec3 n(normals[i]);
-            const double length = glm::length(n);
-            any_bad |= bad[i] = !(length > 1e-20);
-            normals[i] = bad[i] ? glm::vec3(0) : glm::vec3(n / length);
-        }
-        if (!any_bad)
-            return;
-        std::vector<glm::dvec3> sums(normals.size());
-        for (size_t i = 0; i + 2 < primitive_.indices.size(); i += 3) {
-            const uint32_t* corner = &primitive_.indices[i];
-            const glm::dvec3 a(primitive_.positions[corner[0]]);
-            const glm::dvec3 normal = glm::cross(glm::dvec3(primitive_.positions[corner[1]]) - a,
-                                                 glm::dvec3(primitive_.positions[corner[2]]) - a);
-            for (int c = 0; c < 3; ++c)
-                sums[corner[c]] += normal;
-        }
-        for (size_t i = 0; i < normals.size(); ++i)
-            if (bad[i])
-                normals[i] = glm::length(sums[i]) > 0 ? glm::vec3(glm::normalize(sums[i]))
-                                                      : glm::vec3(0, 0, 1);
-        document_.warn("zero normals are taken from the triangles", item_.label());
     }
 
     /// False when there are none, or one that gives no direction.
@@ -349,11 +253,7 @@ private:
     Accessors& accessors_;
     Scene& scene_;
     const Item& item_;
-    std::optional<Item> attributes_;
-    std::optional<DracoMesh> draco_;
-    std::optional<Elements> draco_elements_;
-    uint32_t vertices_ = 0;
-    std::vector<uint32_t> used_;
+    Attributes attributes_;
     uint64_t moving_bytes_ = 0; ///< of a vertex: joints, weights and morph targets
     Primitive primitive_;
 };
@@ -364,8 +264,9 @@ std::vector<float> read_weights(Document& document, const Item& item, const Mesh
     std::vector<float> weights = item.reals("weights");
     document.charge(item.label(), weights.size(), sizeof(float));
     if (!weights.empty() && !mesh.primitives.empty() && weights.size() != morph_targets(mesh))
-        item.fail(fmt::format("weights: has {} values for {} morph targets", weights.size(),
-                              morph_targets(mesh)));
+        item.warn("weights has {} values for {} morph targets; missing ones are 0", weights.size(), morph_targets(mesh));
+    if (!mesh.primitives.empty() && !weights.empty())
+        weights.resize(morph_targets(mesh));
     return weights;
 }
 

@@ -4,6 +4,7 @@
 #include <scene/deform.hpp>
 #include <scene/finite.hpp>
 #include <scene/gltf/animations.hpp>
+#include <scene/gltf/kinds.hpp>
 
 namespace prelight::gltf {
 namespace {
@@ -15,7 +16,7 @@ std::vector<glm::dmat4> read_inverse_bind(Document& document, Accessors& accesso
         return {};
     const Elements& source = accessors.get_any(*accessor);
     if (source.columns != 4 || source.component != Component::f32)
-        item.fail("inverseBindMatrices: its type is not fit for that");
+        item.fail("inverseBindMatrices: " + kind_mismatch(source, "MAT4 of floats"));
     if (source.count < joints)
         item.fail(fmt::format("has {} joints, but {} inverse bind matrices", joints, source.count));
     document.charge(item.label(), joints, sizeof(glm::dmat4));
@@ -24,12 +25,14 @@ std::vector<glm::dmat4> read_inverse_bind(Document& document, Accessors& accesso
         glm::dmat4& m = matrices[i];
         for (uint32_t c = 0; c < 4; ++c)
             m[int(c)] = glm::dvec4(source.column(i, c));
-        if (!is_finite(m))
-            item.fail(fmt::format("inverse bind matrix {} is not finite", i));
+        if (!is_finite(m)) {
+            item.warn("inverse bind matrix {} is not finite; it is taken for the identity", i);
+            m = glm::dmat4(1);
+        }
         // Some files have it rounded.
         const double off = std::max({std::abs(m[0].w), std::abs(m[1].w), std::abs(m[2].w), std::abs(m[3].w - 1)});
         if (off > 1e-3)
-            item.fail(fmt::format("inverse bind matrix {}: its last row is not 0 0 0 1", i));
+            item.warn("inverse bind matrix {}: its last row is not 0 0 0 1; it is taken for that", i);
         m[0].w = m[1].w = m[2].w = 0;
         m[3].w = 1;
     }

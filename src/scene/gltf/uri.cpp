@@ -1,5 +1,7 @@
 #include <algorithm>
-#include <fstream>
+#include <fmt/format.h>
+#include <optional>
+#include <scene/gltf/json.hpp>
 #include <scene/gltf/uri.hpp>
 
 namespace prelight::gltf {
@@ -30,12 +32,13 @@ int hex_digit(char c) {
     return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-std::string percent_decode(std::string_view uri) {
+/// Nothing: it is no valid percent code.
+std::optional<std::string> percent_decode(std::string_view uri) {
     std::string out;
     for (size_t i = 0; i < uri.size(); ++i) {
         if (uri[i] == '%') {
             if (i + 2 >= uri.size() || hex_digit(uri[i + 1]) < 0 || hex_digit(uri[i + 2]) < 0)
-                throw UriError("its URI has a bad percent code");
+                return {};
             out += char(hex_digit(uri[i + 1]) * 16 + hex_digit(uri[i + 2]));
             i += 2;
         } else {
@@ -65,6 +68,41 @@ int base64_digit(char c) {
     if (c == '+' || c == '-')
         return 62;
     return c == '/' || c == '_' ? 63 : -1;
+}
+
+/// The regular file of that name in `folder` or below; nothing when there is none. `uri` is for messages.
+std::optional<fs::path> find_within(const fs::path& folder, std::string_view name, std::string_view uri) {
+    const auto outside = [&] {
+        return UriError(fmt::format("its URI leads outside the scene's folder: \"{}\"", printable(uri)));
+    };
+    if (name.find('\0') != std::string_view::npos)
+        throw UriError(fmt::format("its URI holds a zero byte: \"{}\"", printable(uri)));
+    const fs::path relative(name);
+    if (relative.is_absolute() || relative.has_root_path())
+        throw outside();
+    // By name first, so that nothing outside is even looked at; then with symbolic links followed.
+    int depth = 0;
+    for (const fs::path& part : relative) {
+        depth += part == ".." ? -1 : part == "." || part.empty() ? 0 : 1;
+        if (depth < 0)
+            throw outside();
+    }
+    std::error_code error;
+    const fs::path home = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
+    if (error)
+        throw UriError("the scene's folder cannot be read");
+    const fs::path target = fs::canonical(home / relative, error);
+    if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory)
+        return {};
+    if (error)
+        throw UriError(fmt::format("\"{}\" cannot be read: {}", printable(uri), error.message()));
+    const auto [home_end, target_at] =
+        std::mismatch(home.begin(), home.end(), target.begin(), target.end());
+    if (home_end != home.end() || target_at == target.end())
+        throw outside();
+    if (!fs::is_regular_file(target, error))
+        throw UriError(fmt::format("its URI does not name a file: \"{}\"", printable(uri)));
+    return target;
 }
 
 } // namespace
@@ -100,57 +138,31 @@ std::vector<uint8_t> decode_data_uri(std::string_view uri) {
     return out;
 }
 
-fs::path resolve_uri(const fs::path& folder, std::string_view uri) {
+FoundFile resolve_uri(const fs::path& folder, std::string_view uri) {
     constexpr size_t longest = 4096;
     if (uri.empty())
         throw UriError("its URI is empty");
     if (uri.size() > longest)
         throw UriError("its URI is longer than 4096 characters");
     if (has_scheme(uri))
-        throw UriError("its URI has a scheme; only data: and files beside the scene are read");
-    const std::string decoded = percent_decode(uri);
-    if (decoded.find('\0') != std::string::npos)
-        throw UriError("its URI holds a zero byte");
-    const fs::path relative(decoded);
-    if (relative.is_absolute() || relative.has_root_path())
-        throw UriError("its URI leads outside the scene's folder");
-    // By name first, so that nothing outside is even looked at; then with symbolic links followed.
-    int depth = 0;
-    for (const fs::path& part : relative) {
-        depth += part == ".." ? -1 : part == "." || part.empty() ? 0 : 1;
-        if (depth < 0)
-            throw UriError("its URI leads outside the scene's folder");
+        throw UriError(fmt::format("its URI has a scheme; only data: and files beside the scene are read: \"{}\"", printable(uri)));
+    const std::optional<std::string> decoded = percent_decode(uri);
+    if (decoded)
+        if (const auto found = find_within(folder, *decoded, uri))
+            return {*found, {}};
+    if (decoded != uri)
+        if (const auto found = find_within(folder, uri, uri))
+            return {*found, decoded ? "its URI names a file only as it is written, percent codes and all"
+                                    : "its URI has a bad percent code; it is taken as it is written"};
+    if (const std::string_view name = decoded ? std::string_view(*decoded) : uri; name.find('\\') != std::string_view::npos) {
+        std::string slashes(name);
+        std::ranges::replace(slashes, '\\', '/');
+        if (const auto found = find_within(folder, slashes, uri))
+            return {*found, "its URI has backslashes; they are taken for slashes"};
     }
-    std::error_code error;
-    const fs::path home = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
-    if (error)
-        throw UriError("the scene's folder cannot be read");
-    const fs::path target = fs::canonical(home / relative, error);
-    if (error)
-        throw UriError("the file its URI names cannot be read: " + error.message());
-    const auto [home_end, target_at] =
-        std::mismatch(home.begin(), home.end(), target.begin(), target.end());
-    if (home_end != home.end() || target_at == target.end())
-        throw UriError("its URI leads outside the scene's folder");
-    if (!fs::is_regular_file(target, error))
-        throw UriError("its URI does not name a file");
-    return target;
-}
-
-std::vector<uint8_t> read_file(const fs::path& path, size_t padding) {
-    std::error_code error;
-    // A pipe or a folder would block or read as empty.
-    if (!fs::is_regular_file(path, error))
-        throw UriError(error ? "cannot be read: " + error.message() : "is not a file");
-    const uint64_t size = fs::file_size(path, error);
-    std::ifstream stream(path, std::ios::binary);
-    if (error || !stream)
-        throw UriError("cannot be read");
-    std::vector<uint8_t> bytes(size + padding);
-    stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
-    if (uint64_t(stream.gcount()) != size)
-        throw UriError("cannot be read to its end");
-    return bytes;
+    if (!decoded)
+        throw UriError(fmt::format("its URI has a bad percent code, and no file has that name: \"{}\"", printable(uri)));
+    throw UriError(fmt::format("\"{}\" cannot be read: No such file or directory", printable(uri)));
 }
 
 } // namespace prelight::gltf

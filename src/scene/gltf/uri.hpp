@@ -18,11 +18,14 @@ bool is_data_uri(std::string_view uri);
 uint64_t data_uri_size(std::string_view uri);
 /// The bytes of a base64 data: URI. Throws UriError.
 std::vector<uint8_t> decode_data_uri(std::string_view uri);
-/// The regular file that a relative reference (RFC 3986, percent-encoded) names, canonical, proven
-/// to lie in `folder` or below it with every symbolic link followed. Throws UriError.
-std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::string_view uri);
-
-/// A whole regular file with `padding` zero bytes after it. Throws UriError.
-std::vector<uint8_t> read_file(const std::filesystem::path& path, size_t padding);
+struct FoundFile {
+    std::filesystem::path path; ///< canonical
+    std::string warning;        ///< how it was found when not as the RFC has it; empty: as it has
+};
+/// The regular file that a relative reference (RFC 3986, percent-encoded) names, proven to lie in `folder` or below
+/// it with every symbolic link followed. Where the URI is no valid percent code, or no file has the decoded name: the
+/// one whose name is the URI as it is written, or with slashes for backslashes. Throws UriError, which names the file
+/// as the URI does.
+FoundFile resolve_uri(const std::filesystem::path& folder, std::string_view uri);
 
 } // namespace prelight::gltf

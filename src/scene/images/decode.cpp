@@ -1,6 +1,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <scene/images/codecs.hpp>
+#include <system/read_file.hpp>
 
 namespace prelight::images {
 
@@ -18,24 +19,29 @@ Format format_of(std::span<const uint8_t> bytes) {
 }
 
 Cost inspect(std::span<const uint8_t> bytes) {
-    const Format format = format_of(bytes);
-    if (format == Format::unknown)
-        throw DecodeError("is neither PNG, JPEG nor WebP");
-    // The codecs' interfaces count in int.
-    if (bytes.size() > 0x7fffffff)
+    if (bytes.size() > largest_file::picture)
         throw DecodeError("is larger than 2 GiB");
-    const Cost cost = format == Format::webp ? inspect_webp(bytes) : inspect_stb(bytes, format);
-    if (cost.width == 0 || cost.height == 0 || cost.width > max_side || cost.height > max_side ||
-        uint64_t(cost.width) * cost.height > max_pixels)
-        throw DecodeError(
-            fmt::format("{} × {} pixels are beyond the limit of {} a side and {} in all",
-                        cost.width, cost.height, max_side, max_pixels));
-    return cost;
+    switch (format_of(bytes)) {
+    case Format::png:
+        return inspect_png(bytes);
+    case Format::jpeg:
+        return inspect_jpeg(bytes);
+    case Format::webp:
+        return inspect_webp(bytes);
+    default:
+        throw DecodeError("is neither PNG, JPEG nor WebP");
+    }
 }
 
-TextureImage decode(std::span<const uint8_t> bytes) {
-    const Cost cost = inspect(bytes);
-    return format_of(bytes) == Format::webp ? decode_webp(bytes, cost) : decode_stb(bytes, cost);
+TextureImage decode(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind) {
+    switch (format_of(bytes)) {
+    case Format::png:
+        return decode_png(bytes, halvings, kind);
+    case Format::jpeg:
+        return decode_jpeg(bytes, halvings, kind);
+    default:
+        return decode_webp(bytes, halvings, kind);
+    }
 }
 
 } // namespace prelight::images

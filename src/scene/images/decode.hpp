@@ -1,19 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <image/png_reader.hpp>
 #include <prelight/scene.hpp>
+#include <scene/images/scaled_picture.hpp>
 #include <span>
-#include <stdexcept>
 
 namespace prelight::images {
 
-/// Why a picture could not be decoded, as one short reason.
-struct DecodeError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// Longest side of a picture in pixels, and most pixels of one picture.
-inline constexpr uint32_t max_side = 16384;
-inline constexpr uint64_t max_pixels = uint64_t(1) << 26;
+using prelight::DecodeError;
 
 enum class Format { png, jpeg, webp, unknown };
 /// Told by the first bytes: names and MIME types of files are often wrong.
@@ -23,13 +17,16 @@ Format format_of(std::span<const uint8_t> bytes);
 struct Cost {
     uint32_t width = 0;
     uint32_t height = 0;
-    uint64_t working = 0; ///< bytes while decoding, beside the result's width × height × 4
+    uint64_t working = 0; ///< bytes while decoding, beside the result
+    /// Bytes more when the result is scaled down: of pictures that are there whole before.
+    uint64_t working_scaled = 0;
 };
-/// Throws DecodeError when the header is damaged, or when the picture is beyond the limits above.
+/// Throws DecodeError when the header is damaged, when the picture is beyond the limits of png_reader.hpp, or when the file is
+/// too short for it.
 Cost inspect(std::span<const uint8_t> bytes);
 
-/// Decodes PNG, JPEG or WebP to 8-bit RGBA; takes no more memory than `inspect` says. Throws
-/// DecodeError.
-TextureImage decode(std::span<const uint8_t> bytes);
+/// Decodes PNG, JPEG or WebP to 8-bit RGBA, halved as often as said; takes no more memory than `inspect` says. Colour
+/// profiles, gamma and orientation are not applied, as glTF says. Throws DecodeError.
+TextureImage decode(std::span<const uint8_t> bytes, uint32_t halvings = 0, Texels kind = Texels::values);
 
 } // namespace prelight::images

@@ -52,6 +52,7 @@ std::vector<Material> row(Scene& scene) {
     list.push_back(detail);
     Material polished = of("detailed", {.name = "gloss map", .base_colour = {0.1f, 0.3f, 0.2f, 1}, .metallic = 0, .roughness = 0.15f});
     polished.textures = {{"gloss_map", gloss}};
+    polished.parameters["gloss_roughness"] = glm::vec4(1, 0, 0, 0);
     list.push_back(polished);
     Material glowing = of("detailed", {.name = "incandescence map", .base_colour = {0.05f, 0.05f, 0.06f, 1}, .metallic = 0, .roughness = 0.4f});
     glowing.textures = {{"incandescence_map", lines}};

@@ -1,20 +1,11 @@
 #include <fmt/format.h>
+#include <image/png_reader.hpp>
+#include <image/png_writer.hpp>
 #include <scene/environment_codes.hpp>
 #include <scene/write/parts.hpp>
 
-// Static: other libraries of this program hold their own copy of stb.
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STBI_WRITE_NO_STDIO
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
-
 namespace prelight::write {
 namespace {
-
-constexpr uint32_t max_size = 16384; // stb counts bytes in int
 
 std::vector<uint8_t> without_alpha(const std::vector<uint8_t>& rgba) {
     std::vector<uint8_t> rgb;
@@ -31,21 +22,10 @@ bool has_alpha(const std::vector<uint8_t>& rgba) {
     return false;
 }
 
-void append_bytes(void* sink, void* data, int size) {
-    const auto* bytes = static_cast<const std::byte*>(data);
-    auto& out = *static_cast<std::vector<std::byte>*>(sink);
-    out.insert(out.end(), bytes, bytes + size);
-}
-
-std::vector<std::byte> encode_png(const TextureImage& image) {
-    const bool alpha = has_alpha(image.rgba);
-    const std::vector<uint8_t> rgb = alpha ? std::vector<uint8_t>{} : without_alpha(image.rgba);
-    const uint8_t* pixels = alpha ? image.rgba.data() : rgb.data();
-    std::vector<std::byte> png;
-    if (!stbi_write_png_to_func(append_bytes, &png, static_cast<int>(image.width),
-                                static_cast<int>(image.height), alpha ? 4 : 3, pixels, 0))
-        png.clear();
-    return png;
+std::vector<std::byte> encode(const TextureImage& image) {
+    if (has_alpha(image.rgba))
+        return encode_png(image.width, image.height, 4, image.rgba);
+    return encode_png(image.width, image.height, 3, without_alpha(image.rgba));
 }
 
 } // namespace
@@ -54,9 +34,9 @@ void add_images(const Scene& scene, Document& document) {
     std::vector<const TextureImage*> images;
     for (const TextureImage& image : scene.images)
         images.push_back(&image);
-    TextureImage environment;
+    TextureImage environment, backdrop;
     if (scene.environment) {
-        environment = to_picture(*scene.environment);
+        environment = to_picture(scene.environment->name, scene.environment->image);
         Json& written = document.root["extras"]["prelight"]["environment"];
         written = {{"source", images.size()}};
         if (scene.environment->intensity != 1)
@@ -66,22 +46,26 @@ void add_images(const Scene& scene, Document& document) {
         if (!scene.environment->background)
             written["background"] = false;
         images.push_back(&environment);
+        if (!scene.environment->backdrop.pixels.empty()) {
+            backdrop = to_picture("backdrop", scene.environment->backdrop);
+            written["backdrop"] = images.size();
+            images.push_back(&backdrop);
+        }
     }
     for (size_t i = 0; i < images.size(); ++i) {
         const TextureImage& image = *images[i];
         const auto fail = [&](const std::string& reason) {
             document.fail(label("image", i, image.name), reason);
         };
-        if (image.width < 1 || image.height < 1 || image.width > max_size ||
-            image.height > max_size)
-            fail(fmt::format("{} × {} pixels cannot be written (1 … {} each)", image.width,
-                             image.height, max_size));
+        try {
+            check_picture_size(image.width, image.height); // what is written can be read
+        } catch (const DecodeError& error) {
+            fail(error.what());
+        }
         if (image.rgba.size() != size_t(image.width) * image.height * 4)
             fail(fmt::format("holds {} bytes, not {} × {} × 4", image.rgba.size(), image.width,
                              image.height));
-        const std::vector<std::byte> png = encode_png(image);
-        if (png.empty())
-            fail("cannot be encoded as PNG");
+        const std::vector<std::byte> png = encode(image);
         Json entry = Json::object();
         set_name(entry, image.name);
         entry["mimeType"] = "image/png";

@@ -78,6 +78,10 @@ public:
             entry["camera"] = *node.camera;
         if (node.light)
             entry["extensions"]["KHR_lights_punctual"] = {{"light", *node.light}};
+        if (!node.visible) {
+            document_.use("KHR_node_visibility");
+            entry["extensions"]["KHR_node_visibility"] = {{"visible", false}};
+        }
         set_node_extras(entry, scene_, node, object_, document_);
         if (node.mesh && meshes_.at(*node.mesh)) {
             entry["mesh"] = *meshes_[*node.mesh];

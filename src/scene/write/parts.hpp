@@ -9,7 +9,7 @@
 //
 //   root.extras.prelight.ambient      [r, g, b]  uniform environment radiance, linear; absent: 0 0
 //   light.extras.prelight.falloff     "linear" | "quadratic"; absent: KHR_lights_punctual's own
-//   root.extras.prelight.environment  {source: image, intensity: number ≥ 0, rotation: radians, background: bool}
+//   root.extras.prelight.environment  {source: image, intensity: number ≥ 0, rotation: radians, background: bool, backdrop: image}
 //                                     equirectangular, RGBA is RGBE; Environment's fields; absent: ambient
 //   light.extras.prelight.shininess   number > 0, [phong] light shininess; absent: 1
 //   light.extras.prelight.castsShadow bool; absent: true

@@ -1,0 +1,159 @@
+#include "mask_levels.hpp"
+#include "image_levels.hpp"
+#include <array>
+#include <cmath>
+#include <glm/vec4.hpp>
+#include <numeric>
+#include <prelight/image.hpp>
+
+namespace prelight::resident {
+namespace {
+
+/// A level holds the coverage when it is off by less than this share of it, or of the whole picture; half-way to the
+/// finer one it may be off by twice as much.
+constexpr double slack = 0.1, least_slack = 0.002;
+
+using Level = ImageLevel<glm::vec4>; ///< linear
+
+Level linear_texels(const TextureImage& image) {
+    std::array<float, 256> linear;
+    for (size_t code = 0; code < linear.size(); ++code)
+        linear[code] = srgb_decode(static_cast<float>(code) / 255.0f);
+    Level level{image.width, image.height, std::vector<glm::vec4>(size_t(image.width) * image.height)};
+    parallel_for(image.height, [&](uint32_t y) {
+        for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i)
+            for (int c = 0; c < 4; ++c)
+                level.texels[i][c] = c < 3 ? linear[image.rgba[4 * i + c]] : static_cast<float>(image.rgba[4 * i + 3]) / 255.0f;
+    });
+    return level;
+}
+
+uint8_t to_byte(float value) { return static_cast<uint8_t>(std::lround(std::min(value, 1.0f) * 255.0f)); }
+
+TextureImage with_colours_of(const Level& level, const std::string& name) {
+    TextureImage image{name, level.width, level.height, std::vector<uint8_t>(level.texels.size() * 4)};
+    parallel_for(level.height, [&](uint32_t y) {
+        for (size_t i = size_t(y) * level.width, end = i + level.width; i < end; ++i)
+            for (int c = 0; c < 3; ++c)
+                image.rgba[4 * i + c] = to_byte(srgb_encode(level.texels[i][c]));
+    });
+    return image;
+}
+
+void scale_alpha(TextureImage& image, const Level& level, float factor) {
+    for (size_t i = 0; i < level.texels.size(); ++i)
+        image.rgba[4 * i + 3] = to_byte(level.texels[i].a * factor);
+}
+
+/// Alpha in codes at a place 0 … 1.
+float alpha_at(const TextureImage& image, const Sampler& sampler, double u, double v) {
+    const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+    const auto inside = [](int i, int size, Wrap wrap) { return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1); };
+    const auto alpha = [&](int x, int y) {
+        return static_cast<float>(image.rgba[4 * (size_t(inside(y, height, sampler.wrap_t)) * image.width + size_t(inside(x, width, sampler.wrap_s))) + 3]);
+    };
+    const auto x = static_cast<float>(u * width), y = static_cast<float>(v * height);
+    if (sampler.min == Filter::nearest)
+        return alpha(static_cast<int>(x), static_cast<int>(y));
+    const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f), s = x - 0.5f - left, t = y - 0.5f - top;
+    const auto row = [&](int line) {
+        return (1 - s) * alpha(static_cast<int>(left), line) + s * alpha(static_cast<int>(left) + 1, line);
+    };
+    return (1 - t) * row(static_cast<int>(top)) + t * row(static_cast<int>(top) + 1);
+}
+
+/// Coverage half-way between two levels, at points that are spread evenly (M. Roberts' R2 sequence).
+double coverage_between(const TextureImage& fine, const TextureImage& coarse, float cutoff, const Sampler& sampler) {
+    constexpr uint32_t points = 8192;
+    uint32_t passed = 0;
+    for (uint32_t i = 1; i <= points; ++i) {
+        const double u = std::fmod(i * 0.7548776662466927, 1), v = std::fmod(i * 0.5698402909980532, 1);
+        passed += alpha_at(fine, sampler, u, v) + alpha_at(coarse, sampler, u, v) >= 2 * cutoff * 255.0f ? 1 : 0;
+    }
+    return static_cast<double>(passed) / points;
+}
+
+/// Scales the image's alpha, which `level` holds, until the coverage is what it is to be; false where that cannot be.
+/// Where levels are mixed, less passes between two than in either, for a mean of both varies less. So the factor is
+/// that for which it is half as much too large in this one as it is too small half-way to the finer one.
+bool keep_coverage(TextureImage& image, const Level& level, const TextureImage& finer, double wanted, float cutoff, const Sampler& sampler) {
+    float best = 1;
+    double off = 2;
+    bool good = false;
+    const auto coverage = [&](float factor) {
+        scale_alpha(image, level, factor);
+        const double here = mask_coverage(image, cutoff, sampler, sampler.min);
+        const double between = sampler.mip == MipFilter::linear ? coverage_between(finer, image, cutoff, sampler) : here;
+        const double mean = (2 * here + between) / 3;
+        if (std::abs(mean - wanted) < off) {
+            off = std::abs(mean - wanted);
+            best = factor;
+            const double most = std::max(slack * wanted, least_slack);
+            good = std::abs(here - wanted) <= most && std::abs(between - wanted) <= 2 * most;
+        }
+        return mean;
+    };
+    float low = 1.0f / 64, high = 64;
+    float factor = 1;
+    for (int step = 0; step < 14 && off > least_slack / 4; ++step) {
+        (coverage(factor) < wanted ? low : high) = factor;
+        factor = std::sqrt(low * high);
+    }
+    scale_alpha(image, level, best);
+    return good;
+}
+
+} // namespace
+
+double mask_coverage(const TextureImage& image, float cutoff, const Sampler& sampler, Filter filter) {
+    const uint32_t width = image.width, height = image.height;
+    const float least = cutoff * 255.0f;
+    const auto alpha = [&](uint32_t x, uint32_t y) { return static_cast<float>(image.rgba[4 * (size_t(y) * width + x) + 3]); };
+    // Between texel centres: in each cell of four a grid of samples, finer where there are few cells.
+    const size_t cells = size_t(width) * height;
+    const int side = filter == Filter::nearest ? 1 : cells > 512 * 512 ? 2 : cells > 64 * 64 ? 4 : 16;
+    const auto next = [](uint32_t i, uint32_t size, Wrap wrap) { return i + 1 < size ? i + 1 : wrap == Wrap::repeat ? 0 : i; };
+    std::vector<uint64_t> passed(height, 0);
+    parallel_for(height, [&](uint32_t y) {
+        const uint32_t below = next(y, height, sampler.wrap_t);
+        for (uint32_t x = 0; x < width; ++x) {
+            const float a = alpha(x, y);
+            if (side == 1) {
+                passed[y] += a >= least ? 1 : 0;
+                continue;
+            }
+            const uint32_t right = next(x, width, sampler.wrap_s);
+            const float b = alpha(right, y), c = alpha(x, below), d = alpha(right, below);
+            if (std::max({a, b, c, d}) < least)
+                continue;
+            if (std::min({a, b, c, d}) >= least) {
+                passed[y] += static_cast<uint64_t>(side * side);
+                continue;
+            }
+            for (int v = 0; v < side; ++v) {
+                const float t = (static_cast<float>(v) + 0.5f) / static_cast<float>(side);
+                const float from = a + t * (c - a), to = b + t * (d - b);
+                for (int u = 0; u < side; ++u)
+                    passed[y] += from + (static_cast<float>(u) + 0.5f) / static_cast<float>(side) * (to - from) >= least ? 1 : 0;
+            }
+        }
+    });
+    return static_cast<double>(std::accumulate(passed.begin(), passed.end(), uint64_t(0))) /
+           (static_cast<double>(cells) * side * side);
+}
+
+std::vector<TextureImage> mask_levels(const TextureImage& image, float cutoff, const Sampler& sampler) {
+    std::vector<TextureImage> levels{image};
+    const double wanted = mask_coverage(image, cutoff, sampler, sampler.mag);
+    Level level = linear_texels(image);
+    while (level.width > 1 || level.height > 1) {
+        level = halved(level);
+        TextureImage next = with_colours_of(level, image.name);
+        if (!keep_coverage(next, level, levels.back(), wanted, cutoff, sampler))
+            break;
+        levels.push_back(std::move(next));
+    }
+    return levels;
+}
+
+} // namespace prelight::resident

@@ -1,0 +1,75 @@
+#pragma once
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <optional>
+#include <prelight/renderer.hpp>
+#include <string>
+#include <vector>
+
+namespace prelight {
+
+/// What has to be in force for a setting to make any difference, whichever renderer has it.
+inline std::vector<SettingNeed> needs_of(const std::string& key) {
+    static const std::multimap<std::string, SettingNeed> needs{
+        {"model", {"shading", {"ggx"}}},
+        {"specular", {"shading", {"phong"}}},
+        {"specular-gate", {"shading", {"phong"}}},
+        {"specular-vector", {"shading", {"phong"}}},
+        {"specular-light", {"shading", {"phong"}}},
+        {"specular-light", {"specular", {"stored"}}},
+        {"roughness", {"specular", {"stored"}}},
+        {"light-scale", {"light-buffer", {"rgb10a2", "rgba8", "packed-rgba8"}}},
+        {"light-scale", {"accumulation", {"rgba8"}}},
+        {"tile-size", {"light-culling", {"tiles", "clusters"}}},
+        {"list-shading", {"light-culling", {"tiles"}}},
+        {"light-lists", {"light-culling", {"tiles"}}},
+        {"spot-volume", {"light-culling", {"volumes", "stencil"}}},
+        {"volume-depth-test", {"light-culling", {"volumes"}}},
+        {"depth-bounds", {"light-culling", {"rectangles"}}},
+        {"shadow-filter", {"shadows", {"on"}}},
+        {"shadow-budget", {"shadows", {"on"}}},
+        {"shadow-detail", {"shadows", {"on"}}},
+        {"shadow-cache", {"shadows", {"on"}}},
+        {"shadow-memory", {"shadows", {"on"}}},
+        {"ssao-radius", {"ssao", {"half", "full"}, "ambient-occlusion"}},
+        {"ambient-occlusion-radius", {"ambient-occlusion", {"on"}, "ambient-occlusion"}}};
+    std::vector<SettingNeed> found;
+    for (auto [it, end] = needs.equal_range(key); it != end; ++it)
+        found.push_back(it->second);
+    return found;
+}
+
+/// Of them, what concerns a renderer with these settings.
+inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vector<SettingInfo>& settings) {
+    std::vector<SettingNeed> found = needs_of(key);
+    std::erase_if(found, [&](const SettingNeed& need) {
+        return need.key != "shading" &&
+               std::none_of(settings.begin(), settings.end(), [&](const SettingInfo& one) { return one.key == need.key; });
+    });
+    return found;
+}
+
+inline const char* shading_name(Shading shading) { return shading == Shading::ggx ? "ggx" : "phong"; }
+
+/// Why a setting makes no difference with the values in force: what it needs; empty where it does make one.
+inline std::optional<std::string> why_without_effect(const std::string& key, const std::map<std::string, std::string>& in_force,
+                                                     Shading shading, const std::vector<std::string>& views) {
+    for (const SettingNeed& need : needs_of(key)) {
+        const bool of_shading = need.key == "shading";
+        if (!of_shading && !in_force.contains(need.key))
+            continue;
+        const std::string value = of_shading ? shading_name(shading) : in_force.at(need.key);
+        const auto has = [](const std::vector<std::string>& all, const std::string& one) {
+            return std::find(all.begin(), all.end(), one) != all.end();
+        };
+        if (has(need.values, value) || (!need.or_view.empty() && has(views, need.or_view)))
+            continue;
+        return fmt::format("needs {}{}{}, and it is {}", of_shading ? "--shading " : need.key + "=", fmt::join(need.values, " or "),
+                           need.or_view.empty() ? "" : " or --view " + need.or_view, value);
+    }
+    return {};
+}
+
+} // namespace prelight

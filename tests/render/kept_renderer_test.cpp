@@ -1,0 +1,315 @@
+// A renderer that is kept while lights, objects and camera change draws what a new one draws: nothing of an earlier frame stays
+// where it does not belong. Sequences of changes are drawn by lot, with fixed seeds.
+#include "every_way.hpp"
+#include "random_scene.hpp"
+#include <functional>
+#include <glm/geometric.hpp>
+#include <prelight/light_distribution.hpp>
+#include <scene/procedural/cookie_maps.hpp>
+#include <scene/procedural/random.hpp>
+
+namespace prelight {
+namespace {
+
+std::shared_ptr<const LightProfile> wall_lamp() {
+    static const auto profile = std::make_shared<const LightProfile>(parse_profile(wall_lamp_profile(), "wall lamp"));
+    return profile;
+}
+
+/// A floor with spheres, boxes and a card with holes on it, under lights of every kind.
+class Stage : public TestWorld {
+public:
+    explicit Stage(uint64_t seed) : random_(seed) {
+        scene.images = {window_cookie(), dice_cookie()}; // for spots, for points
+        add(square(6), glm::rotate(glm::dmat4(1), -1.5707963267948966, {1, 0, 0}));
+        add(sphere(16), thing());
+        add(cube(), thing());
+        const uint32_t holes = add_image(4, 1, {255, 255, 255, 255, 255, 255, 255, 0, 255, 255, 255, 255, 255, 255, 255, 0});
+        Material card{.name = "card", .double_sided = true};
+        card.alpha_mode = AlphaMode::mask;
+        card.base_colour_texture = {.image = holes};
+        add_material(card);
+        add(square(0.8f), thing());
+        for (int i = 0; i < 4; ++i)
+            place(1 + random_.below(3), thing());
+        for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot, LightKind::spot, LightKind::point})
+            world.lights.push_back(some_light(kind));
+        world.ambient = glm::vec3(0.02f);
+        look();
+    }
+
+    PlacedCamera camera;
+
+    /// One to three changes of lights, and sometimes of the camera or (true) of the objects.
+    bool change() {
+        for (uint32_t n = 1 + random_.below(3); n > 0; --n)
+            change_light();
+        if (random_.below(3) == 0)
+            look();
+        const bool objects = random_.below(5) == 0;
+        if (objects)
+            change_object();
+        return objects;
+    }
+
+private:
+    double number(double low, double high) { return random_.uniform(low, high); }
+    glm::dvec3 direction() { return glm::normalize(glm::dvec3(number(-1, 1), number(-1.5, -0.1), number(-1, 1))); }
+    glm::dmat4 thing() {
+        const glm::dmat4 m = glm::translate(glm::dmat4(1), {number(-3, 3), number(0.2, 1.6), number(-3, 3)});
+        return glm::scale(glm::rotate(m, number(0, 6.28), glm::normalize(glm::dvec3(number(-1, 1), 1, number(-1, 1)))), glm::dvec3(number(0.3, 0.8)));
+    }
+    PlacedLight some_light(LightKind kind) {
+        PlacedLight out{{.kind = kind, .colour = hue_colour(number(0, 1), 0.5), .intensity = static_cast<float>(number(1, 6))}};
+        out.position = {number(-4, 4), number(0.8, 4), number(-4, 4)};
+        out.direction = direction();
+        out.light.range = static_cast<float>(number(2, 9));
+        set_cone(out.light);
+        repair(out.light);
+        return out;
+    }
+    void set_cone(Light& light) {
+        light.outer_cone = static_cast<float>(number(0.1, 1.45));
+        light.inner_cone = light.outer_cone * static_cast<float>(number(0, 0.9));
+    }
+    /// What a light may have goes by its kind.
+    static void repair(Light& light) {
+        if (light.kind == LightKind::directional) {
+            light.profile = nullptr;
+            light.cookie = no_cookie;
+            light.falloff = Falloff::gltf;
+        } else if (light.cookie != no_cookie) {
+            light.cookie = light.kind == LightKind::spot ? 0 : 1;
+        }
+        if (!std::isfinite(light.range))
+            light.falloff = Falloff::gltf;
+    }
+    void change_light() {
+        std::vector<PlacedLight>& lights = world.lights;
+        if (lights.empty()) {
+            lights.push_back(some_light(LightKind::point));
+            return;
+        }
+        PlacedLight& placed = lights[random_.below(static_cast<uint32_t>(lights.size()))];
+        Light& light = placed.light;
+        const uint32_t other = random_.below(static_cast<uint32_t>(lights.size()));
+        switch (random_.below(20)) {
+        case 0: placed.position = {number(-4, 4), number(0.8, 4), number(-4, 4)}; break;
+        case 1: placed.position += glm::dvec3(number(-0.1, 0.1), 0, number(-0.1, 0.1)); break;
+        case 2:
+        case 3: placed.direction = direction(); break;
+        case 4: placed.direction = glm::normalize(placed.direction + 0.2 * direction()); break;
+        case 5: set_cone(light); break;
+        case 6: light.range = static_cast<float>(number(0.8, 9)); break;
+        case 7: light.range = std::numeric_limits<float>::infinity(); break;
+        case 8: light.kind = static_cast<LightKind>(random_.below(3)); break;
+        case 9: light.intensity = random_.below(3) ? static_cast<float>(number(0.5, 8)) : 0; break;
+        case 10: lights.push_back(some_light(static_cast<LightKind>(random_.below(3)))); return;
+        case 11: lights.erase(lights.begin() + other); return;
+        case 12: std::swap(placed, lights[other]); return;
+        case 13: light.casts_shadow = !light.casts_shadow; break;
+        case 14: light.cookie = light.cookie == no_cookie ? 0 : no_cookie; break;
+        case 15: light.profile = light.profile ? nullptr : wall_lamp(); break;
+        case 16: light.falloff = static_cast<Falloff>(random_.below(3)); break;
+        case 17: light.size = static_cast<float>(number(0.01, 0.3)); break;
+        case 18: placed.up = glm::normalize(glm::dvec3(number(-1, 1), number(-1, 1), 1)); break;
+        default:
+            for (PlacedLight& each : lights)
+                each.light.range *= static_cast<float>(number(0.5, 2));
+        }
+        repair(light);
+    }
+    void change_object() {
+        std::vector<Instance>& all = world.instances; // the first is the floor
+        const uint32_t which = 1 + random_.below(static_cast<uint32_t>(all.size() - 1));
+        switch (all.size() > 3 ? random_.below(3) : random_.below(2)) {
+        case 0: all[which].transform = thing(); break;
+        case 1: place(1 + random_.below(3), thing()); break;
+        default: all.erase(all.begin() + which);
+        }
+    }
+    void look() {
+        Camera lens{.yfov = number(0.5, 1.2), .znear = 0.05};
+        if (random_.below(3) == 0)
+            lens = {.kind = ProjectionKind::orthographic, .ymag = number(2, 4), .znear = 0, .zfar = 30};
+        const double turn = number(0, 6.28);
+        camera = look_at(lens, {6 * std::cos(turn), number(2, 5), 6 * std::sin(turn)}, {number(-1, 1), 0, number(-1, 1)});
+    }
+
+    Random random_;
+};
+
+/// Draws `steps` states of the stage with each of `kept`, which are told what changed, and with a new renderer.
+void expect_as_new(const Shot& shot, const std::vector<std::map<std::string, std::string>>& kept, uint64_t seed, int steps) {
+    Stage stage(seed);
+    std::vector<std::unique_ptr<World>> worlds; // as long as a renderer knows them
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    const auto make = [&](const std::map<std::string, std::string>& settings) {
+        Shot one = shot;
+        one.settings.insert(settings.begin(), settings.end());
+        return create_renderer(one.renderer, &test_device(), options_of(one));
+    };
+    for (const auto& settings : kept)
+        renderers.push_back(make(settings));
+    for (int step = 0; step < steps; ++step) {
+        const bool objects = step > 0 && stage.change();
+        const auto& world = worlds.emplace_back(std::make_unique<World>(stage.world));
+        const auto fresh = make(kept[0]);
+        fresh->set_world(*world);
+        fresh->render(stage.camera);
+        const Image expected = fresh->read("linear");
+        for (size_t r = 0; r < renderers.size(); ++r) {
+            if (step == 0 || objects)
+                renderers[r]->set_world(*world);
+            else
+                renderers[r]->set_lights(world->lights);
+            renderers[r]->render(stage.camera, 1 + static_cast<uint32_t>(step % 2));
+            const Image image = renderers[r]->read("linear");
+            size_t off = 0;
+            for (size_t i = 0; i < image.pixels.size(); ++i)
+                off += image.pixels[i] != expected.pixels[i];
+            ASSERT_EQ(off, 0u) << "pixels, seed " << seed << ", step " << step << ", kept renderer " << r;
+        }
+    }
+}
+
+class KeptRenderer : public testing::TestWithParam<Shot> {};
+
+std::vector<Shot> ways() {
+    return every_way({.width = 96, .height = 54});
+}
+
+std::string way_name(const testing::TestParamInfo<Shot>& info) {
+    std::string name = name_of(info.param);
+    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    return name;
+}
+INSTANTIATE_TEST_SUITE_P(All, KeptRenderer, testing::ValuesIn(ways()), way_name);
+
+/// Each way goes through other changes.
+uint64_t seed_of(const Shot& shot) {
+    uint64_t seed = 11;
+    for (const char c : name_of(shot))
+        seed = seed * 31 + static_cast<unsigned char>(c);
+    return seed;
+}
+
+TEST_P(KeptRenderer, DrawsWhatANewOneDraws) {
+    expect_as_new(GetParam(), {{}}, seed_of(GetParam()), 5);
+    expect_validation_clean(test_device());
+}
+
+// What a shadow was made from decides whether it is kept.
+TEST_P(KeptRenderer, S1_ShadowsAreThoseOfANewOne) {
+    Shot shot = GetParam();
+    shot.settings.insert({{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-budget", "262144"}});
+    expect_as_new(shot, {{{"shadow-cache", "on"}}, {{"shadow-cache", "off"}}}, seed_of(GetParam()), 5);
+    const std::string culling = shot.settings.contains("light-culling") ? shot.settings.at("light-culling") : "";
+    if ((shot.renderer == "light-prepass" || shot.renderer == "deferred") && culling != "tiles" && culling != "clusters") {
+        shot.settings["shadow-memory"] = "reuse";
+        expect_as_new(shot, {{{"shadow-cache", "on"}}, {{"shadow-cache", "off"}}}, seed_of(GetParam()) + 1, 3);
+    }
+    expect_validation_clean(test_device());
+}
+
+// The same with what filters read beside the texel, and with the shadow that waits in a G-buffer.
+TEST(KeptRenderers, S1_EveryFilterAndTheSunOcclusionChannel) {
+    for (const char* filter : {"pcf", "contact"})
+        for (const char* memory : {"atlas", "reuse"}) {
+            Shot shot{.width = 96, .height = 54, .renderer = "deferred"};
+            shot.settings = {{"shadows", "on"}, {"shadow-filter", filter}, {"shadow-budget", "262144"}, {"shadow-memory", memory},
+                             {"g-buffer", "killzone2"}, {"light-culling", "volumes"}};
+            SCOPED_TRACE(name_of(shot));
+            expect_as_new(shot, {{}}, 21, 4);
+        }
+    expect_validation_clean(test_device());
+}
+
+/// A light over two cards on a floor that it can't shine at both at once.
+struct TwoCards : TestWorld {
+    TwoCards() {
+        const glm::dmat4 flat = glm::rotate(glm::dmat4(1), -1.5707963267948966, {1, 0, 0});
+        add_material({.name = "white", .double_sided = true});
+        add(square(10), flat);
+        add(square(0.6f), glm::translate(glm::dmat4(1), {3, 1, 0}) * flat);
+        place(1, glm::translate(glm::dmat4(1), {-3, 1, 0}) * flat);
+        world.ambient = glm::vec3(0.02f);
+        Light spot{.kind = LightKind::spot, .intensity = 60, .range = 20, .inner_cone = 0.2f, .outer_cone = 0.35f};
+        add_light(spot, {0, 4, 0}, {-3, -4, 0}).up = {0, 0, 1};
+    }
+};
+
+// One change of one light after the other, each of which brings in casters that it did not have before.
+TEST(KeptRenderers, S1_ALightThatChangesWhereItStandsFindsItsCastersAnew) {
+    using Change = std::function<void(PlacedLight&)>;
+    const std::vector<std::tuple<const char*, Change, Change>> changes{
+        {"turns", [](PlacedLight&) {}, [](PlacedLight& l) { l.direction = glm::normalize(glm::dvec3(3, -4, 0)); }},
+        {"widens", [](PlacedLight&) {}, [](PlacedLight& l) { l.light.outer_cone = 0.95f; }},
+        {"widens as a cube", [](PlacedLight& l) { l.light.outer_cone = 1.1f; l.direction = glm::normalize(glm::dvec3(-3, -3, 0)); },
+         [](PlacedLight& l) { l.light.outer_cone = 1.55f; }},
+        {"reaches farther", [](PlacedLight& l) { l.light.kind = LightKind::point; l.light.range = 3; },
+         [](PlacedLight& l) { l.light.range = 12; }},
+        {"becomes a point", [](PlacedLight& l) { l.light.outer_cone = 1.1f; l.direction = glm::normalize(glm::dvec3(-3, -3, 0)); },
+         [](PlacedLight& l) { l.light.kind = LightKind::point; }},
+        {"becomes a sun", [](PlacedLight&) {}, [](PlacedLight& l) { l.light.kind = LightKind::directional; l.light.intensity = 2; }},
+    };
+    const PlacedCamera camera = look_at(Camera{}, {0, 9, 9}, {0, 0, 0});
+    for (const auto& [name, first, then] : changes)
+        for (const char* renderer : {"light-prepass", "multipass"}) {
+            SCOPED_TRACE(std::string(renderer) + ": " + name);
+            TwoCards cards;
+            first(cards.world.lights[0]);
+            Shot shot{.world = &cards.world, .camera = camera, .width = 160, .height = 90, .settings = {{"shadows", "on"}}, .renderer = renderer};
+            const auto kept = create_renderer(renderer, &test_device(), options_of(shot));
+            kept->set_world(cards.world);
+            kept->render(camera);
+            World changed = cards.world;
+            then(changed.lights[0]);
+            kept->set_lights(changed.lights);
+            kept->render(camera);
+            EXPECT_GT(kept->stats().shadows->tiles_drawn, 0u) << "its casters are others";
+            shot.world = &changed;
+            const Image fresh = render_linear(test_device(), shot);
+            EXPECT_TRUE(kept->read("linear").pixels == fresh.pixels);
+            shot.settings["shadows"] = "off";
+            EXPECT_FALSE(render_linear(test_device(), shot).pixels == fresh.pixels) << "there is a shadow to compare";
+        }
+    expect_validation_clean(test_device());
+}
+
+// A light that mostly stays where it is, and never needs tiles of another size: what it reaches alone decides.
+TEST(KeptRenderers, S1_OneLightThroughManyChangesInPlace) {
+    TwoCards cards;
+    for (int i = 0; i < 6; ++i) // all around, nearer and farther
+        cards.place(1, glm::rotate(glm::dmat4(1), i * 1.0472 + 0.3, {0, 1, 0}) * glm::translate(glm::dmat4(1), {1.5 + i, 0.6 + 0.3 * i, 0}) *
+                           glm::rotate(glm::dmat4(1), -1.2, {1, 0, 0}));
+    const PlacedCamera camera = look_at(Camera{}, {0, 9, 9}, {0, 0, 0});
+    for (const char* cache : {"on", "off"}) {
+        Shot shot{.camera = camera, .width = 96, .height = 54,
+                  .settings = {{"shadows", "on"}, {"shadow-budget", "65536"}, {"shadow-cache", cache}, {"light-culling", "volumes"}}};
+        const auto kept = create_renderer(shot.renderer, &test_device(), options_of(shot));
+        kept->set_world(cards.world);
+        Random random(3);
+        World world = cards.world;
+        PlacedLight& placed = world.lights[0];
+        for (int step = 0; step < 16; ++step) {
+            switch (random.below(8)) {
+            case 0: placed.position = {random.uniform(-2, 2), 3, random.uniform(-2, 2)}; break;
+            case 1: placed.light.kind = placed.light.kind == LightKind::spot ? LightKind::point : LightKind::spot; break;
+            case 2: placed.light.outer_cone = static_cast<float>(random.uniform(0.25, 1.5)); break;
+            case 3:
+            case 4: placed.direction = glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, -0.2), random.uniform(-1, 1))); break;
+            default: placed.light.range = static_cast<float>(random.uniform(3, 20));
+            }
+            placed.light.inner_cone = 0.5f * placed.light.outer_cone;
+            kept->set_lights(world.lights);
+            kept->render(camera);
+            shot.world = &world;
+            EXPECT_TRUE(kept->read("linear").pixels == render_linear(test_device(), shot).pixels) << "cache " << cache << ", step " << step;
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
+} // namespace
+} // namespace prelight

@@ -1,0 +1,142 @@
+// No setting is taken in silence where it makes no difference: it is refused with what it needs. And a preset shades as its
+// source text does.
+#include "garden.hpp"
+#include <prelight/error.hpp>
+
+namespace prelight {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const RendererInfo& info, const RenderOptions& options) {
+    try {
+        create_renderer(info.name, info.needs_device ? &test_device() : nullptr, options);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+/// A value that is not the default: a word, or a number of the range.
+std::string another_value(const SettingInfo& setting) {
+    for (const std::string& value : setting.values)
+        if (value != setting.default_value)
+            return value.find(" … ") == std::string::npos ? value : value.substr(0, value.find(" "));
+    return setting.default_value;
+}
+
+const SettingInfo& setting_of(const RendererInfo& info, const std::string& key) {
+    return *std::find_if(info.settings.begin(), info.settings.end(), [&](const SettingInfo& s) { return s.key == key; });
+}
+
+void meet(const SettingNeed& need, RenderOptions& options) {
+    if (need.key == "shading")
+        options.shading = need.values[0] == "phong" ? Shading::phong : Shading::ggx;
+    else
+        options.settings[need.key] = need.values[0];
+}
+
+TEST(Settings, WithoutEffectAreRefusedWithWhatTheyNeed) {
+    size_t seen = 0;
+    for (const RendererInfo& info : renderer_infos())
+        for (const SettingInfo& setting : info.settings)
+            for (const SettingNeed& unmet : setting.needs) {
+                SCOPED_TRACE(info.name + " " + setting.key + " needs " + unmet.key);
+                RenderOptions options{.width = 16, .height = 16};
+                options.settings[setting.key] = another_value(setting);
+                for (const SettingNeed& need : setting.needs)
+                    if (&need != &unmet)
+                        meet(need, options);
+                if (unmet.key == "shading") {
+                    options.shading = unmet.values[0] == "ggx" ? Shading::phong : Shading::ggx;
+                } else {
+                    for (const SettingNeed& need : setting_of(info, unmet.key).needs)
+                        meet(need, options);
+                    for (const std::string& value : setting_of(info, unmet.key).values)
+                        if (std::find(unmet.values.begin(), unmet.values.end(), value) == unmet.values.end() && value != "auto")
+                            options.settings[unmet.key] = value;
+                }
+                const std::string line = refusal(info, options);
+                EXPECT_THAT(line, HasSubstr("--set " + setting.key + "="));
+                EXPECT_THAT(line, HasSubstr(unmet.key == "shading" ? "--shading " + unmet.values[0] : unmet.key + "="));
+                EXPECT_THAT(line, testing::Not(HasSubstr("\n")));
+                ++seen;
+            }
+    EXPECT_GE(seen, 40u);
+}
+
+TEST(Settings, AreTakenWhereTheirNeedsAreMet) {
+    for (const RendererInfo& info : renderer_infos())
+        for (const SettingInfo& setting : info.settings) {
+            if (setting.needs.empty())
+                continue;
+            SCOPED_TRACE(info.name + " " + setting.key);
+            RenderOptions options{.width = 16, .height = 16};
+            for (const SettingNeed& need : setting.needs)
+                meet(need, options);
+            options.settings[setting.key] = another_value(setting);
+            if (setting.key == "shadow-memory" && info.name != "z-prepass")
+                options.settings["light-culling"] = "volumes"; // maps are drawn light by light
+            EXPECT_EQ(refusal(info, options), "accepted");
+            for (const SettingNeed& need : setting.needs)
+                if (!need.or_view.empty()) { // a view does as well
+                    options.settings.erase(need.key);
+                    options.views = {need.or_view};
+                    EXPECT_EQ(refusal(info, options), "accepted");
+                }
+        }
+}
+
+TEST(Settings, ThatSayWhatIsSoAnywayAreTaken) {
+    for (const RendererInfo& info : renderer_infos())
+        for (const SettingInfo& setting : info.settings) {
+            RenderOptions options{.width = 16, .height = 16, .settings = {{setting.key, setting.default_value}}};
+            EXPECT_EQ(refusal(info, options), "accepted") << info.name << " " << setting.key;
+        }
+}
+
+struct OfAText {
+    const char *renderer, *preset;
+};
+
+TEST(Presets, ShadeAsTheirSourceTextUnlessToldOtherwise) {
+    Garden garden;
+    garden.add_lights(3, 5, 4);
+    for (const OfAText& text : {OfAText{"light-prepass", "engel"}, {"light-prepass", "round2"}, {"light-prepass", "prelighting"}, {"deferred", "killzone2"}}) {
+        SCOPED_TRACE(text.preset);
+        const auto shading_of = [&](std::optional<Shading> asked) {
+            const auto renderer = create_renderer(text.renderer, &test_device(), {.width = 16, .height = 16, .shading = asked, .preset = text.preset});
+            renderer->set_world(garden.world);
+            renderer->render(garden.camera);
+            return renderer->stats().shading;
+        };
+        EXPECT_EQ(shading_of({}), Shading::phong);
+        EXPECT_EQ(shading_of(Shading::ggx), Shading::ggx);
+        EXPECT_EQ(shading_of(Shading::phong), Shading::phong);
+    }
+    for (const RendererInfo& info : renderer_infos()) {
+        EXPECT_EQ(shading_in_force(info, {}), Shading::ggx) << info.name;
+        for (const auto& [preset, shading] : info.preset_shading)
+            EXPECT_THAT(info.presets, testing::Contains(preset)) << info.name;
+    }
+}
+
+TEST(Presets, WhatIsWithoutEffectInTheOtherModelGivesWayAndIsTold) {
+    Garden garden;
+    const auto stats_of = [&](const RenderOptions& options) {
+        const auto renderer = create_renderer("light-prepass", &test_device(), options);
+        renderer->set_world(garden.world);
+        renderer->render(garden.camera);
+        return renderer->stats();
+    };
+    const Stats ggx = stats_of({.width = 16, .height = 16, .shading = Shading::ggx, .preset = "round2"});
+    EXPECT_EQ(ggx.settings.at("specular-vector"), "half");
+    EXPECT_THAT(ggx.notes, testing::Contains(HasSubstr("specular-vector=reflection of preset round2: needs --shading phong")));
+    const Stats tiles = stats_of({.width = 16, .height = 16, .preset = "round2", .settings = {{"light-culling", "tiles"}}});
+    EXPECT_EQ(tiles.settings.at("volume-depth-test"), "on");
+    EXPECT_THAT(tiles.notes, testing::Contains(HasSubstr("volume-depth-test=off of preset round2: needs light-culling=volumes")));
+    EXPECT_EQ(tiles.settings.at("model"), "mono");
+}
+
+} // namespace
+} // namespace prelight
