@@ -60,7 +60,7 @@ run_gtest() { # NAME
     if [[ $1 =~ -([0-9]+)of([0-9]+)$ ]]; then
         export GTEST_SHARD_INDEX=$((BASH_REMATCH[1] - 1)) GTEST_TOTAL_SHARDS=${BASH_REMATCH[2]}
     fi
-    (cd "$root" && timeout --kill-after=10 1500 "$build/tests/test_${1%-*of*}" >"$log" 2>&1) || status=$?
+    (cd "$root" && timeout --kill-after=10 2400 "$build/tests/test_${1%-*of*}" >"$log" 2>&1) || status=$?
     announced=$(sed -n 's/^\[==========\] Running \([0-9]*\) test.*/\1/p' "$log" | head -n 1)
     announced=${announced:-0}
     passed=$(grep -c '\[       OK \] .* ([0-9]* ms)$' "$log" || true)
