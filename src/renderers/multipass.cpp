@@ -12,7 +12,7 @@ public:
         : ForwardRenderer(device, options, std::move(settings), resident::ObjectLights::world_order) {}
 
 private:
-    uint32_t lights_per_pass() const { return static_cast<uint32_t>(settings().number("lights-per-pass")); } // [M2]
+    uint32_t lights_per_pass() const { return static_cast<uint32_t>(settings().number("lights-per-pass")); }
     uint32_t blended_adds(const resident::Frame& frame) const override { return most_batches(frame, lights_per_pass()); }
     uint64_t draws(const resident::Frame& frame) const override {
         return ForwardRenderer::draws(frame) + ambient_draws_;

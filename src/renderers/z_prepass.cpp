@@ -45,7 +45,7 @@ private:
         Views views;
         if (grid_ && passes::forward_grid_adds(frame))
             views = linear_views(graph, frame, draw_by_grid(graph, frame, depth, {}), depth);
-        else if (grid_) // [Z3]
+        else if (grid_)
             views = picture_views(graph, frame, depth, [&](passes::Display display) {
                 return draw_by_grid(graph, frame, depth, display);
             });
