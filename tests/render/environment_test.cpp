@@ -190,7 +190,7 @@ TEST(EnvironmentLight, OfTheStudioAgreesInEveryArchitecture) {
         shot.width = 160;
         shot.height = 90;
         shot.renderer = renderer;
-        judge.expect_agrees(shot);
+        judge.expect_agrees(shot, {.psnr = 62}); // sharp bright boxes: what is coarse in the prefiltered maps shows
     }
 }
 
