@@ -1,24 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <prelight/device.hpp>
 #include <prelight/renderer.hpp>
 #include <prelight/scene.hpp>
 #include <string>
-#include <vector>
 
 namespace prelight::app {
-
-/// What this process may still take, and who says so.
-struct MemoryRoom {
-    uint64_t bytes = 0;
-    std::string limit; ///< "ulimit -v", …
-    /// Reserved but untouched memory counts too: a limit of the address space.
-    bool reserved = false;
-};
-
-/// RLIMIT_AS, RLIMIT_DATA, the control groups' limits, and what the machine has left.
-std::vector<MemoryRoom> memory_rooms();
 
 /// Throws Error when `bytes` for `what` (and `reserved` of address space) are more than one of the rooms has: a driver
 /// that runs out of memory does not always say so.

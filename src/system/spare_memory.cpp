@@ -1,9 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <limits>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <sys/resource.h>
 #include <system/read_file.hpp>
@@ -12,9 +9,9 @@
 namespace prelight {
 namespace {
 
-constexpr uint64_t unknown = std::numeric_limits<uint64_t>::max();
+namespace fs = std::filesystem;
 
-std::string kernel_text(const std::filesystem::path& file) {
+std::string kernel_text(const fs::path& file) {
     try {
         const std::vector<uint8_t> bytes = read_bytes(file, 1 << 20);
         return {bytes.begin(), bytes.end()};
@@ -36,45 +33,64 @@ std::optional<uint64_t> number_after(std::string_view text, std::string_view key
     return value;
 }
 
-uint64_t left_of(std::optional<uint64_t> limit, std::optional<uint64_t> taken) {
-    return limit ? *limit - std::min(*limit, taken.value_or(0)) : unknown;
-}
+uint64_t less(uint64_t limit, uint64_t used) { return limit > used ? limit - used : 0; }
 
-/// Of the control group and all around it, as seen from inside a container too.
-uint64_t left_of_group() {
-    const std::string groups = kernel_text("/proc/self/cgroup");
-    const size_t unified = groups.find("0::/");
-    uint64_t left = unknown;
-    const auto look = [&left](const std::filesystem::path& folder, const char* limit, const char* taken) {
-        left = std::min(left, left_of(number_after(kernel_text(folder / limit), ""),
-                                      number_after(kernel_text(folder / taken), "")));
+void add_process_limits(std::vector<MemoryRoom>& rooms) {
+    const std::string status = kernel_text("/proc/self/status");
+    const auto add = [&](__rlimit_resource which, const char* taken, const char* name, bool reserved) {
+        rlimit limit{};
+        if (getrlimit(which, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+            rooms.push_back({less(limit.rlim_cur, number_after(status, taken).value_or(0) * 1024), name, reserved});
     };
-    if (unified != std::string::npos) {
-        std::filesystem::path group = groups.substr(unified + 3, groups.find('\n', unified) - unified - 3);
-        for (; group.has_relative_path(); group = group.parent_path())
-            look("/sys/fs/cgroup" + group.string(), "memory.max", "memory.current");
-    }
-    look("/sys/fs/cgroup", "memory.max", "memory.current");
-    look("/sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory.usage_in_bytes");
-    return left;
+    add(RLIMIT_AS, "VmSize:", "ulimit -v", true);
+    add(RLIMIT_DATA, "VmData:", "ulimit -d", false);
 }
 
-uint64_t left_of_limit(__rlimit_resource which, std::string_view status, std::string_view taken) {
-    rlimit limit{};
-    if (getrlimit(which, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
-        return unknown;
-    return left_of(limit.rlim_cur, number_after(status, taken).value_or(0) * 1024);
+/// A group's limit holds for all groups in it; files in memory that nobody uses make room.
+void add_group(std::vector<MemoryRoom>& rooms, fs::path folder, const fs::path& root, const char* most,
+               const char* used, const char* unused) {
+    for (; folder.native().size() >= root.native().size(); folder = folder.parent_path()) {
+        const auto limit = number_after(kernel_text(folder / most), ""), taken = number_after(kernel_text(folder / used), "");
+        if (limit && taken && *limit < uint64_t(1) << 60)
+            rooms.push_back({less(*limit + number_after(kernel_text(folder / "memory.stat"), unused).value_or(0), *taken),
+                             "the memory limit of this control group"});
+    }
+}
+
+void add_control_groups(std::vector<MemoryRoom>& rooms) {
+    const fs::path root = "/sys/fs/cgroup";
+    const std::string groups = kernel_text("/proc/self/cgroup");
+    for (std::string_view text = groups; !text.empty();) { // NUMBER:NAMES:/PATH
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        const size_t name = line.find(':') + 1, path = line.find(':', name) + 1;
+        if (name == 0 || path == 0)
+            continue;
+        const std::string_view inner = line.substr(std::min(path + 1, line.size()));
+        if (path == name + 1) // version 2 has one hierarchy, without a name
+            add_group(rooms, root / inner, root, "memory.max", "memory.current", "\ninactive_file");
+        else if (line.substr(name, path - name - 1) == "memory")
+            add_group(rooms, root / "memory" / inner, root / "memory", "memory.limit_in_bytes", "memory.usage_in_bytes",
+                      "total_inactive_file");
+    }
 }
 
 } // namespace
 
+std::vector<MemoryRoom> memory_rooms() {
+    std::vector<MemoryRoom> rooms;
+    add_process_limits(rooms);
+    add_control_groups(rooms);
+    const std::string machine = kernel_text("/proc/meminfo");
+    if (const auto available = number_after(machine, "MemAvailable:"))
+        rooms.push_back({(*available + number_after(machine, "SwapFree:").value_or(0)) * 1024, "this machine"});
+    return rooms;
+}
+
 uint64_t spare_memory() {
-    const auto available = number_after(kernel_text("/proc/meminfo"), "MemAvailable:");
-    const std::string status = kernel_text("/proc/self/status");
-    const uint64_t least = std::min({available ? *available * 1024 : unknown, left_of_group(),
-                                     left_of_limit(RLIMIT_AS, status, "VmSize:"),
-                                     left_of_limit(RLIMIT_DATA, status, "VmData:")});
-    return least == unknown ? uint64_t(1) << 30 : least;
+    const std::vector<MemoryRoom> rooms = memory_rooms();
+    const auto least = std::min_element(rooms.begin(), rooms.end(), [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
+    return least == rooms.end() ? uint64_t(1) << 30 : least->bytes;
 }
 
 } // namespace prelight

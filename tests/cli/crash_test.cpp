@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <image/atomic_file.hpp>
 #include <memory_check.hpp>
+#include <system/spare_memory.hpp>
 #include <prelight/error.hpp>
 #include <thread>
 #include <sys/resource.h>
@@ -50,9 +51,9 @@ TEST(TooLittleMemory, IsToldBeforeTheDriverIsAsked) {
 }
 
 TEST(TooLittleMemory, EveryLimitThatThereIsIsAsked) {
-    const std::vector<app::MemoryRoom> rooms = app::memory_rooms();
-    EXPECT_THAT(rooms, testing::Contains(testing::Field(&app::MemoryRoom::limit, "this machine")));
-    for (const app::MemoryRoom& room : rooms)
+    const std::vector<MemoryRoom> rooms = memory_rooms();
+    EXPECT_THAT(rooms, testing::Contains(testing::Field(&MemoryRoom::limit, "this machine")));
+    for (const MemoryRoom& room : rooms)
         EXPECT_GT(room.bytes, 0u) << room.limit;
     EXPECT_THROW(app::check_memory("everything", uint64_t(1) << 60, uint64_t(1) << 60), Error);
     app::check_memory("nothing", 1, 1);
