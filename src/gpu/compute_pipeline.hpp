@@ -1,5 +1,7 @@
 #pragma once
 #include "shader_stage.hpp"
+#include <compare>
+#include <memory>
 
 namespace prelight::gpu {
 
@@ -9,8 +11,10 @@ struct ComputePipelineDesc {
     Constants constants;
     std::vector<VkDescriptorSetLayout> sets;
     uint32_t push_bytes = 0; ///< push constants; at most 128
+    auto operator<=>(const ComputePipelineDesc&) const = default; ///< what is equal is one pipeline
 };
 
+/// A handle, as GraphicsPipeline.
 class ComputePipeline {
 public:
     ComputePipeline() = default;
@@ -21,8 +25,7 @@ public:
     void push(VkCommandBuffer commands, std::span<const std::byte> bytes) const;
 
 private:
-    UniquePipelineLayout layout_;
-    UniquePipeline pipeline_;
+    std::shared_ptr<const BuiltPipeline> built_;
 };
 
 } // namespace prelight::gpu

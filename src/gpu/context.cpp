@@ -1,6 +1,7 @@
 #include "context.hpp"
 #include "check.hpp"
 #include "pipeline_cache.hpp"
+#include "pipeline_library.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -49,6 +50,7 @@ Context::Context(const DeviceOptions& options)
 
     cache_file_ = pipeline_cache_file(properties_);
     cache_ = load_pipeline_cache(device_, cache_file_);
+    pipelines_ = std::make_unique<PipelineLibrary>();
 
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
@@ -68,6 +70,7 @@ Context::Context(const DeviceOptions& options)
 Context::~Context() {
     vkDeviceWaitIdle(device_);
     save_pipeline_cache(device_, cache_, cache_file_);
+    pipelines_.reset();
     cache_ = {};
     pool_ = {};
     timeline_ = {};

@@ -5,9 +5,12 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string_view>
 
 namespace prelight::gpu {
+
+class PipelineLibrary;
 
 /// The Vulkan side of prelight::Device: one device, one queue for everything.
 class Context final : public Device {
@@ -28,6 +31,7 @@ public:
     /// Timestamps wrap around within this mask; 0: the queue has none.
     uint64_t timestamp_mask() const { return chosen_.timestamp_mask; }
     VkPipelineCache pipeline_cache() const { return cache_; }
+    PipelineLibrary& pipelines() const { return *pipelines_; }
     /// The device is this machine's processor.
     bool is_software() const { return chosen_.info.type == "software"; }
     const OptionalFeatures& features() const { return chosen_.optional; }
@@ -86,6 +90,7 @@ private:
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
     UniquePipelineCache cache_;
+    std::unique_ptr<PipelineLibrary> pipelines_;
     std::filesystem::path cache_file_;
     UniqueCommandPool pool_;
     UniqueSemaphore timeline_;

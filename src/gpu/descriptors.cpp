@@ -1,5 +1,6 @@
 #include "descriptors.hpp"
 #include "check.hpp"
+#include "pipeline_library.hpp"
 #include <map>
 
 namespace prelight::gpu {
@@ -63,19 +64,23 @@ Binding Binding::texture(uint32_t index, VkImageView view, VkSampler sampler) {
     return b;
 }
 
-UniqueSetLayout make_set_layout(const Context& context, std::string_view name,
-                                std::span<const Binding> bindings) {
-    std::vector<VkDescriptorSetLayoutBinding> entries;
+VkDescriptorSetLayout make_set_layout(const Context& context, std::string_view name,
+                                      std::span<const Binding> bindings) {
+    PipelineLibrary::SetLayoutKey key;
     for (const Binding& b : bindings)
-        entries.push_back({b.index, b.type, 1,
-                           VK_SHADER_STAGE_ALL_GRAPHICS | VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
-    VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-    info.bindingCount = static_cast<uint32_t>(entries.size());
-    info.pBindings = entries.data();
-    VkDescriptorSetLayout handle = VK_NULL_HANDLE;
-    check(vkCreateDescriptorSetLayout(context.device(), &info, nullptr, &handle), name);
-    context.set_name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, reinterpret_cast<uint64_t>(handle), name);
-    return {context.device(), handle};
+        key.emplace_back(b.index, b.type);
+    return context.pipelines().find_set_layout(key, [&]() -> UniqueSetLayout {
+        std::vector<VkDescriptorSetLayoutBinding> entries;
+        for (const auto& [index, type] : key)
+            entries.push_back({index, type, 1, VK_SHADER_STAGE_ALL_GRAPHICS | VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+        VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+        info.bindingCount = static_cast<uint32_t>(entries.size());
+        info.pBindings = entries.data();
+        VkDescriptorSetLayout handle = VK_NULL_HANDLE;
+        check(vkCreateDescriptorSetLayout(context.device(), &info, nullptr, &handle), name);
+        context.set_name(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, reinterpret_cast<uint64_t>(handle), name);
+        return {context.device(), handle};
+    });
 }
 
 DescriptorSets::DescriptorSets(const Context& context, std::string_view name,

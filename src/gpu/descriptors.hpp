@@ -26,8 +26,8 @@ struct Binding {
     static Binding texture(uint32_t index, VkImageView view, VkSampler sampler);
 };
 
-/// A layout, visible to all graphics stages and compute, for bindings of these types.
-UniqueSetLayout make_set_layout(const Context& context, std::string_view name,
+/// A layout, visible to all graphics stages and compute, for bindings of these types. It is the device's, which has one for all equals.
+VkDescriptorSetLayout make_set_layout(const Context& context, std::string_view name,
                                 std::span<const Binding> bindings);
 
 /// Descriptor sets that live together: a pool of exactly the size needed.

@@ -1,5 +1,6 @@
 #include "pipeline.hpp"
 #include "check.hpp"
+#include "pipeline_library.hpp"
 #include <optional>
 
 namespace prelight::gpu {
@@ -63,11 +64,9 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
     return std::vector<VkPipelineColorBlendAttachmentState>(desc.colour_formats.size(), state);
 }
 
-} // namespace
-
-GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelineDesc& desc)
-    : layout_(make_pipeline_layout(context, desc.name, desc.sets, desc.push_stage, desc.push_bytes)),
-      push_stage_(desc.push_stage) {
+std::shared_ptr<const BuiltPipeline> build(const Context& context, const GraphicsPipelineDesc& desc) {
+    auto out = std::make_shared<BuiltPipeline>();
+    out->layout = make_pipeline_layout(context, desc.name, desc.sets, desc.push_stage, desc.push_bytes);
     const ShaderStage vertex(context, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex, desc.constants);
     std::vector<VkPipelineShaderStageCreateInfo> stages{vertex.info()};
     std::optional<ShaderStage> fragment;
@@ -137,27 +136,33 @@ GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelin
     info.pDepthStencilState = &depth;
     info.pColorBlendState = &blend;
     info.pDynamicState = &dynamic;
-    info.layout = layout_;
+    info.layout = out->layout;
     VkPipeline handle = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle),
           desc.name);
-    pipeline_ = {context.device(), handle};
+    out->pipeline = {context.device(), handle};
     context.count_created(Context::Kind::pipeline);
     context.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(handle), desc.name);
+    return out;
 }
 
+} // namespace
+
+GraphicsPipeline::GraphicsPipeline(const Context& context, const GraphicsPipelineDesc& desc)
+    : built_(context.pipelines().find(desc, [&] { return build(context, desc); })), push_stage_(desc.push_stage) {}
+
 void GraphicsPipeline::bind(VkCommandBuffer commands) const {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, built_->pipeline);
     vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
     vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
 }
 
 void GraphicsPipeline::bind_set(VkCommandBuffer commands, uint32_t index, VkDescriptorSet set) const {
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, index, 1, &set, 0, nullptr);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, built_->layout, index, 1, &set, 0, nullptr);
 }
 
 void GraphicsPipeline::push(VkCommandBuffer commands, std::span<const std::byte> bytes) const {
-    vkCmdPushConstants(commands, layout_, push_stage_, 0,
+    vkCmdPushConstants(commands, built_->layout, push_stage_, 0,
                        static_cast<uint32_t>(bytes.size()), bytes.data());
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include "shader_stage.hpp"
 #include <array>
+#include <compare>
+#include <memory>
 
 namespace prelight::gpu {
 
@@ -9,6 +11,7 @@ struct VertexAttribute {
     uint32_t binding = 0;
     VkFormat format = VK_FORMAT_R32G32B32_SFLOAT;
     uint32_t offset = 0;
+    auto operator<=>(const VertexAttribute&) const = default;
 };
 
 enum class Blend {
@@ -38,7 +41,7 @@ struct GraphicsPipelineDesc {
     std::string name;
     std::string vertex;                     ///< shader names
     std::string fragment;                   ///< may be empty: depth and stencil only
-    std::span<const uint32_t> fragment_code = {}; ///< SPIR-V that is in no file of shaders/
+    std::vector<uint32_t> fragment_code;    ///< SPIR-V that is in no file of shaders/
     Constants constants;                    ///< for both stages
     std::vector<uint32_t> vertex_strides;   ///< one per vertex buffer binding
     uint32_t instance_binding = ~0u;        ///< the one that steps once an instance
@@ -56,23 +59,24 @@ struct GraphicsPipelineDesc {
     VkShaderStageFlags push_stage = VK_SHADER_STAGE_FRAGMENT_BIT; ///< the one that reads them
     /// Depth moves away from the viewer by this many times what it changes within a pixel.
     float slope_bias = 0;
+    auto operator<=>(const GraphicsPipelineDesc&) const = default; ///< what is equal is one pipeline
 };
 
+/// A handle: equal descriptions share what is built, for as long as the device lives (PipelineLibrary).
 class GraphicsPipeline {
 public:
     GraphicsPipeline() = default;
     GraphicsPipeline(const Context& context, const GraphicsPipelineDesc& desc);
     /// Binds the pipeline with its default dynamic state: no culling, counter-clockwise front.
     void bind(VkCommandBuffer commands) const;
-    VkPipelineLayout layout() const { return layout_; }
+    VkPipelineLayout layout() const { return built_->layout; }
     void bind_set(VkCommandBuffer commands, uint32_t index, VkDescriptorSet set) const;
     /// All `push_bytes` of the description at once.
     void push(VkCommandBuffer commands, std::span<const std::byte> bytes) const;
 
 private:
-    UniquePipelineLayout layout_;
+    std::shared_ptr<const BuiltPipeline> built_;
     VkShaderStageFlags push_stage_ = 0;
-    UniquePipeline pipeline_;
 };
 
 } // namespace prelight::gpu

@@ -34,4 +34,10 @@ UniquePipelineLayout make_pipeline_layout(const Context& context, std::string_vi
                                           std::span<const VkDescriptorSetLayout> sets, VkShaderStageFlags push,
                                           uint32_t push_bytes);
 
+/// What the handles of the classes for pipelines share.
+struct BuiltPipeline {
+    UniquePipelineLayout layout;
+    UniquePipeline pipeline;
+};
+
 } // namespace prelight::gpu

@@ -123,7 +123,7 @@ private:
     bool alive_ = true;
     std::vector<VkImageMemoryBarrier2> image_barriers_;
     std::vector<BufferBarrier> buffer_barriers_;
-    gpu::UniqueSetLayout layout_;
+    VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
     gpu::DescriptorSets sets_; ///< one a slot
 };
 

@@ -108,7 +108,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
                         : left_out.textures ? variant_of(desc.fragment, "+untextured")
                         : decals            ? variant_of(desc.fragment, "+decals")
                                             : desc.fragment;
-    pipeline.fragment_code = {};
+    pipeline.fragment_code.clear();
     pipeline.name = desc.name;
     if (own) {
         const resident::MaterialShaders& shaders = frame_.materials().shaders;
@@ -118,7 +118,8 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
             if (decals)
                 stage = variant_of(stage, "+decals");
             pipeline.fragment = shaders.name(shader) + "/" + stage;
-            pipeline.fragment_code = shaders.code(shader, stage);
+            const auto code = shaders.code(shader, stage);
+            pipeline.fragment_code.assign(code.begin(), code.end());
         }
     }
     pipeline.name += " features " + std::to_string(features);

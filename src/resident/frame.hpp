@@ -135,7 +135,7 @@ private:
     std::optional<VisiblePixels> visible_pixels_;
     std::optional<DeviceTrimming> device_trimming_;
     uint32_t slot_ = 0; ///< of the last update()
-    gpu::UniqueSetLayout layout_;
+    VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
     gpu::DescriptorSets sets_; ///< one a slot
     VisibleDraws visible_;
     LightGroups groups_;

@@ -72,7 +72,7 @@ struct Materials {
     std::optional<gpu::Texture> reflectance; ///< MATERIAL_REFLECTANCE
     gpu::UniqueSampler environment_sampler, table_sampler;
     gpu::Buffer environment_light; ///< EnvironmentConstants
-    gpu::UniqueSetLayout layout;
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
     gpu::DescriptorSets sets; ///< by material index
     std::optional<gpu::DescriptorSets> isotropic_sets;
     /// For shaders that say themselves how large a footprint is (textureGrad): without anisotropic filtering on a software

@@ -107,7 +107,7 @@ std::vector<std::string> write_then_read(const gpu::Context& device, bool with_b
     const std::vector<gpu::Binding> bindings{
         gpu::Binding::storage(0, target.handle()),
         gpu::Binding::sampled(1, picture.view, VK_IMAGE_LAYOUT_GENERAL)};
-    const gpu::UniqueSetLayout layout = gpu::make_set_layout(device, "read", bindings);
+    const VkDescriptorSetLayout layout = gpu::make_set_layout(device, "read", bindings);
     const gpu::DescriptorSets sets(device, "read", layout, {{bindings}});
     const Program program(device, "read_image.comp", layout);
     device.run("planted", [&](VkCommandBuffer commands) {
