@@ -26,6 +26,27 @@ if(CCACHE)
     add_compile_options(-fpch-preprocess) # else ccache does not know what a precompiled header holds
 endif()
 
+# Most of a file's compile time is the same headers' templates again: the files of a folder are compiled together. Names that a
+# file keeps for itself must then differ from those of the other files in its folder, and an error says where they don't.
+option(PRELIGHT_UNITY "Compile the files of a folder together: 3 times less to compile, but all of a folder after each change" OFF)
+if(PRELIGHT_UNITY)
+    target_compile_options(prelight_options INTERFACE -Wno-shadow) # sees another file's names
+endif()
+
+function(prelight_unity TARGET)
+    if(NOT PRELIGHT_UNITY)
+        return()
+    endif()
+    get_target_property(sources ${TARGET} SOURCES)
+    foreach(source IN LISTS sources)
+        cmake_path(GET source PARENT_PATH folder)
+        cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
+        string(MAKE_C_IDENTIFIER ${folder} group)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endforeach()
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 function(prelight_sources OUT)
     set(all)
     foreach(folder IN LISTS ARGN)
@@ -42,4 +63,5 @@ function(prelight_target NAME)
                                               ${CMAKE_SOURCE_DIR}/shaders)
     target_link_libraries(${NAME} PUBLIC prelight_options)
     target_precompile_headers(${NAME} PRIVATE ${PRELIGHT_PRECOMPILED})
+    prelight_unity(${NAME})
 endfunction()

@@ -17,7 +17,7 @@ Json number(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-void print_row(const Claim& c) {
+void print_claim(const Claim& c) {
     fmt::print("\n{}: {}\n    claim    {} ({})\n    how      {}\n", c.id, verdict_name(c.verdict()), c.claim,
                c.source, c.how);
     if (c.a && c.b)
@@ -59,7 +59,7 @@ Json bench_claims_table(const BenchCommand& command, Device& device) {
     Json rows = Json::array(), presets = rows;
     for (const auto& claims : {size_claims(scene), time_claims(scene)})
         for (const Claim& claim : claims) {
-            print_row(claim);
+            print_claim(claim);
             rows.push_back(row_json(claim));
         }
     fmt::print("\npreset        bytes a pixel   unshared   MB at 1280x720\n");

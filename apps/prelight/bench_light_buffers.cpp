@@ -14,7 +14,7 @@ std::string percent(double fraction) {
     return fmt::format("{:.{}f}", value, value < 1 ? 3 : value < 10 ? 2 : 1);
 }
 
-void print_row(const Figures& overlaps) {
+void print_overlap(const Figures& overlaps) {
     const LightBufferFigures& first = overlaps.front();
     fmt::print("{:<25} {:>5} {:<8}", first.name, first.bytes, first.writes);
     for (const auto sum : {&LightBufferFigures::diffuse, &LightBufferFigures::specular, &LightBufferFigures::rounding}) {
@@ -60,7 +60,7 @@ nlohmann::ordered_json row_json(const LightBufferFigures& f) {
 } // namespace
 
 nlohmann::ordered_json bench_light_buffers_table(const BenchCommand& command, Device& device) {
-    const LightBufferBench options{.width = command.width, .height = command.height, .done = print_row};
+    const LightBufferBench options{.width = command.width, .height = command.height, .done = print_overlap};
     fmt::print("a wall of {}x{} pixels, on {}\n", options.width, options.height, device.name());
     print_head(options.overlaps);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();

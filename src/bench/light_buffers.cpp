@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <image/luminance.hpp>
 #include <prelight/bench_light_buffers.hpp>
 #include <prelight/renderer.hpp>
 
@@ -35,8 +36,6 @@ constexpr Row rows[] = {
     {"bent rule, RGBA16F", "packed-rgba16f", "bent", Specular::bent, 8},
     {"bent rule, RGBA8", "packed-rgba8", "bent", Specular::bent, 4},
 };
-
-double luminance(glm::dvec3 c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 /// Adds up errors against reference values.
 class Errors {

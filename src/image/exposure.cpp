@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <image/luminance.hpp>
 #include <prelight/exposure.hpp>
 
 namespace prelight {
@@ -9,8 +10,6 @@ constexpr double middle_grey = 0.18, white = 1, largest = 65504;
 constexpr double darker_at_most = 2;      ///< EV
 constexpr double brightest_share = 0.02;
 constexpr double far_below = 1.0 / 65536; ///< of the brightest: in no light at all, and in no mean of logarithms
-
-double luminance(const glm::vec3& p) { return 0.2126 * p.r + 0.7152 * p.g + 0.0722 * p.b; }
 
 } // namespace
 

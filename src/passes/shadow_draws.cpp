@@ -13,7 +13,8 @@ using resident::ShadowTile;
 using resident::VertexAttributes;
 
 // Vertex buffer bindings.
-constexpr uint32_t positions = 0, attributes = 1, rows = 2;
+// Vertex buffers.
+constexpr uint32_t caster_positions = 0, caster_attributes = 1, caster_rows = 2;
 /// Beside the offset along the normal that lighting adds: for normals that are not the triangle's.
 constexpr float slope_bias = 1;
 
@@ -30,7 +31,7 @@ public:
     Casters(const resident::Frame& frame, VkDescriptorSetLayout inputs) : frame_(frame) {
         gpu::GraphicsPipelineDesc desc;
         desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), 3 * sizeof(glm::vec4)};
-        desc.instance_binding = rows;
+        desc.instance_binding = caster_rows;
         desc.depth_format = shadow_format;
         desc.depth = gpu::DepthTest::write_nearer;
         desc.push_bytes = sizeof(shared::ShadowTileConstants);
@@ -119,14 +120,14 @@ private:
                a.index_count == b.index_count && a.vertex_offset == b.vertex_offset;
     }
     static std::vector<gpu::VertexAttribute> attributes_of(bool masked) {
-        std::vector<gpu::VertexAttribute> out{{VERTEX_POSITION, positions, VK_FORMAT_R32G32B32_SFLOAT, 0}};
+        std::vector<gpu::VertexAttribute> out{{VERTEX_POSITION, caster_positions, VK_FORMAT_R32G32B32_SFLOAT, 0}};
         for (uint32_t row = 0; row < 3; ++row)
-            out.push_back({VERTEX_WORLD_ROW + row, rows, VK_FORMAT_R32G32B32A32_SFLOAT,
+            out.push_back({VERTEX_WORLD_ROW + row, caster_rows, VK_FORMAT_R32G32B32A32_SFLOAT,
                            static_cast<uint32_t>(row * sizeof(glm::vec4))});
         if (masked) {
-            out.push_back({VERTEX_COLOUR, attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
-            out.push_back({VERTEX_TEXCOORD_0, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
-            out.push_back({VERTEX_TEXCOORD_1, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)});
+            out.push_back({VERTEX_COLOUR, caster_attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
+            out.push_back({VERTEX_TEXCOORD_0, caster_attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
+            out.push_back({VERTEX_TEXCOORD_1, caster_attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)});
         }
         return out;
     }

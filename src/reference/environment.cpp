@@ -10,7 +10,7 @@
 namespace prelight::reference {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int directions = 384; ///< of a lobe
 
 } // namespace

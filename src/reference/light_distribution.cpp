@@ -10,7 +10,7 @@
 namespace prelight::reference {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// How much of texel `texel` of `from` texels lies in texel `cell` of `to`, in texels of `from`.
 double overlap(int64_t texel, int64_t from, int64_t cell, int64_t to) {

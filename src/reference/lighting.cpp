@@ -2,17 +2,14 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <image/luminance.hpp>
 #include <numbers>
 #include <reference/lighting.hpp>
 
 namespace prelight::reference {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double luminance(glm::dvec3 colour) { // ITU-R BT.709
-    return 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
-}
+using std::numbers::pi;
 
 double clamped_dot(glm::dvec3 a, glm::dvec3 b) {
     return std::clamp(glm::dot(a, b), 0.0, 1.0);

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <image/luminance.hpp>
 #include <prelight/error.hpp>
 #include <prelight/material_shader.hpp>
 #include <reference/own_shaders.hpp>
@@ -21,8 +22,6 @@ glm::dvec4 parameter(const Material& material, const char* name) {
         throw Error(fmt::format("reference: {} has no parameter {}", material.shader->name, name));
     return glm::dvec4(declared->default_value);
 }
-
-double luminance(glm::dvec3 c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 /// Hermite interpolation between two edges.
 double hermite(double low, double high, double x) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -10,7 +11,7 @@
 namespace prelight::resident {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 int cookie_code(CookieKind kind) {
     switch (kind) {

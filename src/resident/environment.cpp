@@ -12,10 +12,10 @@
 namespace prelight::resident {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Of level 0, whatever the map has: the rougher levels are then wide enough to be mixed between texels.
 constexpr uint32_t width = 1024;
-constexpr uint32_t level_count = 7; ///< each with two steps of roughness
+constexpr uint32_t mirror_levels = 7; ///< each with two steps of roughness
 constexpr uint32_t widest_sky = 4096; ///< as the background shows it: 64 MiB
 
 /// By area: what shrinks keeps its mean. A picture that is smaller stays.
@@ -243,7 +243,7 @@ EnvironmentLevels prefilter(const Environment* environment) {
     const uint32_t widest = std::clamp(std::bit_ceil(environment->image.width), 4u, width);
     for (uint32_t size = widest; size >= 4; size /= 2)
         maps.emplace_back(resize(environment->image, size));
-    for (uint32_t level = 0; level < level_count; ++level) {
+    for (uint32_t level = 0; level < mirror_levels; ++level) {
         const uint32_t wide = width >> level;
         const auto of_step = [&](uint32_t step) {
             if (step == 0)

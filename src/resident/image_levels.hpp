@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <parallel/parallel_for.hpp>
 #include <vector>
@@ -12,6 +13,9 @@ struct ImageLevel {
     uint32_t width = 0, height = 0;
     std::vector<Texel> texels{};
 };
+
+/// 0 … 1 in eight bits.
+inline uint8_t unorm_byte(float value) { return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f)); }
 
 /// Half as large, at least 1; each texel the mean of those it covers, an odd side's last one of three.
 template <class Texel>

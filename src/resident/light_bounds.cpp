@@ -13,8 +13,8 @@ using glm::dvec2, glm::dvec3;
 constexpr double larger = 1.001;
 constexpr double apex_back = 0.0005;
 
-/// View space here: x right, y up, z forward.
-struct View {
+/// BoundsView space here: x right, y up, z forward.
+struct BoundsView {
     bool perspective;
     double near, far;
     double scale_x, scale_y; ///< clip per tangent (perspective) or per metre
@@ -25,7 +25,7 @@ struct View {
 };
 
 /// The part of a disc between the planes, seen along its plane; (across, z).
-Interval project_disc(const View& view, dvec2 centre, double radius) {
+Interval project_disc(const BoundsView& view, dvec2 centre, double radius) {
     Interval out;
     const auto add = [&](dvec2 p) {
         if (view.holds(p.y))
@@ -74,7 +74,7 @@ Interval depth_of(const Sector& s) {
 }
 
 /// One axis (0: x, 1: y) of a sector that lies wholly before the eye.
-Interval project_sector(const View& view, const Sector& s, int axis) {
+Interval project_sector(const BoundsView& view, const Sector& s, int axis) {
     const auto flat = [axis](dvec3 p) { return dvec2(p[axis], p.z); };
     Interval out;
     const dvec2 apex = flat(s.apex), c = flat(s.rim_centre()), a = flat(s.axis);
@@ -115,7 +115,7 @@ Interval project_sector(const View& view, const Sector& s, int axis) {
 
 /// Both axes of a sector that the near plane cuts: the corners of a polyhedron around it, and the
 /// points where its edges meet the plane.
-void project_cut_sector(const View& view, const Sector& s, Interval& x, Interval& y) {
+void project_cut_sector(const BoundsView& view, const Sector& s, Interval& x, Interval& y) {
     constexpr int sides = 24, rings = 4;
     const dvec3 helper = std::abs(s.axis.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
     const dvec3 side = glm::normalize(glm::cross(s.axis, helper)), up = glm::cross(s.axis, side);
@@ -180,7 +180,7 @@ ScreenBoundsOf::ScreenBoundsOf(const PlacedCamera& camera, double aspect) : came
 ScreenBounds ScreenBoundsOf::operator()(const PlacedLight& placed) const {
     const PlacedCamera& camera = camera_;
     const Camera& lens = camera.camera;
-    const View view{lens.kind == ProjectionKind::perspective, lens.znear, lens.zfar, scale_x_, scale_y_};
+    const BoundsView view{lens.kind == ProjectionKind::perspective, lens.znear, lens.zfar, scale_x_, scale_y_};
     const auto into_view = [&](dvec3 v) {
         const dvec3 turned = v * camera.axes; // dots with the axes
         return dvec3(turned.x, turned.y, -turned.z);

@@ -21,9 +21,9 @@ bool is_dark(const Light& light) {
 }
 
 /// What of a view the test of each light needs, made once a frame. World space relative to the camera.
-class View {
+class LightView {
 public:
-    View(const PlacedCamera& camera, const shared::FrameConstants& constants)
+    LightView(const PlacedCamera& camera, const shared::FrameConstants& constants)
         : camera_(camera.camera), forward_(constants.forward),
           corner_(glm::length(glm::dvec3(constants.ray_right) + glm::dvec3(constants.ray_up) + forward_)),
           across_(glm::length(glm::dvec3(constants.ray_right)) * glm::length(glm::dvec3(constants.ray_up))) {
@@ -75,7 +75,7 @@ private:
     size_t count_ = 0;
 };
 
-LightGroup group_of(const PlacedLight& light, const View& view, glm::dvec3 centre, double radius) {
+LightGroup group_of(const PlacedLight& light, const LightView& view, glm::dvec3 centre, double radius) {
     const bool inside = view.may_touch_near_plane(centre, radius);
     if (is_cone(light.light))
         return inside ? LightGroup::cone_inside : LightGroup::cone_outside;
@@ -132,7 +132,7 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
     std::vector<shared::LightScreenBounds> bounds(rectangles ? lights.size() : 0);
     std::array<std::vector<uint32_t>, light_group_count> members;
     LightGroups groups;
-    const View view(camera, constants);
+    const LightView view(camera, constants);
     for (uint32_t i = 0; i < lights.size(); ++i) {
         const PlacedLight& light = lights[i];
         if (is_dark(light.light))

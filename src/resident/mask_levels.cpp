@@ -13,13 +13,13 @@ namespace {
 /// finer one it may be off by twice as much.
 constexpr double slack = 0.1, least_slack = 0.002;
 
-using Level = ImageLevel<glm::vec4>; ///< linear
+using MaskLevel = ImageLevel<glm::vec4>; ///< linear
 
-Level linear_texels(const TextureImage& image) {
+MaskLevel linear_texels(const TextureImage& image) {
     std::array<float, 256> linear;
     for (size_t code = 0; code < linear.size(); ++code)
         linear[code] = srgb_decode(static_cast<float>(code) / 255.0f);
-    Level level{image.width, image.height, std::vector<glm::vec4>(size_t(image.width) * image.height)};
+    MaskLevel level{image.width, image.height, std::vector<glm::vec4>(size_t(image.width) * image.height)};
     parallel_for(image.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i)
             for (int c = 0; c < 4; ++c)
@@ -28,21 +28,19 @@ Level linear_texels(const TextureImage& image) {
     return level;
 }
 
-uint8_t to_byte(float value) { return static_cast<uint8_t>(std::lround(std::min(value, 1.0f) * 255.0f)); }
-
-TextureImage with_colours_of(const Level& level, const std::string& name) {
+TextureImage with_colours_of(const MaskLevel& level, const std::string& name) {
     TextureImage image{name, level.width, level.height, std::vector<uint8_t>(level.texels.size() * 4)};
     parallel_for(level.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * level.width, end = i + level.width; i < end; ++i)
             for (int c = 0; c < 3; ++c)
-                image.rgba[4 * i + c] = to_byte(srgb_encode(level.texels[i][c]));
+                image.rgba[4 * i + c] = unorm_byte(srgb_encode(level.texels[i][c]));
     });
     return image;
 }
 
-void scale_alpha(TextureImage& image, const Level& level, float factor) {
+void scale_alpha(TextureImage& image, const MaskLevel& level, float factor) {
     for (size_t i = 0; i < level.texels.size(); ++i)
-        image.rgba[4 * i + 3] = to_byte(level.texels[i].a * factor);
+        image.rgba[4 * i + 3] = unorm_byte(level.texels[i].a * factor);
 }
 
 /// Alpha in codes at a place 0 … 1.
@@ -76,7 +74,7 @@ double coverage_between(const TextureImage& fine, const TextureImage& coarse, fl
 /// Scales the image's alpha, which `level` holds, until the coverage is what it is to be; false where that cannot be.
 /// Where levels are mixed, less passes between two than in either, for a mean of both varies less. So the factor is
 /// that for which it is half as much too large in this one as it is too small half-way to the finer one.
-bool keep_coverage(TextureImage& image, const Level& level, const TextureImage& finer, double wanted, float cutoff, const Sampler& sampler) {
+bool keep_coverage(TextureImage& image, const MaskLevel& level, const TextureImage& finer, double wanted, float cutoff, const Sampler& sampler) {
     float best = 1;
     double off = 2;
     bool good = false;
@@ -145,7 +143,7 @@ double mask_coverage(const TextureImage& image, float cutoff, const Sampler& sam
 std::vector<TextureImage> mask_levels(const TextureImage& image, float cutoff, const Sampler& sampler) {
     std::vector<TextureImage> levels{image};
     const double wanted = mask_coverage(image, cutoff, sampler, sampler.mag);
-    Level level = linear_texels(image);
+    MaskLevel level = linear_texels(image);
     while (level.width > 1 || level.height > 1) {
         level = halved(level);
         TextureImage next = with_colours_of(level, image.name);

@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-glm::vec3 unit_or(const glm::dvec3& v, const glm::vec3& fallback) {
+glm::vec3 unit_normal_or(const glm::dvec3& v, const glm::vec3& fallback) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0 && std::isfinite(largest) ? glm::vec3(glm::normalize(v / largest)) : fallback;
 }
@@ -58,9 +58,9 @@ public:
             const bool mirrored = glm::determinant(linear) < 0;
             mirrored_count += mirrored;
             if (!normals.empty())
-                out.normals[v] = unit_or(normal_matrix(linear, mirrored) * normals[v], primitive_.normals[v]);
+                out.normals[v] = unit_normal_or(normal_matrix(linear, mirrored) * normals[v], primitive_.normals[v]);
             if (!tangents.empty())
-                out.tangents[v] = glm::vec4(unit_or(linear * tangents[v], glm::vec3(primitive_.tangents[v])),
+                out.tangents[v] = glm::vec4(unit_normal_or(linear * tangents[v], glm::vec3(primitive_.tangents[v])),
                                             primitive_.tangents[v].w * (mirrored ? -1.f : 1.f));
         }
         if (2 * mirrored_count > primitive_.positions.size())

@@ -9,7 +9,7 @@
 namespace prelight::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using ReportJson = nlohmann::ordered_json;
 
 /// The buffers of the Round 2 sample have its keys, 1 to 4; the others follow.
 struct Key {
@@ -33,7 +33,7 @@ bool is_light_pass(const std::string& name) {
 }
 
 /// Of the passes' time together; null where no pass is there for the lights alone.
-Json light_share(const Stats& stats) {
+ReportJson light_share(const Stats& stats) {
     double light = 0, all = 0;
     bool any = false;
     for (const PassStats& pass : stats.passes) {
@@ -43,15 +43,15 @@ Json light_share(const Stats& stats) {
             any = true;
         }
     }
-    return any && all > 0 ? Json(light / all) : Json(nullptr);
+    return any && all > 0 ? ReportJson(light / all) : ReportJson(nullptr);
 }
 
-Json per_pixel(uint64_t bytes, const RenderOptions& options) {
+ReportJson per_pixel(uint64_t bytes, const RenderOptions& options) {
     return double(bytes) / (double(options.width) * double(options.height));
 }
 
-Json entry(const Report& report, const RunReport& run, const Stats& stats) {
-    Json json = stats_entry(report.scene, run.variant.renderer, run.options, stats);
+ReportJson entry(const Report& report, const RunReport& run, const Stats& stats) {
+    ReportJson json = stats_entry(report.scene, run.variant.renderer, run.options, stats);
     json["attachment_bytes_per_pixel"] = {
         {"shared", per_pixel(stats.attachment_bytes, run.options)},
         {"unshared", per_pixel(stats.attachment_bytes_unshared, run.options)}};
@@ -61,26 +61,26 @@ Json entry(const Report& report, const RunReport& run, const Stats& stats) {
     return json;
 }
 
-Json difference_json(const Comparison& difference) {
-    return {{"psnr", std::isfinite(difference.psnr) ? Json(difference.psnr) : Json(nullptr)},
+ReportJson difference_json(const Comparison& difference) {
+    return {{"psnr", std::isfinite(difference.psnr) ? ReportJson(difference.psnr) : ReportJson(nullptr)},
             {"flip", difference.flip},
             {"off_share", difference.off_share},
             {"block", difference.block},
             {"left_out_share", difference.left_out_share}};
 }
 
-Json heading(const RunReport& run) {
+ReportJson heading(const RunReport& run) {
     const Variant& variant = run.variant;
     return {{"variant", variant.name()},
             {"kind", !variant.preset.empty()     ? "preset"
                      : !variant.settings.empty() ? "settings"
                                                  : "architecture"},
             {"description", run.info.description},
-            {"error", run.error.empty() ? Json(nullptr) : Json(run.error)}};
+            {"error", run.error.empty() ? ReportJson(nullptr) : ReportJson(run.error)}};
 }
 
-Json run_json(const Report& report, const RunReport& run) {
-    Json json = heading(run);
+ReportJson run_json(const Report& report, const RunReport& run) {
+    ReportJson json = heading(run);
     if (!run.error.empty()) {
         json["renderer"] = run.variant.renderer;
         return json;
@@ -88,15 +88,15 @@ Json run_json(const Report& report, const RunReport& run) {
     json.update(entry(report, run, run.stats));
     json["reference_form"] = run.form;
     json["difference"] = difference_json(run.difference);
-    json["pictures"] = Json(run.pictures);
+    json["pictures"] = ReportJson(run.pictures);
     return json;
 }
 
 /// Least squares of a time over the number of lights.
 struct Line {
-    Json slope;         ///< what one light more costs, microseconds; null with fewer than two numbers of lights
-    Json error;         ///< standard error of it, by what each point's median may be off
-    Json without_lights; ///< milliseconds
+    ReportJson slope;         ///< what one light more costs, microseconds; null with fewer than two numbers of lights
+    ReportJson error;         ///< standard error of it, by what each point's median may be off
+    ReportJson without_lights; ///< milliseconds
 };
 
 Line line_through(const std::vector<Stats>& series, Spread Stats::*time) {
@@ -121,21 +121,21 @@ Line line_through(const std::vector<Stats>& series, Spread Stats::*time) {
     return {slope * 1000, std::sqrt(variance) * 1000, (y - slope * x) / n};
 }
 
-Json series_json(const Report& report) {
-    Json all = Json::array();
+ReportJson series_json(const Report& report) {
+    ReportJson all = ReportJson::array();
     for (const RunReport& run : report.runs) {
         if (!run.error.empty() || !run.in_series)
             continue;
         const Line device = line_through(run.series, &Stats::gpu_ms), cpu = line_through(run.series, &Stats::cpu_ms);
-        Json json = {{"variant", run.variant.name()},
+        ReportJson json = {{"variant", run.variant.name()},
                      {"us_per_light", device.slope},
                      {"us_per_light_error", device.error},
                      {"ms_without_lights", device.without_lights},
                      {"cpu_us_per_light", cpu.slope},
                      {"cpu_us_per_light_error", cpu.error},
                      {"cpu_ms_without_lights", cpu.without_lights},
-                     {"stopped", run.stopped.empty() ? Json(nullptr) : Json(run.stopped)},
-                     {"points", Json::array()}};
+                     {"stopped", run.stopped.empty() ? ReportJson(nullptr) : ReportJson(run.stopped)},
+                     {"points", ReportJson::array()}};
         for (const Stats& stats : run.series)
             json["points"].push_back(entry(report, run, stats));
         all.push_back(std::move(json));
@@ -144,7 +144,7 @@ Json series_json(const Report& report) {
 }
 
 /// Every buffer that any run has, with the key that shows it.
-Json views_json(const Report& report) {
+ReportJson views_json(const Report& report) {
     std::vector<std::string> found;
     const auto add = [&](const std::map<std::string, std::string>& pictures) {
         for (const auto& [view, file] : pictures)
@@ -154,11 +154,11 @@ Json views_json(const Report& report) {
     add(report.reference_pictures);
     for (const RunReport& run : report.runs)
         add(run.pictures);
-    Json views = Json::array();
+    ReportJson views = ReportJson::array();
     for (const Key& key : keys)
         if (std::ranges::find(found, key.view) != found.end())
             views.push_back({{"name", key.view}, {"key", key.key}, {"label", key.label}});
-    Json free_key = "9";
+    ReportJson free_key = "9";
     for (const std::string& view : found) {
         if (std::ranges::find(keys, view, &Key::view) != std::end(keys))
             continue;
@@ -173,9 +173,9 @@ Json views_json(const Report& report) {
 
 } // namespace
 
-Json report_json(const Report& report) {
+ReportJson report_json(const Report& report) {
     const CompareCommand& command = report.command;
-    Json json = {{"prelight_report", 1},
+    ReportJson json = {{"prelight_report", 1},
                  {"version", PRELIGHT_VERSION},
                  {"scene", report.scene},
                  {"camera", report.camera},
@@ -183,7 +183,7 @@ Json report_json(const Report& report) {
                  {"shading", command.options.shading.value_or(Shading::ggx) == Shading::ggx ? "ggx" : "phong"},
                  {"exposure", command.options.exposure},
                  {"seed", command.seed},
-                 {"time", command.moment ? Json(command.moment->time) : Json(nullptr)},
+                 {"time", command.moment ? ReportJson(command.moment->time) : ReportJson(nullptr)},
                  {"lights", report.lights},
                  {"lights_added", report.lights_added},
                  {"triangles", report.triangles},
@@ -196,8 +196,8 @@ Json report_json(const Report& report) {
                  {"seconds", report.seconds},
                  {"views", views_json(report)},
                  {"reference",
-                  {{"wall_ms", report.reference_ms}, {"pictures", Json(report.reference_pictures)}}},
-                 {"runs", Json::array()}};
+                  {{"wall_ms", report.reference_ms}, {"pictures", ReportJson(report.reference_pictures)}}},
+                 {"runs", ReportJson::array()}};
     for (const RunReport& run : report.runs)
         json["runs"].push_back(run_json(report, run));
     json["light_counts"] = series_json(report);

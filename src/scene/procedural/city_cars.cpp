@@ -8,7 +8,6 @@
 namespace prelight::city {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 
 /// Cross-section of a body at `z` (the front is at −z): half width, lower and upper edge. Metres.
 struct Station {

@@ -1,11 +1,14 @@
 #pragma once
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <prelight/scene.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace prelight::city {
+
+inline constexpr float pi = std::numbers::pi_v<float>;
 
 /// Index into Scene::materials; city_materials.cpp makes them in this order.
 enum class Surface : uint32_t {

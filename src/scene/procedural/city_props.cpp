@@ -8,7 +8,6 @@
 namespace prelight::city {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float lamp_height = 6.1f, lamp_arm = 1.9f;
 
 /// A lamp post whose arm reaches to +x.

@@ -6,9 +6,9 @@ namespace prelight::city {
 namespace {
 
 constexpr float head = 3.15f;                ///< top of the openings
-constexpr float depth = 0.42f;               ///< of a shop front behind the wall
+constexpr float shop_depth = 0.42f;               ///< of a shop front behind the wall
 constexpr float pier = 0.38f;                ///< from the end of a shop's unit to its opening
-constexpr float corner_pier = depth + 0.06f; ///< keeps the recesses of two fronts apart
+constexpr float corner_pier = shop_depth + 0.06f; ///< keeps the recesses of two fronts apart
 constexpr unsigned no_back = all_faces & ~unsigned{back};
 
 /// A door leaf with panels, in a recess; width about 1 m.
@@ -69,16 +69,16 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
     const float post = door_left ? d1 : w1;
 
     b.use(Surface::wood, paint * 2.0f); // riser, and the post beside the door
-    b.box({w0, 0, -depth}, {w1, 0.5f, -depth + 0.2f}, no_back & ~unsigned{bottom});
-    b.box({post, 0, -depth}, {post + post_width, head, -depth + 0.22f}, left | right | front);
+    b.box({w0, 0, -shop_depth}, {w1, 0.5f, -shop_depth + 0.2f}, no_back & ~unsigned{bottom});
+    b.box({post, 0, -shop_depth}, {post + post_width, head, -shop_depth + 0.22f}, left | right | front);
     b.use(Surface::shop);
     TexRect rect = shop_rect(cell);
-    b.quad({w0, 0.5f, -depth + 0.08f}, {w1 - w0, 0, 0}, {0, head - 0.5f, 0}, rect);
-    b.quad({d0, 0.9f, -depth}, {door_width, 0, 0}, {0, head - 0.9f, 0},
+    b.quad({w0, 0.5f, -shop_depth + 0.08f}, {w1 - w0, 0, 0}, {0, head - 0.5f, 0}, rect);
+    b.quad({d0, 0.9f, -shop_depth}, {door_width, 0, 0}, {0, head - 0.9f, 0},
            {rect.lower_left,
             {glm::mix(rect.lower_left.x, rect.upper_right.x, 0.4f), rect.upper_right.y}});
     b.use(Surface::board, paint); // bars
-    const float f0 = -depth + 0.08f, f1 = -depth + 0.16f;
+    const float f0 = -shop_depth + 0.08f, f1 = -shop_depth + 0.16f;
     b.box({w0, head - 0.08f, f0}, {w1, head, f1}, bottom | front);
     b.box({w0, 2.45f, f0}, {w1, 2.52f, f1 - 0.01f}, top | bottom | front);
     const auto panes = static_cast<uint32_t>((w1 - w0) / 1.4f) + 1;
@@ -87,12 +87,12 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
         b.box({s, 0.5f, f0}, {s + 0.06f, 2.45f, f1}, left | right | front);
     }
     b.use(Surface::wood, paint * 1.7f);
-    b.box({d0, 0.03f, -depth - 0.02f}, {d1, 0.9f, -depth + 0.05f}, no_back);
+    b.box({d0, 0.03f, -shop_depth - 0.02f}, {d1, 0.9f, -shop_depth + 0.05f}, no_back);
     for (const float s : {d0, d1 - 0.09f})
-        b.box({s, 0.9f, -depth - 0.02f}, {s + 0.09f, 2.3f, -depth + 0.05f}, left | right | front);
-    b.box({d0, 2.3f, -depth - 0.02f}, {d1, 2.42f, -depth + 0.05f}, top | bottom | front);
+        b.box({s, 0.9f, -shop_depth - 0.02f}, {s + 0.09f, 2.3f, -shop_depth + 0.05f}, left | right | front);
+    b.box({d0, 2.3f, -shop_depth - 0.02f}, {d1, 2.42f, -shop_depth + 0.05f}, top | bottom | front);
     b.use(Surface::chrome);
-    b.cone({d0 + 0.14f, 0.95f, -depth + 0.1f}, {d0 + 0.14f, 1.35f, -depth + 0.1f}, 0.015f, 0.015f,
+    b.cone({d0 + 0.14f, 0.95f, -shop_depth + 0.1f}, {d0 + 0.14f, 1.35f, -shop_depth + 0.1f}, 0.015f, 0.015f,
            8);
 
     fascia(plan, b, s0 - 0.05f, s1 + 0.05f, paint, light);
@@ -110,22 +110,22 @@ void shutter(MeshBuilder& b, float s0, float s1) {
     constexpr uint32_t slats = 24;
     for (uint32_t i = 0; i < slats; ++i) {
         const float y = head * static_cast<float>(i) / slats, h = head / slats;
-        b.quad({s0, y, -depth + 0.03f}, {s1 - s0, 0, 0}, {0, h * 0.7f, 0.035f});
-        b.quad({s0, y + h * 0.7f, -depth + 0.065f}, {s1 - s0, 0, 0}, {0, h * 0.3f, -0.035f});
+        b.quad({s0, y, -shop_depth + 0.03f}, {s1 - s0, 0, 0}, {0, h * 0.7f, 0.035f});
+        b.quad({s0, y + h * 0.7f, -shop_depth + 0.065f}, {s1 - s0, 0, 0}, {0, h * 0.3f, -0.035f});
     }
 }
 
 /// A house door with a lamp beside it.
 void entrance(Plan& plan, MeshBuilder& b, float s0, float s1) {
     b.use(Surface::trim, glm::vec3(0.35f));
-    b.box({s0, 0, -depth}, {s1, 0.04f, 0.25f}, no_back & ~unsigned{bottom});
+    b.box({s0, 0, -shop_depth}, {s1, 0.04f, 0.25f}, no_back & ~unsigned{bottom});
     const float middle = (s0 + s1) / 2;
     b.use(Surface::frame, glm::vec3(0.12f));
-    b.box({s0, 0.04f, -depth}, {middle - 0.6f, head, -depth + 0.1f}, right | front);
-    b.box({middle + 0.6f, 0.04f, -depth}, {s1, head, -depth + 0.1f}, left | front);
-    door(b, middle - 0.6f, middle + 0.6f, 2.3f, -depth + 0.01f, {0.32f, 0.26f, 0.24f});
+    b.box({s0, 0.04f, -shop_depth}, {middle - 0.6f, head, -shop_depth + 0.1f}, right | front);
+    b.box({middle + 0.6f, 0.04f, -shop_depth}, {s1, head, -shop_depth + 0.1f}, left | front);
+    door(b, middle - 0.6f, middle + 0.6f, 2.3f, -shop_depth + 0.01f, {0.32f, 0.26f, 0.24f});
     b.use(Surface::window);
-    b.quad({middle - 0.6f, 2.3f, -depth + 0.01f}, {1.2f, 0, 0}, {0, head - 2.3f, 0},
+    b.quad({middle - 0.6f, 2.3f, -shop_depth + 0.01f}, {1.2f, 0, 0}, {0, head - 2.3f, 0},
            window_rect(4));
     b.use(Surface::metal);
     b.box({s1 + 0.1f, 2.18f, -0.02f}, {s1 + 0.18f, 2.24f, 0.2f}, no_back);
@@ -161,7 +161,7 @@ void build_ground_floor(Plan& plan, MeshBuilder& b, const Facade& f) {
     b.use(stone ? Surface::plaster : f.wall, stone ? f.trim_tint * 0.8f : f.wall_tint);
     wall_grid(b, s, {0, head, ground_floor}, hole);
     for (const glm::vec2& o : openings)
-        reveal(b, {o.x, 0}, {o.y, head}, depth);
+        reveal(b, {o.x, 0}, {o.y, head}, shop_depth);
     b.use(Surface::trim, f.trim_tint * 0.7f);
     for (size_t i = 0; i < s.size(); i += 2) { // plinths of the piers
         const float low = s[i == 0 ? 0 : i], high = s[i + 1 < s.size() ? i + 1 : i];

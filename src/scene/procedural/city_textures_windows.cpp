@@ -60,8 +60,8 @@ glm::vec3 room(uint32_t cell, glm::vec2 p, const TileNoise& foliage) {
     return c;
 }
 
-/// A shop behind its window: shelves with goods, or a bar with people.
-glm::vec3 shop(uint32_t cell, glm::vec2 p) {
+/// A shop_front behind its window: shelves with goods, or a bar with people.
+glm::vec3 shop_front(uint32_t cell, glm::vec2 p) {
     const glm::vec3 light = shop_light(cell);
     const float spots = 0.6f + 0.4f * std::cos(p.x * 6.2831853f * 3);
     glm::vec3 c = light * light * (0.10f + 0.32f * p.y * spots);
@@ -151,7 +151,7 @@ void add_window_pictures(std::vector<TextureImage>& images) {
         },
         true));
     images.push_back(paint(
-        "shops", 1024, 512, [&](glm::vec2 uv) { return atlas(uv, shop_cells, shop); }, true));
+        "shops", 1024, 512, [&](glm::vec2 uv) { return atlas(uv, shop_cells, shop_front); }, true));
 }
 
 } // namespace prelight::city

@@ -4,12 +4,12 @@
 namespace prelight::city {
 namespace {
 
-constexpr float depth = 0.17f; ///< of the pane behind the wall's face
+constexpr float pane_depth = 0.17f; ///< of the pane behind the wall's face
 
 /// Frame and bars in front of the pane; uprights stand between the horizontals.
 void bars(MeshBuilder& b, glm::vec2 low, glm::vec2 high, Style style) {
     constexpr float w = 0.065f, thin = 0.045f;
-    const float back_d = -depth, front_d = -depth + 0.06f, bar_d = -depth + 0.04f;
+    const float back_d = -pane_depth, front_d = -pane_depth + 0.06f, bar_d = -pane_depth + 0.04f;
     const unsigned across = top | bottom | front, along = left | right | front;
     b.box({low.x, low.y, back_d}, {high.x, low.y + w, front_d}, across);
     b.box({low.x, high.y - w, back_d}, {high.x, high.y, front_d}, across);
@@ -81,7 +81,7 @@ void railing(MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high) {
 void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high,
                   bool balcony) {
     b.use(f.wall, f.wall_tint);
-    reveal(b, low, high, depth);
+    reveal(b, low, high, pane_depth);
     const bool lit = plan.chance(0.42);
     const uint32_t cell =
         lit ? plan.random.below(lit_windows)
@@ -90,7 +90,7 @@ void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, gl
     TexRect rect = window_rect(cell);
     if (plan.chance(0.5)) // mirrored rooms look like other ones
         std::swap(rect.lower_left.x, rect.upper_right.x);
-    b.quad({low, -depth}, {high.x - low.x, 0, 0}, {0, high.y - low.y, 0}, rect);
+    b.quad({low, -pane_depth}, {high.x - low.x, 0, 0}, {0, high.y - low.y, 0}, rect);
     b.use(Surface::frame, f.frame_tint);
     bars(b, low, high, f.style);
     surround(b, f, low, high);

@@ -13,10 +13,9 @@
 namespace prelight {
 namespace {
 
-constexpr double loop = 8; // seconds
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double loop_seconds = 8; // seconds
 
-TextureRef add_map(Scene& scene, TextureImage image) {
+TextureRef add_decal_map(Scene& scene, TextureImage image) {
     return {.image = append(scene.images, std::move(image)), .sampler = {.wrap_s = Wrap::clamp_to_edge, .wrap_t = Wrap::clamp_to_edge}};
 }
 
@@ -36,7 +35,7 @@ Node& add_decal(Scene& scene, const char* name, const Decal& decal, const glm::d
     return node;
 }
 
-void add_room(Scene& scene) {
+void add_yard(Scene& scene) {
     const TextureRef colours = tiled(scene, brick_colours(), 2), normals = tiled(scene, brick_normals(), 2);
     const auto bricks = append(scene.materials, Material{.name = "bricks", .metallic = 0, .roughness = 0.75f, .normal_scale = 0.3f, .base_colour_texture = colours, .normal_texture = normals});
     const auto floor = append(scene.materials, Material{.name = "floor", .base_colour = {0.42f, 0.42f, 0.44f, 1}, .metallic = 0, .roughness = 0.55f});
@@ -60,12 +59,12 @@ void add_decals(Scene& scene) {
     const auto material = [&](const char* name, const TextureRef& colours, float metallic, float roughness, const TextureRef& normals = {}) {
         return append(scene.materials, Material{.name = name, .metallic = metallic, .roughness = roughness, .base_colour_texture = colours, .normal_texture = normals});
     };
-    const uint32_t cracks = material("cracks", add_map(scene, crack_colours()), 0, 0.9f, add_map(scene, crack_normals()));
-    const uint32_t paint = material("paint", add_map(scene, arrow()), 0, 0.3f);
-    const uint32_t mark = material("mark", add_map(scene, target()), 0, 0.35f);
-    const uint32_t bolts = material("bolts", add_map(scene, bolt_colours()), 1, 0.35f, add_map(scene, bolt_normals()));
-    const uint32_t water = material("water", add_map(scene, puddle()), 0, 0.12f);
-    const uint32_t burn = material("burn", add_map(scene, scorch()), 0, 0.95f);
+    const uint32_t cracks = material("cracks", add_decal_map(scene, crack_colours()), 0, 0.9f, add_decal_map(scene, crack_normals()));
+    const uint32_t paint = material("paint", add_decal_map(scene, arrow()), 0, 0.3f);
+    const uint32_t mark = material("mark", add_decal_map(scene, target()), 0, 0.35f);
+    const uint32_t bolts = material("bolts", add_decal_map(scene, bolt_colours()), 1, 0.35f, add_decal_map(scene, bolt_normals()));
+    const uint32_t water = material("water", add_decal_map(scene, puddle()), 0, 0.12f);
+    const uint32_t burn = material("burn", add_decal_map(scene, scorch()), 0, 0.95f);
     const glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     add_decal(scene, "cracks in the wall", {.material = cracks, .order = 1}, box_on({-1.2, 2.2, -3.5}, z, y, {2.6, 2.6, 0.4}));
     add_decal(scene, "cracks in the floor", {.material = cracks}, box_on({-2.3, 0, -1.2}, y, z, {2.4, 2.4, 0.3}));
@@ -79,15 +78,15 @@ void add_decals(Scene& scene) {
     add_decal(scene, "burn", {.material = burn, .opacity = 0.95f}, box_on({2.6, 0.9, -0.8}, glm::normalize(glm::dvec3(-0.4, 0.25, 1)), glm::normalize(glm::dvec3(0, 1, -0.25)), {1.3, 1.3, 1.2}));
     add_decal(scene, "lines around the post", {.material = mark}, box_on({-1.6, 0.4, 0.9}, y, z, {1.6, 1.6, 1.2}));
     add_decal(scene, "mark", {.material = mark, .order = 2}, {});
-    // Looks along the side wall, there and back once a loop.
+    // Looks along the side wall, there and back once a loop_seconds.
     Node& node = scene.nodes.back();
-    node.trs = Trs{{-4.5, 2, 0.5}, glm::angleAxis(turn / 4, y), {1.3, 1.3, 0.5}};
+    node.trs = Trs{{-4.5, 2, 0.5}, glm::angleAxis(full_turn / 4, y), {1.3, 1.3, 0.5}};
     node.local = node.trs->matrix();
     AnimationSampler sampler{.times = {}, .values = {}, .interpolation = Interpolation::linear};
     constexpr int keys = 16;
     for (int key = 0; key <= keys; ++key) {
-        sampler.times.push_back(static_cast<float>(loop * key / keys));
-        const double angle = turn * key / keys;
+        sampler.times.push_back(static_cast<float>(loop_seconds * key / keys));
+        const double angle = full_turn * key / keys;
         for (const double v : {-4.5, 2 + 0.5 * std::sin(2 * angle), 0.5 - 2 * std::sin(angle)})
             sampler.values.push_back(static_cast<float>(v));
     }
@@ -95,13 +94,13 @@ void add_decals(Scene& scene) {
     animation.channels.push_back({append(animation.samplers, std::move(sampler)), static_cast<uint32_t>(scene.nodes.size() - 1), AnimationPath::translation});
 }
 
-/// Goes round over the room once a loop.
+/// Goes round over the room once a loop_seconds.
 void add_moving_light(Scene& scene, const Light& light, glm::dvec3 middle, double out, double begin, bool backwards) {
     AnimationSampler sampler{.times = {}, .values = {}, .interpolation = Interpolation::linear};
     constexpr int keys = 24;
     for (int key = 0; key <= keys; ++key) {
-        const double angle = begin + turn * key / keys * (backwards ? -1 : 1);
-        sampler.times.push_back(static_cast<float>(loop * key / keys));
+        const double angle = begin + full_turn * key / keys * (backwards ? -1 : 1);
+        sampler.times.push_back(static_cast<float>(loop_seconds * key / keys));
         for (const double v : {middle.x + 1.3 * out * std::sin(angle), middle.y, middle.z + out * std::cos(angle)})
             sampler.values.push_back(static_cast<float>(v));
     }
@@ -123,11 +122,11 @@ Scene make_decals_scene(uint32_t lights, uint64_t seed) {
     add_camera(scene, {.name = "front", .yfov = 0.75}, {2.3, 2.7, 6.4}, {-0.5, 1.2, -0.9});
     add_camera(scene, {.name = "close", .yfov = 0.6}, {-0.4, 2.3, -1.4}, {-1.3, 2.2, -3.5});
     add_camera(scene, {.name = "low", .yfov = 0.7}, {1.5, 0.45, 3.1}, {0.2, 0.2, 0});
-    add_room(scene);
+    add_yard(scene);
     add_decals(scene);
     Random random(seed);
     for (uint32_t i = 0; i < lights; ++i) {
-        const double out = random.uniform(1, 2.6), height = random.uniform(0.6, 3.4), begin = turn * (i + 0.6 * random.unit()) / lights;
+        const double out = random.uniform(1, 2.6), height = random.uniform(0.6, 3.4), begin = full_turn * (i + 0.6 * random.unit()) / lights;
         const glm::vec3 colour = hue_colour(random.unit(), 0.4);
         add_moving_light(scene, {.colour = colour, .intensity = 60.0f / static_cast<float>(lights), .range = 8}, {0, height, -0.3}, out, begin, i % 2 == 1);
     }

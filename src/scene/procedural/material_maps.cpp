@@ -6,11 +6,10 @@
 #include <scene/environment_codes.hpp>
 #include <scene/procedural/material_maps.hpp>
 #include <scene/procedural/map_painting.hpp>
+#include <scene/procedural/shapes.hpp>
 
 namespace prelight {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 using namespace map_painting;
 
@@ -54,12 +53,12 @@ TextureImage brick_normals() {
 
 TextureImage hammered_normals() {
     return normals_of("hammered normals", [](double u, double v) {
-        return 0.004 * (std::sin(turn * 12 * u) * std::sin(turn * 12 * v) + 0.5 * std::sin(turn * (7 * u + 9 * v)));
+        return 0.004 * (std::sin(full_turn * 12 * u) * std::sin(full_turn * 12 * v) + 0.5 * std::sin(full_turn * (7 * u + 9 * v)));
     });
 }
 
 TextureImage bands() {
-    return map_of("bands", [](double, double v) { return glm::dvec3(smooth(-0.15, 0.15, std::sin(turn * 2 * v))); });
+    return map_of("bands", [](double, double v) { return glm::dvec3(smooth(-0.15, 0.15, std::sin(full_turn * 2 * v))); });
 }
 
 TextureImage checks() {

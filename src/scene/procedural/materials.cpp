@@ -13,9 +13,9 @@
 namespace prelight {
 namespace {
 
-constexpr int columns = 6;
-constexpr double spacing = 1.25, rise = 1.3; // metres
-constexpr double loop = 8;                   // seconds
+constexpr int shelf_columns = 6;
+constexpr double shelf_spacing = 1.25, rise = 1.3; // metres
+constexpr double sway_seconds = 8;                   // seconds
 
 TextureRef add_map(Scene& scene, TextureImage image) {
     return {.image = append(scene.images, std::move(image)), .sampler = {}};
@@ -60,7 +60,7 @@ std::vector<Material> row(Scene& scene) {
     return list;
 }
 
-/// A node that turns about +Y once a loop, with a light out at `place`.
+/// A node that turns about +Y once a sway_seconds, with a light out at `place`.
 void add_carousel_light(Scene& scene, Animation& animation, const Light& light, const glm::dvec3& place, bool backwards) {
     const uint32_t child = append(scene.nodes, Node{.name = {}, .local = translation(place)});
     scene.nodes[child].light = append(scene.lights, light);
@@ -69,7 +69,7 @@ void add_carousel_light(Scene& scene, Animation& animation, const Light& light, 
     AnimationSampler sampler{.times = {}, .values = {}, .interpolation = Interpolation::linear};
     for (int key = 0; key <= 4; ++key) {
         const double half = std::numbers::pi * key / 4 * (backwards ? -1 : 1);
-        sampler.times.push_back(static_cast<float>(loop * key / 4));
+        sampler.times.push_back(static_cast<float>(sway_seconds * key / 4));
         sampler.values.insert(sampler.values.end(), {0, static_cast<float>(std::sin(half)), 0, static_cast<float>(std::cos(half))});
     }
     animation.channels.push_back({append(animation.samplers, std::move(sampler)), hub, AnimationPath::rotation});
@@ -91,7 +91,7 @@ Scene make_materials_scene(uint32_t lights, uint64_t seed) {
     generate_tangents(mapped, 0);
     for (int i = 0; const Material& material : row(scene)) {
         const auto index = append(scene.materials, material);
-        const glm::dvec3 centre(spacing * (i % columns - 0.5 * (columns - 1)), 0.5 + rise * (1 - i / columns), 0);
+        const glm::dvec3 centre(shelf_spacing * (i % shelf_columns - 0.5 * (shelf_columns - 1)), 0.5 + rise * (1 - i / shelf_columns), 0);
         add_root(scene, material.name, translation(centre)).mesh = 
             add_mesh(scene, material.name, material.shader || material.normal_texture ? mapped : plain, index);
         ++i;

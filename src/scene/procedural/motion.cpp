@@ -10,8 +10,7 @@
 namespace prelight {
 namespace {
 
-constexpr double loop = 4; // seconds
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double motion_seconds = 4; // seconds
 
 /// A node under `parent` (or a root) with parts that animation can change.
 uint32_t add_node(Scene& scene, std::string name, const Trs& trs, std::optional<uint32_t> parent = {}) {
@@ -21,14 +20,14 @@ uint32_t add_node(Scene& scene, std::string name, const Trs& trs, std::optional<
     return index;
 }
 
-/// Keyframes of one channel, `count` + 1 of them over the loop; `value(t)` appends the values at t in
+/// Keyframes of one channel, `count` + 1 of them over the motion_seconds; `value(t)` appends the values at t in
 /// 0 … 1.
 template <class Value>
 void animate(Animation& animation, uint32_t node, AnimationPath path, uint32_t count, Value value,
              Interpolation interpolation = Interpolation::linear) {
     AnimationSampler sampler{.times = {}, .values = {}, .interpolation = interpolation};
     for (uint32_t i = 0; i <= count; ++i) {
-        sampler.times.push_back(static_cast<float>(loop * i / count));
+        sampler.times.push_back(static_cast<float>(motion_seconds * i / count));
         value(double(i) / count, sampler.values);
     }
     animation.channels.push_back({append(animation.samplers, std::move(sampler)), node, path});
@@ -43,12 +42,12 @@ void put(std::vector<float>& values, const glm::dquat& q) {
         values.push_back(static_cast<float>(v));
 }
 
-/// Whole turns about an axis in one loop.
+/// Whole turns about an axis in one motion_seconds.
 void spin(Animation& animation, uint32_t node, const glm::dvec3& axis, int turns,
           Interpolation interpolation = Interpolation::linear, uint32_t keys_a_turn = 4) {
     animate(
         animation, node, AnimationPath::rotation, keys_a_turn * static_cast<uint32_t>(std::abs(turns)),
-        [&](double t, auto& values) { put(values, glm::angleAxis(turn * turns * t, axis)); }, interpolation);
+        [&](double t, auto& values) { put(values, glm::angleAxis(full_turn * turns * t, axis)); }, interpolation);
 }
 
 uint32_t add_material(Scene& scene, const char* name, const glm::vec3& colour, float metallic, float roughness) {
@@ -84,7 +83,7 @@ void add_carousel(Scene& scene, Animation& animation) {
     for (uint32_t i = 0; i < 6; ++i) {
         const auto name = fmt::format("box {}", i);
         const uint32_t material = add_material(scene, name.c_str(), hue_colour(i / 6.0, 0.6), i % 2 ? 0.9f : 0, 0.35f);
-        const double angle = turn * i / 6;
+        const double angle = full_turn * i / 6;
         const uint32_t node = add_node(
             scene, name, {.translation = {1.9 * std::cos(angle), 0.9 + 0.35 * (i % 3), -1.9 * std::sin(angle)}}, carousel);
         scene.nodes[node].mesh = add_mesh(scene, name, box, material);
@@ -107,7 +106,7 @@ void add_column(Scene& scene, Animation& animation) {
         parent = joint;
         if (i > 0)
             animate(animation, joint, AnimationPath::rotation, 16, [&](double t, auto& values) {
-                const double angle = turn * t - 0.6 * i;
+                const double angle = full_turn * t - 0.6 * i;
                 put(values, glm::angleAxis(0.3 * std::sin(angle), glm::dvec3(0, 0, 1)) *
                                 glm::angleAxis(0.18 * std::cos(angle), glm::dvec3(1, 0, 0)));
             });
@@ -135,7 +134,7 @@ void add_blob(Scene& scene, Animation& animation) {
         Interpolation::cubic_spline);
 }
 
-/// A hand that jumps to its next place four times a turn.
+/// A hand that jumps to its next place four times a full_turn.
 void add_hand(Scene& scene, Animation& animation) {
     const uint32_t material = add_material(scene, "hand", {0.85, 0.2, 0.25}, 0, 0.5f);
     const uint32_t node = add_node(scene, "hand", {.translation = {1.2, 0.15, 3}});
@@ -145,7 +144,7 @@ void add_hand(Scene& scene, Animation& animation) {
 }
 
 /// Two rings that circle against each other; a small glowing ball shows where a light is.
-void add_lights(Scene& scene, Animation& animation, uint32_t lights, uint64_t seed) {
+void add_moving_lights(Scene& scene, Animation& animation, uint32_t lights, uint64_t seed) {
     constexpr uint32_t most_balls = 64;
     const uint32_t rings[] = {add_node(scene, "outer ring", {.translation = {0, 2.2, 0}}),
                               add_node(scene, "inner ring", {.translation = {0, 3.4, 0}})};
@@ -153,7 +152,7 @@ void add_lights(Scene& scene, Animation& animation, uint32_t lights, uint64_t se
     spin(animation, rings[1], {0, 1, 0}, -1);
     Random random(seed);
     for (uint32_t i = 0; i < lights; ++i) {
-        const double angle = turn * i / lights + random.uniform(-0.1, 0.1);
+        const double angle = full_turn * i / lights + random.uniform(-0.1, 0.1);
         const double from_axis = (i % 2 ? 3.2 : 6.2) + random.uniform(-0.7, 0.7);
         const double y = random.uniform(-0.9, 0.9);
         const glm::vec3 colour = hue_colour(random.unit(), 0.55);
@@ -174,8 +173,8 @@ void add_lights(Scene& scene, Animation& animation, uint32_t lights, uint64_t se
 void add_flight(Scene& scene, Animation& animation) {
     const Camera camera{.name = "flight", .yfov = 0.75};
     const auto pose = [&](double t) {
-        const double angle = 0.5 * std::sin(turn * t);
-        const glm::dvec3 eye(11 * std::sin(angle), 3.4 + 0.9 * std::cos(turn * t), 11 * std::cos(angle));
+        const double angle = 0.5 * std::sin(full_turn * t);
+        const glm::dvec3 eye(11 * std::sin(angle), 3.4 + 0.9 * std::cos(full_turn * t), 11 * std::cos(angle));
         return look_at(camera, eye, {0, 1.5, 0});
     };
     const PlacedCamera start = pose(0);
@@ -194,7 +193,7 @@ Scene make_motion_scene(uint32_t lights, uint64_t seed) {
     scene.name = "motion";
     scene.scenes = {{.name = "motion", .nodes = {}}};
     scene.ambient = glm::vec3(0.06f);
-    for (const char* name : {"turn", "bend", "morph", "lights", "flight", "tick"})
+    for (const char* name : {"full_turn", "bend", "morph", "lights", "flight", "tick"})
         scene.animations.push_back({.name = name});
     std::vector<Animation>& animations = scene.animations;
     add_camera(scene, {.name = "front", .yfov = 0.75}, {0, 4.3, 11}, {0, 1.5, 0});
@@ -202,7 +201,7 @@ Scene make_motion_scene(uint32_t lights, uint64_t seed) {
     add_carousel(scene, animations[0]);
     add_column(scene, animations[1]);
     add_blob(scene, animations[2]);
-    add_lights(scene, animations[3], lights, seed);
+    add_moving_lights(scene, animations[3], lights, seed);
     add_flight(scene, animations[4]);
     add_hand(scene, animations[5]);
     return scene;

@@ -69,7 +69,7 @@ void add_things(Scene& scene) {
                    {i % 2 ? 4.5 : -5.5, 0, -6.0 - 6.0 * i});
 }
 
-Node& add_shining(Scene& scene, const Light& light, glm::dvec3 from, glm::dvec3 to) {
+Node& add_shadowing(Scene& scene, const Light& light, glm::dvec3 from, glm::dvec3 to) {
     const PlacedCamera placed = look_at({}, from, to);
     Node& node = add_light(scene, light, from);
     node.local = glm::dmat4(placed.axes);
@@ -77,8 +77,8 @@ Node& add_shining(Scene& scene, const Light& light, glm::dvec3 from, glm::dvec3 
     return node;
 }
 
-void add_lights(Scene& scene, uint32_t lights, uint64_t seed) {
-    add_shining(scene, {.name = "sun", .kind = LightKind::directional, .colour = {1, 0.93f, 0.82f}, .intensity = 1.2f},
+void add_shadowed_lights(Scene& scene, uint32_t lights, uint64_t seed) {
+    add_shadowing(scene, {.name = "sun", .kind = LightKind::directional, .colour = {1, 0.93f, 0.82f}, .intensity = 1.2f},
                 {6, 7, 9}, {0, 0, 0});
     const Light kinds[] = {
         {.name = "lamp", .kind = LightKind::point, .colour = {1, 0.6f, 0.3f}, .intensity = 9, .range = 9},
@@ -95,7 +95,7 @@ void add_lights(Scene& scene, uint32_t lights, uint64_t seed) {
             from = {random.uniform(-7, 7), random.uniform(1, 4), random.uniform(-20, 4)};
             to = from + glm::dvec3(random.uniform(-1, 1), -1, random.uniform(-1, 1));
         }
-        add_shining(scene, kinds[i % 3], from, to);
+        add_shadowing(scene, kinds[i % 3], from, to);
     }
 }
 
@@ -113,7 +113,7 @@ Scene make_shadows_scene(uint32_t lights, uint64_t seed) {
     const uint32_t ground = append(scene.materials, Material{.name = "ground", .base_colour = {0.62f, 0.6f, 0.56f, 1}, .metallic = 0, .roughness = 0.8f});
     add_root(scene, "ground", translation({0, 0, -26})).mesh = add_mesh(scene, "ground", make_ground({40, 80}, 20), ground);
     add_things(scene);
-    add_lights(scene, lights, seed);
+    add_shadowed_lights(scene, lights, seed);
     return scene;
 }
 

@@ -2,9 +2,12 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <prelight/scene.hpp>
 
 namespace prelight {
+
+inline constexpr double full_turn = 2 * std::numbers::pi; ///< radians
 
 /// Sphere around the origin in `slices` × `stacks` quads of two triangles each. At the poles one of
 /// a quad's two triangles has no area, so that the count is always 2 · slices · stacks. The seam's

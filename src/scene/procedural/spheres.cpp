@@ -7,13 +7,13 @@
 namespace prelight {
 namespace {
 
-constexpr int columns = 8;
+constexpr int grid_columns = 8;
 constexpr int rows = 5;
-constexpr double spacing = 1.2;   // metres between centres; the radius is 0.5
+constexpr double grid_spacing = 1.2;   // metres between centres; the radius is 0.5
 constexpr double floor_gap = 0.7; // metres from the floor to the lowest centres
 
 void add_sphere(Scene& scene, int column, int row) {
-    const double roughness = 0.1 + 0.9 * column / (columns - 1);
+    const double roughness = 0.1 + 0.9 * column / (grid_columns - 1);
     const double metallic = static_cast<double>(row) / (rows - 1);
     const auto name = fmt::format("roughness {:.2f} metallic {:.2f}", roughness, metallic);
     const auto material = append(scene.materials, {.name = name,
@@ -21,7 +21,7 @@ void add_sphere(Scene& scene, int column, int row) {
                                                    .metallic = static_cast<float>(metallic),
                                                    .roughness = static_cast<float>(roughness)});
     const auto mesh = add_mesh(scene, name, make_sphere(0.5f, 64, 32), material);
-    const glm::dvec3 centre(spacing * (column - 0.5 * (columns - 1)), floor_gap + spacing * row, 0);
+    const glm::dvec3 centre(grid_spacing * (column - 0.5 * (grid_columns - 1)), floor_gap + grid_spacing * row, 0);
     add_root(scene, name, translation(centre)).mesh = mesh;
 }
 
@@ -32,7 +32,7 @@ Scene make_spheres_scene(uint32_t lights, uint64_t seed) {
     scene.name = "spheres";
     scene.scenes = {{.name = "spheres", .nodes = {}}};
     scene.ambient = glm::vec3(0.05f);
-    const double middle = floor_gap + 0.5 * spacing * (rows - 1);
+    const double middle = floor_gap + 0.5 * grid_spacing * (rows - 1);
     add_camera(scene, {.name = "front", .yfov = 0.7}, {0, middle, 9.6}, {0, middle, 0});
 
     const auto floor = append(
@@ -41,7 +41,7 @@ Scene make_spheres_scene(uint32_t lights, uint64_t seed) {
     add_root(scene, "floor", glm::dmat4(1)).mesh =
         add_mesh(scene, "floor", make_ground({24, 24}, 24), floor);
     for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
+        for (int column = 0; column < grid_columns; ++column)
             add_sphere(scene, column, row);
 
     Random random(seed);

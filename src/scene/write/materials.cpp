@@ -33,7 +33,7 @@ struct Turn {
 };
 
 /// Absent: the matrix has shear.
-std::optional<Turn> decompose(const glm::mat2& linear) {
+std::optional<Turn> turn_and_scale(const glm::mat2& linear) {
     const glm::dmat2 m(linear);
     if (m[0].y == 0 && m[1].x == 0) // exact, negative scales included
         return Turn{.rotation = 0, .scale = {m[0].x, m[1].y}};
@@ -153,7 +153,7 @@ private:
     }
 
     Json transform(const TextureRef& ref) {
-        const auto turn = decompose(ref.uv_linear);
+        const auto turn = turn_and_scale(ref.uv_linear);
         if (!turn)
             document_.fail(object_, "a texture transform with shear has no form in glTF");
         document_.use("KHR_texture_transform");

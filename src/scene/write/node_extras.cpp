@@ -49,7 +49,7 @@ Json emitter_entry(const Emitter& e) {
     return entry;
 }
 
-bool is_finite(const Emitter& e) {
+bool emitter_is_finite(const Emitter& e) {
     float sum = e.lifetime_to + e.speed_to + e.cone + e.radius + e.gravity + e.drag + e.ground.value_or(0) + e.bounce +
                 e.slip + e.intensity + e.range + e.size + e.streak;
     for (const glm::vec3& colour : e.colours)
@@ -70,7 +70,7 @@ void set_node_extras(Json& entry, const Scene& scene, const Node& node, const st
     }
     if (node.emitter) {
         const Emitter& emitter = scene.emitters.at(*node.emitter);
-        if (!is_finite(emitter))
+        if (!emitter_is_finite(emitter))
             document.fail(object, "its emitter holds a number that is not finite, or no colour");
         entry["extras"]["prelight"]["emitter"] = emitter_entry(emitter);
     }
