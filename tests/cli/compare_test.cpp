@@ -1,5 +1,7 @@
 // `prelight compare`: the report's figures, the page in a browser, and the folder that holds them.
+#include "files.hpp"
 #include "process.hpp"
+#include "spread.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -10,7 +12,6 @@
 #include <nlohmann/json.hpp>
 #include <prelight/image.hpp>
 #include <prelight/scene_io.hpp>
-#include <sstream>
 #include <thread>
 
 namespace prelight::test {
@@ -22,23 +23,14 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 /// A name that would end or confuse a page that did not take care of it.
-constexpr const char* awkward = "x<!--<script>&amp;'\".glb";
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
+constexpr const char* awkward_scene = "x<!--<script>&amp;'\".glb";
 
 Json report_of(const fs::path& folder) {
-    return Json::parse(text_of(folder / "report.json"));
+    return Json::parse(bytes_of(folder / "report.json"));
 }
 
-std::vector<std::string> small(std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"compare", "spheres", "--size", "64x36", "--frames", "1"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+std::vector<std::string> small_comparison(const std::vector<std::string>& more) {
+    return joined({"compare", "spheres", "--size", "64x36", "--frames", "1"}, more);
 }
 
 /// One report for the tests that only look at it.
@@ -46,8 +38,8 @@ class CompareReport : public testing::Test {
 protected:
     static void SetUpTestSuite() {
         folder_ = std::make_unique<TemporaryFolder>();
-        ASSERT_TRUE(succeeded(run({"make", "spheres", "--lights", "4", "-o", awkward}, folder_->path)));
-        made_ = run({"compare", awkward, "--size", "160x90", "--frames", "3", "--light-counts", "1,4",
+        ASSERT_TRUE(succeeded(run({"make", "spheres", "--lights", "4", "-o", awkward_scene}, folder_->path)));
+        made_ = run({"compare", awkward_scene, "--size", "160x90", "--frames", "3", "--light-counts", "1,4",
                      "--renderers",
                      "light-prepass,multipass@lights-per-pass=8@order=objects,z-prepass,"
                      "light-prepass@model=full",
@@ -61,11 +53,6 @@ protected:
     static inline std::unique_ptr<TemporaryFolder> folder_;
     static inline Result made_;
 };
-
-void expect_spread(const Json& spread) {
-    EXPECT_LE(spread.at("min"), spread.at("median"));
-    EXPECT_LE(spread.at("median"), spread.at("max"));
-}
 
 /// The keys that every run of every command has (`--stats`).
 void expect_stats(const Json& run) {
@@ -89,7 +76,7 @@ void expect_stats(const Json& run) {
 TEST_F(CompareReport, HoldsEveryFigureOfEachVariant) {
     const Json json = report_of(report());
     EXPECT_EQ(json.at("prelight_report"), 1);
-    EXPECT_EQ(json.at("scene"), awkward);
+    EXPECT_EQ(json.at("scene"), awkward_scene);
     EXPECT_EQ(json.at("size"), Json({160, 90}));
     EXPECT_EQ(json.at("lights"), 4);
     EXPECT_EQ(json.at("lights_added"), 0);
@@ -183,7 +170,7 @@ TEST_F(CompareReport, ABrowserShowsItWithoutAComplaint) {
     const std::string command = fmt::format("timeout -k 5 240 node '{}/tests/page/report.js' '{}' {} > '{}' 2>&1",
                                             PRELIGHT_SOURCE_DIR, report().string(),
                                             shots ? fmt::format("'{}'", shots) : "", said.string());
-    EXPECT_EQ(std::system(command.c_str()), 0) << text_of(said);
+    EXPECT_EQ(std::system(command.c_str()), 0) << bytes_of(said);
 }
 
 TEST(Compare, ASlowFrameEndsTheLine) {
@@ -203,22 +190,21 @@ TEST(Compare, ASlowFrameEndsTheLine) {
 
 TEST(Compare, ASlowFrameAtTheLastNumberEndsNothing) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(small({"--frame-limit", "0", "--light-counts", "4", "--lights", "4", "--renderers",
-                                     "light-prepass", "-o", "report"}),
+    ASSERT_TRUE(succeeded(run(small_comparison({"--frame-limit", "0", "--light-counts", "4", "--lights", "4",
+                                                "--renderers", "light-prepass", "-o", "report"}),
                               folder.path)));
     EXPECT_TRUE(report_of(folder.path / "report").at("light_counts").at(0).at("stopped").is_null());
 }
 
 TEST(Compare, TheMomentReachesThePictures) {
     const TemporaryFolder folder;
-    const auto picture = [&](std::vector<std::string> more) {
-        std::vector<std::string> arguments =
-            small({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"});
+    const auto picture = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = joined(
+            small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), more);
         arguments[1] = "motion";
-        arguments.insert(arguments.end(), more.begin(), more.end());
         EXPECT_TRUE(succeeded(run(arguments, folder.path)));
         EXPECT_GT(report_of(folder.path / "report").at("runs")[0].at("difference").at("psnr"), 40);
-        return text_of(folder.path / "report/pictures/light-prepass-final.png");
+        return bytes_of(folder.path / "report/pictures/light-prepass-final.png");
     };
     const std::string start = picture({"--time", "0"});
     EXPECT_NE(start, picture({"--time", "0.7"}));
@@ -234,7 +220,7 @@ TEST(Compare, ATerminalSeesABar) {
         "--renderers light-prepass -o report\" /dev/null > said",
         folder.path.string(), PRELIGHT_PROGRAM);
     ASSERT_EQ(std::system(command.c_str()), 0);
-    const std::string said = text_of(folder.path / "said");
+    const std::string said = bytes_of(folder.path / "said");
     EXPECT_THAT(said, HasSubstr("\r[")) << "redrawn in place";
     EXPECT_THAT(said, HasSubstr("picture of light-prepass"));
     EXPECT_THAT(said, HasSubstr("\r\033[Kreport/index.html")) << "cleared before the result";
@@ -247,11 +233,10 @@ TEST(Compare, AFileWithoutLightsGetsSome) {
         node.light.reset();
     scene.lights.clear();
     save_glb(scene, folder.path / "dark.glb");
-    const auto lights = [&](std::vector<std::string> more) {
-        std::vector<std::string> arguments = small({"--light-counts", "none", "--renderers", "light-prepass",
-                                                    "-o", "report"});
+    const auto lights = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = joined(
+            small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), more);
         arguments[1] = "dark.glb";
-        arguments.insert(arguments.end(), more.begin(), more.end());
         EXPECT_TRUE(succeeded(run(arguments, folder.path)));
         const Json json = report_of(folder.path / "report");
         return std::pair(json.at("lights").get<int>(), json.at("lights_added").get<int>());
@@ -263,7 +248,8 @@ TEST(Compare, AFileWithoutLightsGetsSome) {
 TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
     const TemporaryFolder folder;
     const auto compare = [&](const char* place) {
-        return run(small({"--light-counts", "none", "--renderers", "light-prepass", "-o", place}), folder.path);
+        return run(small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", place}),
+                   folder.path);
     };
     fs::create_directory(folder.path / "report");
     ASSERT_TRUE(succeeded(compare("report"))) << "an empty folder";
@@ -279,7 +265,7 @@ TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
         EXPECT_TRUE(failed_with(result, 1)) << "somebody else's file lies in it";
         EXPECT_THAT(result.err, HasSubstr(fs::path(mine).filename().string()));
         EXPECT_LT(result.seconds, 20) << "it was told after the work";
-        EXPECT_EQ(text_of(folder.path / mine), "mine");
+        EXPECT_EQ(bytes_of(folder.path / mine), "mine");
         fs::remove(folder.path / mine);
     }
     fs::rename(folder.path / "report/pictures/light-prepass-final.png", folder.path / "kept.png");
@@ -293,14 +279,16 @@ TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
     EXPECT_TRUE(failed_with(compare("other"), 1));
     std::ofstream(folder.path / "file") << "mine";
     EXPECT_TRUE(failed_with(compare("file"), 1));
-    EXPECT_EQ(text_of(folder.path / "file"), "mine");
+    EXPECT_EQ(bytes_of(folder.path / "file"), "mine");
     EXPECT_TRUE(failed_with(compare("nowhere/report"), 1));
     EXPECT_EQ(folder.entries(), 5u) << "something was left behind";
 }
 
 TEST(Compare, TellsEachStepWhereThereIsNoTerminal) {
     const TemporaryFolder folder;
-    const Result result = run(small({"--light-counts", "1,2", "--renderers", "light-prepass,deferred", "-o", "report"}), folder.path);
+    const Result result =
+        run(small_comparison({"--light-counts", "1,2", "--renderers", "light-prepass,deferred", "-o", "report"}),
+            folder.path);
     ASSERT_TRUE(succeeded(result));
     for (const char* step : {"%] 0:", ": reference\n", "picture of light-prepass\n", "picture of deferred\n", "frames with 1 light\n", "frames with 2 lights\n", " left: "})
         EXPECT_THAT(result.err, HasSubstr(step));
@@ -316,7 +304,7 @@ TEST(Compare, FinishedStepsAreFoundByTheNextRun) {
     };
     const auto kept = [&] { // the steps of one report
         for (std::error_code none; const auto& entry : fs::directory_iterator(cache.path / "prelight/compare", none))
-            return text_of(entry.path() / "steps");
+            return bytes_of(entry.path() / "steps");
         return std::string();
     };
     const auto killed_when = [&](const std::vector<std::string>& arguments, const char* step) {
@@ -329,7 +317,9 @@ TEST(Compare, FinishedStepsAreFoundByTheNextRun) {
     EXPECT_EQ(killed_when(compare("3"), "picture of light-prepass").signal, SIGKILL);
     for (const auto& entry : fs::directory_iterator(folder.path)) // what a kill leaves goes with the test's folder
         fs::remove_all(entry.path());
-    const Result other = run(small({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), folder.path, {}, environment);
+    const Result other =
+        run(small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}),
+            folder.path, {}, environment);
     ASSERT_TRUE(succeeded(other));
     EXPECT_THAT(other.err, testing::Not(HasSubstr("finished steps"))) << "other arguments";
     EXPECT_EQ(killed_when(compare("3"), "times of 1").signal, SIGKILL);
@@ -356,9 +346,10 @@ TEST(Compare, FinishedStepsAreFoundByTheNextRun) {
 
 TEST(Compare, InterruptLeavesTheEarlierReportAndNothingHalf) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(small({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}),
-                              folder.path)));
-    const std::string before = text_of(folder.path / "report/report.json");
+    ASSERT_TRUE(succeeded(
+        run(small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}),
+            folder.path)));
+    const std::string before = bytes_of(folder.path / "report/report.json");
     for (const int signal : {SIGINT, SIGTERM}) {
         Prelight program({"compare", "spheres", "--size", "64x36", "--frames", "100000000", "--frame-limit",
                           "100000", "-o", "report"},
@@ -379,7 +370,7 @@ TEST(Compare, InterruptLeavesTheEarlierReportAndNothingHalf) {
         EXPECT_EQ(result.signal, signal);
         EXPECT_FALSE(result.timed_out);
         EXPECT_EQ(folder.entries(), 1u);
-        EXPECT_EQ(text_of(folder.path / "report/report.json"), before);
+        EXPECT_EQ(bytes_of(folder.path / "report/report.json"), before);
     }
 }
 

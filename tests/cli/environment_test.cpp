@@ -1,7 +1,7 @@
 // --environment and what belongs to it.
+#include "files.hpp"
 #include "process.hpp"
 
-#include <fstream>
 #include <gmock/gmock.h>
 #include <limits>
 #include <prelight/image.hpp>
@@ -12,10 +12,6 @@ namespace {
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-void write(const fs::path& file, const std::string& text) {
-    std::ofstream(file, std::ios::binary) << text;
-}
-
 /// A Radiance picture, flat, of grey light.
 std::string radiance(int width, int height, char mantissa = '\x80') {
     std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
@@ -24,10 +20,8 @@ std::string radiance(int width, int height, char mantissa = '\x80') {
     return text;
 }
 
-std::vector<std::string> with(const std::vector<std::string>& more, const char* scene = "spheres") {
-    std::vector<std::string> arguments{"render", scene, "--size", "64x36", "-o", "a.png"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+std::vector<std::string> render_with(const std::vector<std::string>& more, const char* scene = "spheres") {
+    return joined({"render", scene, "--size", "64x36", "-o", "a.png"}, more);
 }
 
 TEST(Environment, EveryKindOfFileLightsTheSceneAndIsSeenBehindIt) {
@@ -39,16 +33,16 @@ TEST(Environment, EveryKindOfFileLightsTheSceneAndIsSeenBehindIt) {
     save_png(grey, folder.path / "sky.png"); // white: 1 too
     Image first;
     for (const char* file : {"sky.hdr", "sky.exr", "sky.png"}) {
-        ASSERT_TRUE(succeeded(run(with({"--environment", file, "--validate"}), folder.path))) << file;
+        ASSERT_TRUE(succeeded(run(render_with({"--environment", file, "--validate"}), folder.path))) << file;
         const Image picture = load_png(folder.path / "a.png");
         EXPECT_GT(picture.at(1, 1).r, 0.5) << "the sky shows";
         if (first.pixels.empty())
             first = picture;
         EXPECT_TRUE(picture.pixels == first.pixels) << file;
     }
-    ASSERT_TRUE(succeeded(run(with({"--environment", "sky.hdr", "--background", "black"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(render_with({"--environment", "sky.hdr", "--background", "black"}), folder.path)));
     EXPECT_EQ(load_png(folder.path / "a.png").at(1, 1), glm::vec3(0));
-    ASSERT_TRUE(succeeded(run(with({"--environment", "sky.hdr", "--environment-intensity", "0"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(render_with({"--environment", "sky.hdr", "--environment-intensity", "0"}), folder.path)));
     EXPECT_EQ(load_png(folder.path / "a.png").at(1, 1), glm::vec3(0));
 }
 
@@ -59,9 +53,10 @@ TEST(Environment, TurnsTheSky) {
         for (uint32_t x = 0; x < 8; ++x)
             halves.at(x, y) = x < 4 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
     save_exr(halves, folder.path / "sky.exr");
-    ASSERT_TRUE(succeeded(run(with({"--environment", "sky.exr"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(render_with({"--environment", "sky.exr"}), folder.path)));
     const Image before = load_png(folder.path / "a.png");
-    ASSERT_TRUE(succeeded(run(with({"--environment", "sky.exr", "--environment-rotation", "180"}), folder.path)));
+    ASSERT_TRUE(succeeded(
+        run(render_with({"--environment", "sky.exr", "--environment-rotation", "180"}), folder.path)));
     const Image after = load_png(folder.path / "a.png");
     EXPECT_NE(before.at(1, 1).r > before.at(1, 1).b, after.at(1, 1).r > after.at(1, 1).b);
 }
@@ -81,7 +76,7 @@ TEST(Environment, GoesWithCompareAndBenchToo) {
 TEST(Environment, WhatIsWrongIsOneLine) {
     const TemporaryFolder folder;
     const auto expect = [&](const std::vector<std::string>& more, int status, const char* text) {
-        const Result result = run(with(more), folder.path);
+        const Result result = run(render_with(more), folder.path);
         EXPECT_EQ(result.status, status) << text;
         EXPECT_THAT(result.err, HasSubstr(text));
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
@@ -112,9 +107,9 @@ TEST(Environment, WhatIsWrongIsOneLine) {
 
 TEST(Environment, OfTheSceneItselfCanBeTurned) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(with({}, "materials"), folder.path)));
+    ASSERT_TRUE(succeeded(run(render_with({}, "materials"), folder.path)));
     const Image before = load_png(folder.path / "a.png");
-    ASSERT_TRUE(succeeded(run(with({"--environment-rotation", "90"}, "materials"), folder.path)));
+    ASSERT_TRUE(succeeded(run(render_with({"--environment-rotation", "90"}, "materials"), folder.path)));
     EXPECT_FALSE(load_png(folder.path / "a.png").pixels == before.pixels);
 }
 

@@ -1,4 +1,5 @@
 // Work that fails: exit status 1, one line that names the file, and nothing half done.
+#include "files.hpp"
 #include "process.hpp"
 
 #include <algorithm>
@@ -11,10 +12,6 @@ namespace {
 
 using testing::HasSubstr;
 namespace fs = std::filesystem;
-
-void write(const fs::path& file, std::string_view text) {
-    std::ofstream(file, std::ios::binary) << text;
-}
 
 TEST(Failure, AMissingFileIsNamed) {
     const TemporaryFolder folder;
@@ -50,9 +47,7 @@ TEST(Failure, AnOutputFolderMustExistBeforeAnyWork) {
                                                     {"-o", "a.png", "--stats", "no/a.json"},
                                                     {"-o", "a.png", "--view", "depth=no/d.png"}}) {
         // A frame count that would take hours shows that the check comes first.
-        std::vector<std::string> arguments = {"render", "lights", "--frames", "1000000"};
-        arguments.insert(arguments.end(), outputs.begin(), outputs.end());
-        const Result result = run(arguments, folder.path);
+        const Result result = run(joined({"render", "lights", "--frames", "1000000"}, outputs), folder.path);
         EXPECT_TRUE(failed_with(result, 1));
         EXPECT_THAT(result.err, HasSubstr("no/"));
     }
@@ -112,8 +107,7 @@ TEST(Failure, AFullDiskIsReported) {
 TEST(Failure, ATruncatedFileIsRefused) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run({"make", "spheres", "-o", "good.glb"}, folder.path)));
-    std::ifstream stream(folder.path / "good.glb", std::ios::binary);
-    const std::string good((std::istreambuf_iterator<char>(stream)), {});
+    const std::string good = bytes_of(folder.path / "good.glb");
     for (const size_t size : {size_t(0), size_t(3), size_t(12), size_t(19), good.size() / 100,
                               good.size() / 2, good.size() - 5}) {
         write(folder.path / "cut.glb", std::string_view(good).substr(0, size));

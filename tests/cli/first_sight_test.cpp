@@ -1,29 +1,21 @@
 // What a file looks like when nothing is said about light, view and exposure.
+#include "files.hpp"
 #include "process.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <prelight/image.hpp>
 #include <prelight/scene_io.hpp>
 #include <scene/procedural/builder.hpp>
 #include <scene/procedural/shapes.hpp>
-#include <sstream>
 
 namespace prelight::test {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-std::string bytes_of(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 /// A box of these half sides, away from the origin; nothing else.
 Scene box_scene(glm::vec3 half = {1, 0.5f, 0.25f}) {
@@ -41,17 +33,16 @@ class FirstSight : public testing::Test {
 protected:
     void save(const Scene& scene, const char* name = "s.glb") { save_glb(scene, folder.path / name); }
     /// The picture of s.glb with these options more, and what the program said.
-    Result render(std::vector<std::string> more) {
+    Result render(const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"render", "s.glb", "-o", "a.png"};
         if (std::find(more.begin(), more.end(), "--size") == more.end())
             arguments.insert(arguments.end(), {"--size", "96x54"});
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        Result result = run(arguments, folder.path);
+        Result result = run(joined(arguments, more), folder.path);
         EXPECT_TRUE(succeeded(result));
         return result;
     }
-    std::string picture(std::vector<std::string> more) {
-        render(std::move(more));
+    std::string picture(const std::vector<std::string>& more) {
+        render(more);
         return bytes_of(folder.path / "a.png");
     }
     Image image() const { return load_png(folder.path / "a.png"); }

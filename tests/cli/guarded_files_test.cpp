@@ -1,6 +1,7 @@
 // Whatever a name on the command line leads to, the run ends at once with one line.
 #include "process.hpp"
 
+#include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <prelight/image.hpp>
@@ -21,10 +22,8 @@ struct Reader {
 
 std::vector<Reader> readers() {
     const std::vector<std::string> small{"--renderer", "reference", "--size", "16x16"};
-    const auto render = [&](std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), "render");
-        arguments.insert(arguments.end(), small.begin(), small.end());
-        return arguments;
+    const auto render = [&](const std::vector<std::string>& arguments) {
+        return joined(joined({"render"}, arguments), small);
     };
     return {
         {"scene", render({"FILE", "-o", "a.png"}), ".glb"},
@@ -38,7 +37,7 @@ std::vector<Reader> readers() {
 }
 
 /// Runs every reader on `folder`/FILE and expects one line that names it and says `why`.
-void expect_refused(const TemporaryFolder& folder, const std::string& file, const std::string& why) {
+void expect_every_reader_refuses(const TemporaryFolder& folder, const std::string& file, const std::string& why) {
     for (const Reader& reader : readers()) {
         const std::string name = "it" + reader.ending;
         fs::remove(folder.path / name);
@@ -63,11 +62,11 @@ TEST(GuardedFiles, PipesDevicesFoldersAndLoops) {
     ASSERT_EQ(mkfifo((folder.path / "pipe").c_str(), 0600), 0);
     fs::create_directory(folder.path / "inner");
     fs::create_symlink("round", folder.path / "round");
-    expect_refused(folder, "pipe", "is a pipe, not a file");
-    expect_refused(folder, "/dev/zero", "is a device, not a file");
-    expect_refused(folder, "inner", "is a folder, not a file");
-    expect_refused(folder, "round", "Too many levels of symbolic links");
-    expect_refused(folder, "nothing", "No such file or directory");
+    expect_every_reader_refuses(folder, "pipe", "is a pipe, not a file");
+    expect_every_reader_refuses(folder, "/dev/zero", "is a device, not a file");
+    expect_every_reader_refuses(folder, "inner", "is a folder, not a file");
+    expect_every_reader_refuses(folder, "round", "Too many levels of symbolic links");
+    expect_every_reader_refuses(folder, "nothing", "No such file or directory");
 }
 
 TEST(GuardedFiles, EmptyAndHugeOnes) {
@@ -75,7 +74,7 @@ TEST(GuardedFiles, EmptyAndHugeOnes) {
     std::ofstream(folder.path / "empty");
     std::ofstream(folder.path / "huge");
     fs::resize_file(folder.path / "huge", uint64_t(1) << 42); // takes no room on the disk
-    expect_refused(folder, "huge", "is too large");
+    expect_every_reader_refuses(folder, "huge", "is too large");
     for (const Reader& reader : readers()) {
         if (std::string(reader.name) == "material")
             continue; // an empty one is for the compiler to judge
@@ -132,9 +131,9 @@ TEST(MemoryLimit, LargeTexturesOpenAndAreScaledDownToIt) {
         GTEST_SKIP() << "the shared cases are not on this machine";
     const TemporaryFolder folder;
     for (const std::vector<std::string>& limit : {std::vector<std::string>{}, {"--memory-limit", "512M"}}) {
-        std::vector<std::string> arguments{"render", scene.string(), "-o", "a.png", "--size", "16x16", "--view", "albedo", "--renderer", "reference"};
-        arguments.insert(arguments.end(), limit.begin(), limit.end());
-        const Result result = run(arguments, folder.path);
+        const std::vector<std::string> albedo{"render", scene.string(), "-o",         "a.png",    "--size", "16x16",
+                                              "--view", "albedo",       "--renderer", "reference"};
+        const Result result = run(joined(albedo, limit), folder.path);
         EXPECT_TRUE(succeeded(result));
         EXPECT_EQ(load_png(folder.path / "a.png").at(8, 8) * 255.0f, glm::vec3(200, 60, 60));
         const bool scaled = result.err.find("scaled down from 8192 × 8192 to 4096 × 4096 pixels") != std::string::npos;

@@ -1,14 +1,13 @@
 // Ctrl-C, and scenes that change under --watch.
+#include "files.hpp"
 #include "process.hpp"
 
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <gmock/gmock.h>
 #include <prelight/image.hpp>
-#include <sstream>
 #include <thread>
 
 namespace prelight::test {
@@ -16,22 +15,6 @@ namespace {
 
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
-
-/// Waits until `condition` holds; false after 60 s.
-bool eventually(const std::function<bool()>& condition) {
-    for (const auto end = std::chrono::steady_clock::now() + 60s;
-         std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(5ms))
-        if (condition())
-            return true;
-    return false;
-}
-
-std::string bytes_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 class Interrupt : public testing::TestWithParam<int> {};
 

@@ -1,16 +1,14 @@
 // Materials of the user's own, and the list of those that are built in.
+#include "files.hpp"
 #include "process.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <fstream>
-#include <functional>
 #include <gmock/gmock.h>
 #include <map>
 #include <memory>
 #include <prelight/image.hpp>
-#include <sstream>
 #include <thread>
 
 namespace prelight::test {
@@ -20,40 +18,26 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-void write(const fs::path& file, const std::string& text) {
-    std::ofstream(file, std::ios::binary) << text;
-}
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
 /// The first block of GLSL in docs/materials.md: what a reader types.
 std::string documented_material() {
-    const std::string text = text_of(fs::path(PRELIGHT_SOURCE_DIR) / "docs/materials.md");
+    const std::string text = bytes_of(fs::path(PRELIGHT_SOURCE_DIR) / "docs/materials.md");
     const size_t start = text.find("```glsl\n") + 8;
     return text.substr(start, text.find("```", start) - start);
 }
 
-const std::vector<std::string> small{"render", "spheres", "--lights", "2", "--size", "64x36", "-o", "a.png"};
-
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-}
+const std::vector<std::string> render_spheres{"render", "spheres", "--lights", "2", "--size", "64x36", "-o", "a.png"};
 
 TEST(Material, TheOneOfTheDocumentationWorksAsTypedInEveryArchitecture) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(small, folder.path)));
-    const std::string plain = text_of(folder.path / "a.png");
+    ASSERT_TRUE(succeeded(run(render_spheres, folder.path)));
+    const std::string plain = bytes_of(folder.path / "a.png");
     write(folder.path / "toon.glsl", documented_material());
     for (const char* renderer : {"light-prepass", "multipass", "z-prepass", "deferred"}) {
-        const Result result = run(with(small, {"--renderer", renderer, "--material", "floor=toon.glsl", "--validate"}), folder.path);
+        const Result result =
+            run(joined(render_spheres, {"--renderer", renderer, "--material", "floor=toon.glsl", "--validate"}),
+                folder.path);
         ASSERT_TRUE(succeeded(result)) << renderer;
-        EXPECT_FALSE(text_of(folder.path / "a.png") == plain) << renderer;
+        EXPECT_FALSE(bytes_of(folder.path / "a.png") == plain) << renderer;
     }
 }
 
@@ -61,16 +45,16 @@ TEST(Material, WrongUsageAndMistakesAreOneLine) {
     const TemporaryFolder folder;
     const std::string good = documented_material();
     write(folder.path / "toon.glsl", good);
-    const Result unknown = run(with(small, {"--material", "roof=toon.glsl"}), folder.path);
+    const Result unknown = run(joined(render_spheres, {"--material", "roof=toon.glsl"}), folder.path);
     EXPECT_TRUE(failed_with(unknown, 2));
     EXPECT_THAT(unknown.err, HasSubstr("--material roof: spheres has no such material (floor"));
-    const Result form = run(with(small, {"--material", "toon.glsl"}), folder.path);
+    const Result form = run(joined(render_spheres, {"--material", "toon.glsl"}), folder.path);
     EXPECT_TRUE(failed_with(form, 2));
-    const Result missing = run(with(small, {"--material", "floor=no.glsl"}), folder.path);
+    const Result missing = run(joined(render_spheres, {"--material", "floor=no.glsl"}), folder.path);
     EXPECT_TRUE(failed_with(missing, 1));
     EXPECT_THAT(missing.err, HasSubstr("no.glsl: cannot be opened (No such file"));
     write(folder.path / "bad.glsl", good + "float lines = none;\n");
-    const Result mistake = run(with(small, {"--material", "floor=bad.glsl"}), folder.path);
+    const Result mistake = run(joined(render_spheres, {"--material", "floor=bad.glsl"}), folder.path);
     EXPECT_TRUE(failed_with(mistake, 1));
     const auto line = std::count(good.begin(), good.end(), '\n') + 1;
     EXPECT_THAT(mistake.err, HasSubstr("bad.glsl:" + std::to_string(line) + ": 'none' : undeclared identifier"));
@@ -90,8 +74,9 @@ TEST(Material, IsCompiledOnceAndOnlyForWhatDrawsWithIt) {
     const std::map<std::string, std::string> environment{{"XDG_CACHE_HOME", cache.path}};
     write(folder.path / "toon.glsl", documented_material());
     const auto render = [&](const char* renderer) {
-        EXPECT_TRUE(succeeded(run(with(small, {"--renderer", renderer, "--material", "floor=toon.glsl"}), folder.path, {}, environment)));
-        return text_of(folder.path / "a.png");
+        EXPECT_TRUE(succeeded(run(joined(render_spheres, {"--renderer", renderer, "--material", "floor=toon.glsl"}),
+                                  folder.path, {}, environment)));
+        return bytes_of(folder.path / "a.png");
     };
     const std::string first = render("light-prepass");
     const auto kept = kept_code(cache.path);
@@ -104,7 +89,7 @@ TEST(Material, IsCompiledOnceAndOnlyForWhatDrawsWithIt) {
     // Damage is found, and another source is another key.
     for (const auto& [name, time] : kept) {
         const fs::path file = cache.path / "prelight/materials" / name;
-        std::string bytes = text_of(file);
+        std::string bytes = bytes_of(file);
         bytes[bytes.size() / 2] ^= 1;
         write(file, bytes);
     }
@@ -122,24 +107,19 @@ TEST(Material, ProcessesThatCompileAtOnceDoNotDisturbEachOther) {
     for (int i = 0; i < 3; ++i) {
         folders.push_back(std::make_unique<TemporaryFolder>());
         write(folders.back()->path / "toon.glsl", documented_material());
-        programs.push_back(std::make_unique<Prelight>(with(small, {"--material", "floor=toon.glsl"}), folders.back()->path, environment));
+        programs.push_back(std::make_unique<Prelight>(joined(render_spheres, {"--material", "floor=toon.glsl"}),
+                                                      folders.back()->path, environment));
     }
     for (const auto& program : programs)
         EXPECT_TRUE(succeeded(program->wait()));
     for (const auto& folder : folders)
-        EXPECT_TRUE(text_of(folder->path / "a.png") == text_of(folders[0]->path / "a.png"));
+        EXPECT_TRUE(bytes_of(folder->path / "a.png") == bytes_of(folders[0]->path / "a.png"));
     for (const auto& [name, time] : kept_code(cache.path))
         EXPECT_TRUE(name.ends_with(".spv")) << name << ": a temporary file was left behind";
 }
 
 TEST(Material, IsTakenUpUnderWatchAndAMistakeKeepsTheLastThatWorked) {
     const TemporaryFolder folder;
-    const auto eventually = [](const std::function<bool()>& condition) {
-        for (const auto end = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(5ms))
-            if (condition())
-                return true;
-        return false;
-    };
     const auto shade = [&](const char* colour) {
         write(folder.path / "m.glsl", std::string("Surface surface(Point p) { return gltf_surface(p); }\nvec3 shade(Point p, Surface s, Light light) { return ") + colour + "; }\n");
     };
@@ -148,7 +128,8 @@ TEST(Material, IsTakenUpUnderWatchAndAMistakeKeepsTheLastThatWorked) {
         return colour[channel] > 0.5f && colour[(channel + 1) % 3] < 0.3f;
     };
     shade("vec3(1.0, 0.0, 0.0)");
-    Prelight program(with(small, {"--material", "floor=m.glsl", "--watch", "--tonemap", "none"}), folder.path);
+    Prelight program(joined(render_spheres, {"--material", "floor=m.glsl", "--watch", "--tonemap", "none"}),
+                     folder.path);
     ASSERT_TRUE(eventually([&] { return fs::exists(folder.path / "a.png"); }));
     EXPECT_TRUE(shows_floor(0));
     shade("vec3(0.0, 1.0, 0.0");

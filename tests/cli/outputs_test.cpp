@@ -1,11 +1,10 @@
 // What a run writes, and what it must not write over.
+#include "files.hpp"
 #include "process.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <prelight/image.hpp>
-#include <sstream>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
@@ -18,17 +17,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-void write(const fs::path& file, std::string_view text) {
-    std::ofstream(file, std::ios::binary) << text;
-}
 
 /// A glTF whose buffer and picture lie beside it. It need not be drawn: outputs are checked before it is read.
 void write_scene(const fs::path& folder) {
@@ -43,14 +31,14 @@ void expect_refused(const fs::path& folder, const std::vector<std::string>& argu
     SCOPED_TRACE(testing::PrintToString(arguments));
     std::map<fs::path, std::string> before;
     for (const auto& entry : fs::directory_iterator(folder))
-        before[entry.path()] = text_of(entry.path());
+        before[entry.path()] = bytes_of(entry.path());
     const Result result = run(arguments, folder);
     EXPECT_TRUE(failed_with(result, 2));
     EXPECT_THAT(result.err, HasSubstr(named));
     size_t count = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
         ++count;
-        EXPECT_EQ(before[entry.path()], text_of(entry.path())) << entry.path();
+        EXPECT_EQ(before[entry.path()], bytes_of(entry.path())) << entry.path();
     }
     EXPECT_EQ(count, before.size());
 }
@@ -134,7 +122,7 @@ TEST(Outputs, ADeviceOrAPipeIsWrittenAndNotReplaced) {
     EXPECT_TRUE(failed_with(alone, 1));
     EXPECT_THAT(alone.err, HasSubstr("pipe: nobody reads this pipe"));
     std::string read;
-    std::thread reader([&] { read = text_of(folder.path / "pipe"); });
+    std::thread reader([&] { read = bytes_of(folder.path / "pipe"); });
     EXPECT_TRUE(succeeded(stats("pipe")));
     reader.join();
     EXPECT_THAT(read, HasSubstr("\"renderer\": \"reference\""));
@@ -149,7 +137,7 @@ Result in_shell(const fs::path& folder, const std::string& before, const std::st
     Result result;
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    result.err = text_of(folder / "said");
+    result.err = bytes_of(folder / "said");
     fs::remove(folder / "said");
     return result;
 }
@@ -178,7 +166,7 @@ TEST(Outputs, AClosedOrFullStandardOutputIsTold) {
     // A picture never takes the number of a stream that is closed.
     const Result closed = in_shell(folder.path, "", "make spheres --lights 1 -o a.glb", ">&-");
     EXPECT_TRUE(failed_with(closed, 1));
-    EXPECT_EQ(text_of(folder.path / "a.glb").substr(0, 4), "glTF");
+    EXPECT_EQ(bytes_of(folder.path / "a.glb").substr(0, 4), "glTF");
 }
 
 TEST(Outputs, AFullDiskLeavesNothing) {

@@ -1,10 +1,10 @@
 #include "process.hpp"
 
+#include "files.hpp"
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
 #include <sstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -16,13 +16,6 @@ namespace {
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
-}
-
-std::string contents(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
 }
 
 /// Only what is safe between fork and exec.
@@ -53,7 +46,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 /// Our own environment, with `changes`, and with caches that are not the user's.
-std::vector<std::string> make_environment(std::map<std::string, std::string> changes) {
+std::vector<std::string> make_variables(std::map<std::string, std::string> changes) {
     const std::string build = PRELIGHT_BUILD_DIR;
     if (!std::getenv("MESA_SHADER_CACHE_DIR"))
         changes.emplace("MESA_SHADER_CACHE_DIR", build + "/../shader-cache");
@@ -86,7 +79,7 @@ Prelight::Prelight(std::vector<std::string> arguments, const std::filesystem::pa
                    const std::map<std::string, std::string>& environment, Limits limits)
     : limits_(limits), started_(now()) {
     arguments.insert(arguments.begin(), PRELIGHT_PROGRAM);
-    std::vector<std::string> variables = make_environment(environment);
+    std::vector<std::string> variables = make_variables(environment);
     const std::vector<char*> argv = pointers(arguments), envp = pointers(variables);
     const std::string out = streams_.path / "out", err = streams_.path / "err";
     pid_ = fork();
@@ -120,8 +113,8 @@ bool Prelight::poll(bool block) {
     result_->signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     result_->seconds = now() - started_;
     result_->peak_bytes = static_cast<uint64_t>(usage.ru_maxrss) * 1024;
-    result_->out = contents(streams_.path / "out");
-    result_->err = contents(streams_.path / "err");
+    result_->out = bytes_of(streams_.path / "out");
+    result_->err = bytes_of(streams_.path / "err");
     return true;
 }
 
@@ -145,6 +138,18 @@ Result Prelight::wait() {
 Result run(std::vector<std::string> arguments, const std::filesystem::path& folder, Limits limits,
            const std::map<std::string, std::string>& environment) {
     return Prelight(std::move(arguments), folder, environment, limits).wait();
+}
+
+std::vector<std::string> joined(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+bool eventually(const std::function<bool()>& condition) {
+    for (const double end = now() + 60; now() < end; std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+        if (condition())
+            return true;
+    return false;
 }
 
 testing::AssertionResult succeeded(const Result& result) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <image/temporary_folder.hpp>
 #include <map>
 #include <optional>
@@ -51,6 +52,12 @@ private:
 /// Runs it to the end.
 Result run(std::vector<std::string> arguments, const std::filesystem::path& folder,
            Limits limits = {}, const std::map<std::string, std::string>& environment = {});
+
+/// `arguments`, then `more`.
+std::vector<std::string> joined(std::vector<std::string> arguments, const std::vector<std::string>& more);
+
+/// Waits until `condition` holds; false after 60 s.
+bool eventually(const std::function<bool()>& condition);
 
 /// Success: exit status 0 and nothing on stderr but warnings.
 testing::AssertionResult succeeded(const Result& result);

@@ -1,13 +1,13 @@
 // What a successful run leaves behind.
+#include "files.hpp"
 #include "process.hpp"
+#include "spread.hpp"
 
-#include <fstream>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <prelight/image.hpp>
-#include <sstream>
 
 namespace prelight::test {
 namespace {
@@ -16,17 +16,8 @@ using Json = nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string bytes_of(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::stringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-std::vector<std::string> small(std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"render", "spheres", "--size", "64x36"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+std::vector<std::string> small_render(const std::vector<std::string>& more) {
+    return joined({"render", "spheres", "--size", "64x36"}, more);
 }
 
 /// Mean of all channels, and how far the values spread around it.
@@ -41,16 +32,9 @@ std::pair<double, double> mean_and_deviation(const Image& image) {
     return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
 }
 
-void expect_spread(const Json& spread) {
-    ASSERT_EQ(spread.size(), 3u);
-    EXPECT_GE(spread.at("min").get<double>(), 0);
-    EXPECT_LE(spread.at("min").get<double>(), spread.at("median").get<double>());
-    EXPECT_LE(spread.at("median").get<double>(), spread.at("max").get<double>());
-}
-
 TEST(Render, WritesAPngOfTheSizeAskedForWithSomethingOnIt) {
     const TemporaryFolder folder;
-    const Result result = run(small({"-o", "a.png"}), folder.path);
+    const Result result = run(small_render({"-o", "a.png"}), folder.path);
     ASSERT_TRUE(succeeded(result));
     EXPECT_THAT(result.out, HasSubstr("a.png: 64x36, light-prepass"));
     const Image image = load_png(folder.path / "a.png");
@@ -63,19 +47,18 @@ TEST(Render, WritesAPngOfTheSizeAskedForWithSomethingOnIt) {
 TEST(Render, TwoRunsGiveTheSameBytes) {
     const TemporaryFolder folder;
     for (const char* renderer : {"light-prepass", "reference"}) {
-        ASSERT_TRUE(succeeded(run(small({"-o", "a.png", "--renderer", renderer}), folder.path)));
-        ASSERT_TRUE(succeeded(run(small({"-o", "b.png", "--renderer", renderer}), folder.path)));
+        ASSERT_TRUE(succeeded(run(small_render({"-o", "a.png", "--renderer", renderer}), folder.path)));
+        ASSERT_TRUE(succeeded(run(small_render({"-o", "b.png", "--renderer", renderer}), folder.path)));
         EXPECT_TRUE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png")) << renderer;
     }
 }
 
 TEST(Render, TimeAndAnimationPickThePose) {
     const TemporaryFolder folder;
-    const auto picture = [&](std::vector<std::string> more) {
-        std::vector<std::string> arguments = {"render", "motion",      "--size",    "64x36", "-o",
-                                              "a.png",  "--renderer", "reference"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        EXPECT_TRUE(succeeded(run(arguments, folder.path)));
+    const auto picture = [&](const std::vector<std::string>& more) {
+        const std::vector<std::string> motion = {"render", "motion", "--size",     "64x36",
+                                                 "-o",     "a.png",  "--renderer", "reference"};
+        EXPECT_TRUE(succeeded(run(joined(motion, more), folder.path)));
         return bytes_of(folder.path / "a.png");
     };
     const std::string rest = picture({}), half = picture({"--time", "0.5"});
@@ -91,9 +74,9 @@ TEST(Render, TimeAndAnimationPickThePose) {
 
 TEST(Render, ExrStaysLinear) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(small({"-o", "a.exr"}), folder.path)));
-    ASSERT_TRUE(succeeded(run(small({"-o", "b.exr", "--tonemap", "none"}), folder.path)));
-    ASSERT_TRUE(succeeded(run(small({"-o", "c.exr", "--exposure", "1"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "a.exr"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "b.exr", "--tonemap", "none"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "c.exr", "--exposure", "1"}), folder.path)));
     EXPECT_TRUE(bytes_of(folder.path / "a.exr") == bytes_of(folder.path / "b.exr"));
     const Image once = load_exr(folder.path / "a.exr"), twice = load_exr(folder.path / "c.exr");
     ASSERT_GT(mean_and_deviation(once).first, 0);
@@ -102,12 +85,12 @@ TEST(Render, ExrStaysLinear) {
 
 TEST(Render, TonemapAndShadingAndExposureChangeThePicture) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(small({"-o", "a.png"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "a.png"}), folder.path)));
     for (const auto& [key, value] : {std::pair{"--tonemap", "aces"},
                                      {"--tonemap", "none"},
                                      {"--shading", "phong"},
                                      {"--exposure", "-1.5"}}) {
-        ASSERT_TRUE(succeeded(run(small({"-o", "b.png", key, value}), folder.path))) << key;
+        ASSERT_TRUE(succeeded(run(small_render({"-o", "b.png", key, value}), folder.path))) << key;
         EXPECT_FALSE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png")) << value;
     }
 }
@@ -115,8 +98,8 @@ TEST(Render, TonemapAndShadingAndExposureChangeThePicture) {
 TEST(Render, WritesEveryBufferOfOneFrame) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(
-        run(small({"-o", "final.png", "--view", "depth=depth.png", "--view", "normal=normal.png",
-                   "--view", "diffuse-light=diffuse.png", "--view", "specular-light=specular.png"}),
+        run(small_render({"-o", "final.png", "--view", "depth=depth.png", "--view", "normal=normal.png",
+                          "--view", "diffuse-light=diffuse.png", "--view", "specular-light=specular.png"}),
             folder.path)));
     EXPECT_EQ(folder.entries(), 5u);
     std::vector<std::string> seen;
@@ -130,7 +113,7 @@ TEST(Render, WritesEveryBufferOfOneFrame) {
         seen.push_back(bytes_of(entry.path()));
     }
     // The same buffer in place of the picture.
-    ASSERT_TRUE(succeeded(run(small({"-o", "alone.png", "--view", "depth"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "alone.png", "--view", "depth"}), folder.path)));
     EXPECT_TRUE(bytes_of(folder.path / "alone.png") == bytes_of(folder.path / "depth.png"));
 }
 
@@ -226,7 +209,7 @@ TEST(Render, PassCpuGivesEachPassAFigure) {
 TEST(Render, SettingsAndPresetsReachTheStats) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run(
-        small({"-o", "a.png", "--stats", "a.json", "--set", "normals=oct32", "--shading", "phong"}),
+        small_render({"-o", "a.png", "--stats", "a.json", "--set", "normals=oct32", "--shading", "phong"}),
         folder.path)));
     const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
     EXPECT_EQ(stats.at("settings").at("normals"), "oct32");
@@ -238,7 +221,7 @@ TEST(Render, APresetShadesAsItsTextAndWhatItsLightBufferLosesIsTold) {
     const auto stats_of = [&](std::vector<std::string> more) {
         const std::vector<std::string> rest = {"-o", "a.png", "--stats", "a.json", "--preset", "prelighting"};
         more.insert(more.begin(), rest.begin(), rest.end());
-        const Result result = run(small(more), folder.path);
+        const Result result = run(small_render(more), folder.path);
         EXPECT_EQ(result.status, 0) << result.err;
         return std::pair(Json::parse(bytes_of(folder.path / "a.json")), result.err);
     };
@@ -257,12 +240,10 @@ TEST(Render, APresetShadesAsItsTextAndWhatItsLightBufferLosesIsTold) {
 
 TEST(Render, LightsAreAddedToAFileAndSetForABuiltin) {
     const TemporaryFolder folder;
-    const auto lights = [&](std::vector<std::string> arguments) {
+    const auto lights = [&](const std::vector<std::string>& scene) {
         const std::vector<std::string> rest = {"--size",     "64x36",     "-o",      "a.png",
                                                "--renderer", "reference", "--stats", "a.json"};
-        arguments.insert(arguments.begin(), "render");
-        arguments.insert(arguments.end(), rest.begin(), rest.end());
-        EXPECT_TRUE(succeeded(run(arguments, folder.path)));
+        EXPECT_TRUE(succeeded(run(joined(joined({"render"}, scene), rest), folder.path)));
         return Json::parse(bytes_of(folder.path / "a.json")).at("lights").get<int>();
     };
     EXPECT_EQ(lights({"lights", "--lights", "5"}), 5);
@@ -308,15 +289,15 @@ TEST(Render, MakeGivesTheSameBytesForTheSameSeed) {
 
 TEST(Render, CamerasByNameAndIndex) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(small({"-o", "a.png"}), folder.path)));
-    ASSERT_TRUE(succeeded(run(small({"-o", "b.png", "--camera", "0"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "a.png"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "b.png", "--camera", "0"}), folder.path)));
     EXPECT_TRUE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png"));
 }
 
 TEST(Render, ReferenceNeedsNoDevice) {
     const TemporaryFolder folder;
     const Result result =
-        run(small({"-o", "a.png", "--renderer", "reference"}), folder.path, {},
+        run(small_render({"-o", "a.png", "--renderer", "reference"}), folder.path, {},
             {{"VK_DRIVER_FILES", "/nonexistent.json"}, {"VK_ICD_FILENAMES", "/nonexistent.json"}});
     ASSERT_TRUE(succeeded(result));
     EXPECT_GT(mean_and_deviation(load_png(folder.path / "a.png")).second, 0.02);

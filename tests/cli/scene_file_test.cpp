@@ -1,5 +1,6 @@
 // Faulty scene files: repaired with a warning by default, an error with --strict; which of a file's scenes; files
 // without anything to see.
+#include "files.hpp"
 #include "process.hpp"
 
 #include <fstream>
@@ -35,11 +36,9 @@ Json with_faulty_light() {
 }
 
 struct Files : TemporaryFolder {
-    void write(const std::string& name, const std::string& text) const { std::ofstream(path / name, std::ios::binary) << text; }
-    Result render(std::vector<std::string> more) const {
-        std::vector<std::string> arguments = {"render", "a.gltf", "-o", "a.png", "--size", "64x36"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return run(arguments, path);
+    void write(const std::string& name, const std::string& text) const { test::write(path / name, text); }
+    Result render(const std::vector<std::string>& more) const {
+        return run(joined({"render", "a.gltf", "-o", "a.png", "--size", "64x36"}, more), path);
     }
 };
 

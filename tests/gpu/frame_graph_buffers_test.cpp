@@ -7,26 +7,26 @@
 namespace prelight {
 namespace {
 
-constexpr uint32_t count = 1 << 16;
+constexpr uint32_t elements = 1 << 16;
 
 class FrameGraphBuffers : public OnEachDevice {
 protected:
     gpu::Buffer make(const char* name) {
-        gpu::Buffer buffer(context(), name, count * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        gpu::Buffer buffer(context(), name, elements * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                            gpu::BufferPlace::readback);
-        std::fill_n(buffer.mapped<uint32_t>(), count, 0xdeadbeef);
+        std::fill_n(buffer.mapped<uint32_t>(), elements, 0xdeadbeef);
         return buffer;
     }
     graph::Pass& counts(graph::FrameGraph& graph, graph::BufferId target, float first) {
         graph::Pass& pass = graph.pass("count");
         pass.storage(0, target, true);
-        run_program(pass, context(), "count.comp", {first}, count / 64);
+        run_program(pass, context(), "count.comp", {first}, elements / 64);
         return pass;
     }
     graph::Pass& mirrors(graph::FrameGraph& graph, graph::BufferId source, graph::BufferId target) {
         graph::Pass& pass = graph.pass("mirror");
         pass.storage(0, source, false).storage(1, target, true);
-        run_program(pass, context(), "mirror.comp", {}, count / 64);
+        run_program(pass, context(), "mirror.comp", {}, elements / 64);
         return pass;
     }
 };
@@ -42,11 +42,11 @@ TEST_P(FrameGraphBuffers, AWriteIsSeenByTheNextPassAndByTheHost) {
     graph.compile();
     for (int frame = 0; frame < 2; ++frame) {
         run_frame(context(), graph);
-        for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t i = 0; i < elements; ++i) {
             ASSERT_EQ(first.mapped<uint32_t>()[i], i + 5);
-            ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+            ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (elements - 1 - i + 5));
         }
-        std::fill_n(second.mapped<uint32_t>(), count, 0u);
+        std::fill_n(second.mapped<uint32_t>(), elements, 0u);
     }
 }
 
@@ -93,9 +93,9 @@ TEST_P(FrameGraphBuffers, AWriteAfterAReadAndAWriteAfterAWriteWait) {
     counts(graph, a, 2000);
     graph.compile();
     run_frame(context(), graph);
-    for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t i = 0; i < elements; ++i) {
         ASSERT_EQ(first.mapped<uint32_t>()[i], i + 2000);
-        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (elements - 1 - i + 5));
     }
 }
 
@@ -110,8 +110,8 @@ TEST_P(FrameGraphBuffers, FramesFollowEachOtherWithoutAWait) {
         graph.record(commands);
         graph.record(commands);
     });
-    for (uint32_t i = 0; i < count; ++i)
-        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+    for (uint32_t i = 0; i < elements; ++i)
+        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (elements - 1 - i + 5));
 }
 
 TEST_P(FrameGraphBuffers, HostWritesBeforeAFrameAreSeen) {
@@ -120,11 +120,11 @@ TEST_P(FrameGraphBuffers, HostWritesBeforeAFrameAreSeen) {
     mirrors(graph, graph.buffer("first", first), graph.buffer("second", second));
     graph.compile();
     for (uint32_t frame = 0; frame < 2; ++frame) {
-        for (uint32_t i = 0; i < count; ++i)
+        for (uint32_t i = 0; i < elements; ++i)
             first.mapped<uint32_t>()[i] = i * 3 + frame;
         run_frame(context(), graph);
-        for (uint32_t i = 0; i < count; ++i)
-            ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (3 * (count - 1 - i) + frame));
+        for (uint32_t i = 0; i < elements; ++i)
+            ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (3 * (elements - 1 - i) + frame));
     }
 }
 
@@ -143,14 +143,14 @@ TEST_P(FrameGraphBuffers, AReboundBufferTakesTheOldOnesPlace) {
     graph.compile();
     run_frame(context(), graph);
     EXPECT_EQ(first.mapped<uint32_t>()[1], 6u);
-    std::fill_n(first.mapped<uint32_t>(), count, 7u);
-    std::fill_n(second.mapped<uint32_t>(), count, 0u);
+    std::fill_n(first.mapped<uint32_t>(), elements, 7u);
+    std::fill_n(second.mapped<uint32_t>(), elements, 0u);
     const VulkanSpy spy;
     run_frame(context(), graph);
-    for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t i = 0; i < elements; ++i) {
         ASSERT_EQ(first.mapped<uint32_t>()[i], 7u);
         ASSERT_EQ(grown.mapped<uint32_t>()[i], i + 5);
-        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (elements - 1 - i + 5));
     }
     for (const VkBufferMemoryBarrier2& barrier : spy.buffer_barriers)
         EXPECT_NE(barrier.buffer, first.handle());
@@ -160,7 +160,7 @@ TEST_P(FrameGraphBuffers, AReboundBufferTakesTheOldOnesPlace) {
 TEST_P(FrameGraphBuffers, EachFrameInFlightHasItsOwn) {
     gpu::PerFrame<gpu::Buffer> first{make("first 0"), make("first 1")}, second{make("second 0"), make("second 1")};
     for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
-        for (uint32_t i = 0; i < count; ++i)
+        for (uint32_t i = 0; i < elements; ++i)
             first[slot].mapped<uint32_t>()[i] = 3 * i + slot;
     graph::FrameGraph graph(context());
     mirrors(graph, graph.buffer("first", first), graph.buffer("second", second));
@@ -173,8 +173,8 @@ TEST_P(FrameGraphBuffers, EachFrameInFlightHasItsOwn) {
         graph.record(commands, {1, false});
     });
     for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
-        for (uint32_t i = 0; i < count; ++i)
-            ASSERT_EQ(second[slot].mapped<uint32_t>()[i], 2 * (3 * (count - 1 - i) + slot)) << "slot " << slot;
+        for (uint32_t i = 0; i < elements; ++i)
+            ASSERT_EQ(second[slot].mapped<uint32_t>()[i], 2 * (3 * (elements - 1 - i) + slot)) << "slot " << slot;
     ASSERT_EQ(turns.size(), 2u);
     EXPECT_EQ(turns[1].slot, 1u);
     EXPECT_FALSE(turns[1].alone);
@@ -212,14 +212,14 @@ TEST_P(FrameGraphBuffers, ARetiredBufferStaysForTheFrameOnItsWay) {
         graph.record(commands, {1, false});
         EXPECT_EQ(context().device_bytes(), held);
     });
-    for (uint32_t i = 0; i < count; ++i)
+    for (uint32_t i = 0; i < elements; ++i)
         ASSERT_EQ(grown.mapped<uint32_t>()[i], i + 5);
-    std::fill_n(grown.mapped<uint32_t>(), count, 0u);
+    std::fill_n(grown.mapped<uint32_t>(), elements, 0u);
     context().run("third frame", [&](VkCommandBuffer commands) { graph.record(commands, {0, false}); });
     EXPECT_LT(context().device_bytes(), held);
-    for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t i = 0; i < elements; ++i) {
         ASSERT_EQ(grown.mapped<uint32_t>()[i], i + 5) << "slot 0 has the old buffer still";
-        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (count - 1 - i + 5));
+        ASSERT_EQ(second.mapped<uint32_t>()[i], 2 * (elements - 1 - i + 5));
     }
 }
 
@@ -230,10 +230,10 @@ TEST_P(FrameGraphBuffers, ComputeReadsADrawnImage) {
     graph.pass("clear").colour(image, graph::Load::clear, {1.25f}).record([](const auto&) {});
     graph::Pass& pass = graph.pass("read");
     pass.storage(0, graph.buffer("target", target), true).sample(1, image);
-    run_program(pass, context(), "read_image.comp", {}, count / 64);
+    run_program(pass, context(), "read_image.comp", {}, elements / 64);
     graph.compile();
     run_frame(context(), graph);
-    for (uint32_t i = 0; i < count; ++i)
+    for (uint32_t i = 0; i < elements; ++i)
         ASSERT_EQ(target.mapped<uint32_t>()[i], 5);
 }
 

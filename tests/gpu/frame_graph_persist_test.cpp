@@ -12,7 +12,7 @@ using graph::ImageId;
 using graph::Load;
 using testing::Each;
 
-constexpr VkExtent2D extent{64, 64};
+constexpr VkExtent2D square_extent{64, 64};
 
 /// Clears a part of the depth attachment.
 void clear_depth(VkCommandBuffer commands, float depth, VkRect2D area) {
@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Drivers, FrameGraphPersistTest, testing::Values(Driver:
 
 TEST_P(FrameGraphPersistTest, WhatOneFrameDrewIsThereInTheNext) {
     FrameGraph graph(context());
-    const ImageId image = graph.image("atlas", {VK_FORMAT_D32_SFLOAT, extent});
+    const ImageId image = graph.image("atlas", {VK_FORMAT_D32_SFLOAT, square_extent});
     graph.persist(image);
     graph.keep(image);
     int frame = 0;
@@ -37,7 +37,7 @@ TEST_P(FrameGraphPersistTest, WhatOneFrameDrewIsThereInTheNext) {
         ++frame;
     });
     // It would lie in the same memory, for its pass comes when the atlas is done.
-    const ImageId other = graph.image("other", {VK_FORMAT_R32_SFLOAT, extent});
+    const ImageId other = graph.image("other", {VK_FORMAT_R32_SFLOAT, square_extent});
     graph.pass("other").colour(other, Load::clear, {7}).record([](const auto&) {});
     graph.keep(other);
     graph.compile();
@@ -82,11 +82,11 @@ TEST_P(FrameGraphPersistTest, AColourImageIsEmptyBeforeItsFirstFrame) {
 // Each draw sees what was drawn just before it, and none of the pass's own pixels is lost.
 TEST_P(FrameGraphPersistTest, DrawsBetweenThePassesOwn) {
     FrameGraph graph(context());
-    const ImageId maps = graph.image("maps", {VK_FORMAT_D32_SFLOAT, extent});
+    const ImageId maps = graph.image("maps", {VK_FORMAT_D32_SFLOAT, square_extent});
     graph.persist(maps);
-    const ImageId zero = graph.image("zero", {VK_FORMAT_R32_SFLOAT, extent});
+    const ImageId zero = graph.image("zero", {VK_FORMAT_R32_SFLOAT, square_extent});
     graph.pass("zero").colour(zero, Load::clear, {0}).record([](const auto&) {});
-    const ImageId target = graph.image("target", {VK_FORMAT_R32_SFLOAT, extent});
+    const ImageId target = graph.image("target", {VK_FORMAT_R32_SFLOAT, square_extent});
     graph::Pass& pass = graph.pass("lights");
     pass.colour(target, Load::clear, {9}).draws_between(0, maps).sample(1, zero).sample(2, zero);
     std::optional<Program> program;
@@ -95,7 +95,7 @@ TEST_P(FrameGraphPersistTest, DrawsBetweenThePassesOwn) {
     });
     pass.record([&](const graph::PassContext& now) {
         for (int strip = 0; strip < 3; ++strip) { // the fourth stays cleared
-            now.between([&] { clear_depth(now.commands, 0.25f * float(strip + 1), {{0, 0}, extent}); });
+            now.between([&] { clear_depth(now.commands, 0.25f * float(strip + 1), {{0, 0}, square_extent}); });
             const VkRect2D area{{16 * strip, 0}, {16, 64}};
             vkCmdSetScissor(now.commands, 0, 1, &area);
             program->run(now.commands, now.inputs);

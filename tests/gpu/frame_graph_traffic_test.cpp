@@ -13,10 +13,9 @@ using graph::Load;
 
 class FrameGraphTraffic : public OnDevice {};
 
-constexpr VkExtent2D extent{32, 16};
-constexpr uint64_t texels = 32 * 16;
-
 TEST_F(FrameGraphTraffic, CountsEachImageOnceByItsFormat) {
+    constexpr VkExtent2D extent{32, 16};
+    constexpr uint64_t texel_count = 32 * 16;
     FrameGraph graph(context());
     const auto nothing = [](const graph::PassContext&) {};
     const ImageId depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});          // 4 bytes
@@ -40,12 +39,12 @@ TEST_F(FrameGraphTraffic, CountsEachImageOnceByItsFormat) {
         EXPECT_EQ(traffic[pass].bytes_read, read) << name;
         EXPECT_EQ(traffic[pass].bytes_written, written) << name;
     };
-    expect(0, "fill", 0, texels * (4 + 4));
-    expect(1, "light", texels * (8 + 4 + 4), texels * 8); // blended: read too; depth is read once
-    expect(2, "more light", texels * (8 + 4), texels * (8 + 4));
-    expect(3, "shrink", texels * 8, 32);
-    EXPECT_EQ(graph.unshared_bytes(), texels * (4 + 4 + 8) + 32);
-    EXPECT_GE(graph.memory_bytes(), texels * (4 + 4 + 8)) << "these three are alive at one time";
+    expect(0, "fill", 0, texel_count * (4 + 4));
+    expect(1, "light", texel_count * (8 + 4 + 4), texel_count * 8); // blended: read too; depth is read once
+    expect(2, "more light", texel_count * (8 + 4), texel_count * (8 + 4));
+    expect(3, "shrink", texel_count * 8, 32);
+    EXPECT_EQ(graph.unshared_bytes(), texel_count * (4 + 4 + 8) + 32);
+    EXPECT_GE(graph.memory_bytes(), texel_count * (4 + 4 + 8)) << "these three are alive at one time";
 }
 
 } // namespace

@@ -58,7 +58,7 @@ struct Expected {
 // angles are held to the same bounds. Arc tangents of spherical and squares of xy16f may differ in the
 // last place, and with them what lies between two codes. Vulkan lets sines be off by 2⁻¹¹, 0.028°;
 // SwiftShader's are by 0.0056°.
-constexpr Expected expected[] = {
+constexpr Expected expected_errors[] = {
     {NormalEncoding::oct24, 0.0209, 0.0592, 0.0001},     {NormalEncoding::oct32, 0.0013, 0.0037, 0.0001},
     {NormalEncoding::rgb10a2, 0.0422, 0.0960, 0.65},     {NormalEncoding::rgb8, 0.1697, 0.3843, 0.0001},
     {NormalEncoding::spherical, 0.0221, 0.0492, 0.003, 0.0057},  {NormalEncoding::oct16, 0.3368, 0.9510, 0.0001},
@@ -68,8 +68,8 @@ class NormalEncodingOnDevice : public OnEachDevice {};
 
 TEST_P(NormalEncodingOnDevice, L1_AgreesWithTheCpu) {
     const std::vector<glm::vec4> directions = bench::directions(512 * BENCH_WIDTH);
-    ASSERT_EQ(std::size(expected), passes::normal_encodings().size());
-    for (const Expected& e : expected) {
+    ASSERT_EQ(std::size(expected_errors), passes::normal_encodings().size());
+    for (const Expected& e : expected_errors) {
         const auto& info = passes::normal_encodings()[static_cast<size_t>(e.encoding)];
         ASSERT_EQ(info.encoding, e.encoding);
         SCOPED_TRACE(info.name);

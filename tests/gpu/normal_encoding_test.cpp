@@ -9,7 +9,7 @@
 namespace prelight {
 namespace {
 
-constexpr uint32_t count = 2'000'000;
+constexpr uint32_t direction_count = 2'000'000;
 
 // ---- The targets: what comes back from an unsigned normalised format of so many bits.
 float stored(float value, int bits) {
@@ -96,8 +96,8 @@ struct Figures {
 template <class Ours, class Definition>
 Figures measure(Ours ours, Definition definition) {
     Figures figures;
-    for (uint32_t i = 0; i < count; ++i) {
-        const glm::vec3 n(direction(i, count));
+    for (uint32_t i = 0; i < direction_count; ++i) {
+        const glm::vec3 n(direction(i, direction_count));
         figures.ours.add(angle(n, ours(n)));
         figures.by_definition.add(angle(n, definition(glm::dvec3(n))));
     }

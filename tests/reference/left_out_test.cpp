@@ -5,13 +5,13 @@
 namespace prelight {
 namespace {
 
-constexpr uint32_t size = 8;
+constexpr uint32_t wall_size = 8;
 
 /// A flat wall 10 m away, all in one instance; tests change pixel (4, 4) of it.
 ReferencePicture wall() {
     ReferencePicture picture;
-    const size_t pixels = size * size;
-    picture.linear = Image(size, size);
+    const size_t pixels = wall_size * wall_size;
+    picture.linear = Image(wall_size, wall_size);
     picture.instance.assign(pixels, 3);
     picture.primitive.assign(pixels, 0);
     picture.normal.assign(pixels, {0, 0, 1});
@@ -21,11 +21,11 @@ ReferencePicture wall() {
     picture.mask_outcome.assign(pixels, 0);
     for (size_t i = 0; i < pixels; ++i)
         picture.position.push_back(
-            {static_cast<double>(i % size), static_cast<double>(i / size), 0});
+            {static_cast<double>(i % wall_size), static_cast<double>(i / wall_size), 0});
     return picture;
 }
 
-constexpr size_t middle = 4 * size + 4;
+constexpr size_t wall_middle = 4 * wall_size + 4;
 
 uint32_t count(const ReferencePicture& picture) {
     const auto left_out = picture.left_out();
@@ -38,19 +38,19 @@ TEST(LeftOut, NothingOnAFlatWall) {
 
 TEST(LeftOut, OtherInstanceMaskOrShadow) {
     ReferencePicture picture = wall();
-    picture.instance[middle] = 4;
+    picture.instance[wall_middle] = 4;
     EXPECT_EQ(count(picture), 9u); // the pixel and its eight neighbours
     const auto left_out = picture.left_out();
-    EXPECT_EQ(left_out[3 * size + 3], 1);
-    EXPECT_EQ(left_out[2 * size + 4], 0);
+    EXPECT_EQ(left_out[3 * wall_size + 3], 1);
+    EXPECT_EQ(left_out[2 * wall_size + 4], 0);
     picture = wall();
-    picture.shadow_mask[middle] = 1;
+    picture.shadow_mask[wall_middle] = 1;
     EXPECT_EQ(count(picture), 9u);
     picture = wall();
-    picture.mask_outcome[middle] = 1;
+    picture.mask_outcome[wall_middle] = 1;
     EXPECT_EQ(count(picture), 9u);
     picture = wall();
-    picture.primitive[middle] = 1; // another primitive alone is no edge
+    picture.primitive[wall_middle] = 1; // another primitive alone is no edge
     EXPECT_EQ(count(picture), 0u);
 }
 
@@ -60,32 +60,32 @@ TEST(LeftOut, NormalBeyondThirtyDegrees) {
         const double angle = degrees * 3.14159265358979 / 180;
         return glm::dvec3(std::sin(angle), 0, std::cos(angle));
     };
-    picture.normal[middle] = tilted(29.9);
+    picture.normal[wall_middle] = tilted(29.9);
     EXPECT_EQ(count(picture), 0u);
-    picture.normal[middle] = tilted(30.1);
+    picture.normal[wall_middle] = tilted(30.1);
     EXPECT_EQ(count(picture), 9u);
 }
 
 TEST(LeftOut, OffThePlaneByAPercentOfDepth) {
     ReferencePicture picture = wall();
-    picture.position[middle].z = 0.099;
+    picture.position[wall_middle].z = 0.099;
     EXPECT_EQ(count(picture), 0u);
-    picture.position[middle].z = -0.101;
+    picture.position[wall_middle].z = -0.101;
     EXPECT_EQ(count(picture), 9u);
-    picture.depth.assign(size * size, 11);
+    picture.depth.assign(wall_size * wall_size, 11);
     EXPECT_EQ(count(picture), 0u);
 }
 
 TEST(LeftOut, BackgroundIsAnotherInstanceAndHasNoEdgesItself) {
     ReferencePicture picture = wall();
-    for (uint32_t y = 0; y < size; ++y)
-        for (uint32_t x = 4; x < size; ++x) {
-            const size_t i = y * size + x;
+    for (uint32_t y = 0; y < wall_size; ++y)
+        for (uint32_t x = 4; x < wall_size; ++x) {
+            const size_t i = y * wall_size + x;
             picture.instance[i] = 0xffffffffu;
             picture.normal[i] = glm::dvec3(0);
             picture.depth[i] = std::numeric_limits<double>::infinity();
         }
-    EXPECT_EQ(count(picture), 2 * size);
+    EXPECT_EQ(count(picture), 2 * wall_size);
 }
 
 /// On rendered worlds.
@@ -101,9 +101,9 @@ TEST(LeftOut, ShadowBorderOnlyWithShadows) {
     test.add(square(0.5f), glm::translate(glm::dmat4(1), {4, 0, 2}));
     test.add_light({.intensity = 100}, {8, 0, 4});
     EXPECT_EQ(count_of(test, {}), 0u);
-    const uint32_t with_shadows = count_of(test, {.shadows = true});
-    EXPECT_GT(with_shadows, 40u);
-    EXPECT_LT(with_shadows, 1200u);
+    const uint32_t left_out = count_of(test, {.shadows = true});
+    EXPECT_GT(left_out, 40u);
+    EXPECT_LT(left_out, 1200u);
 }
 
 TEST(LeftOut, MaskBorderWithinOnePrimitive) {

@@ -16,9 +16,9 @@ struct Words {
 void PrintTo(const Words& words, std::ostream* stream) { *stream << words.name; }
 
 /// Light of three lights, an ambient one among them, on two materials: every form differs.
-struct Lit : TestWorld {
+struct ThreeLights : TestWorld {
     PlacedCamera camera = look_at(Camera{}, {3, 0, 2}, {0, 0, 0}, {0, 0, 1});
-    Lit() {
+    ThreeLights() {
         add_material({.base_colour = {0.8f, 0.4f, 0.2f, 1}, .metallic = 0.3f, .roughness = 0.4f});
         add(square(4));
         add(sphere(16), glm::scale(glm::translate(glm::dmat4(1), {0, 0, 0.5}), glm::dvec3(0.3)));
@@ -31,7 +31,7 @@ struct Lit : TestWorld {
 class ReferenceFormOf : public testing::TestWithParam<Words> {};
 
 TEST_P(ReferenceFormOf, SettingsIsWhatTheReferenceTakesThemFor) {
-    const Lit test;
+    const ThreeLights test;
     for (const Shading shading : {Shading::ggx, Shading::phong}) {
         std::map<std::string, std::string> settings = GetParam().settings;
         const Image ours =

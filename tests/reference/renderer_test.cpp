@@ -7,6 +7,7 @@ namespace prelight {
 namespace {
 
 using ::testing::HasSubstr;
+using Fresnel = ReferenceForm::Fresnel;
 
 std::string usage_error(const RenderOptions& options) {
     try {
@@ -18,9 +19,9 @@ std::string usage_error(const RenderOptions& options) {
 }
 
 /// Two lights, so that the forms of the model differ, and a blocker, so that shadows do.
-struct Lit : TestWorld {
+struct TwoLights : TestWorld {
     PlacedCamera camera = look_at(Camera{}, {3, 0, 2}, {0, 0, 0}, {0, 0, 1});
-    Lit() {
+    TwoLights() {
         add_material({.base_colour = {0.8f, 0.4f, 0.2f, 1}, .metallic = 0.3f, .roughness = 0.4f});
         TextureRef& texture = scene.materials.back().base_colour_texture;
         texture.image = add_image(2, 1, {255, 255, 255, 255, 60, 120, 180, 255});
@@ -48,12 +49,11 @@ bool same(const Image& a, const Image& b) {
 }
 
 TEST(ReferenceRenderer, EverySettingReachesTheForm) {
-    const Lit test;
+    const TwoLights test;
     const auto form = [&](ReferenceForm wanted, bool antialiased = true) {
         wanted.specular_antialiasing = antialiased;
         return render_reference(test.world, test.camera, 32, 18, 0, wanted).linear;
     };
-    using Fresnel = ReferenceForm::Fresnel;
     const Image full = form({.fresnel = Fresnel::full});
     EXPECT_TRUE(same(test.linear({}, Shading::ggx), full)) << "default: full";
     for (const auto& [name, fresnel] :
@@ -106,7 +106,7 @@ TEST(ReferenceRenderer, RefusesWhatItDoesNotOffer) {
 }
 
 TEST(ReferenceRenderer, ViewsAreReadableAndAsked) {
-    const Lit test;
+    const TwoLights test;
     RenderOptions options{.width = 64, .height = 36, .exposure = 1};
     for (const std::string& view : reference_info().views)
         options.views.push_back(view);
@@ -142,7 +142,7 @@ TEST(ReferenceRenderer, ViewsAreReadableAndAsked) {
 }
 
 TEST(ReferenceRenderer, Stats) {
-    const Lit test;
+    const TwoLights test;
     const auto renderer =
         make_reference_renderer({.width = 32, .height = 18, .settings = {{"model", "nv"}}});
     renderer->set_world(test.world);

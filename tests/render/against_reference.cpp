@@ -13,6 +13,8 @@ bool is(const Shot& shot, const char* key, const char* value) {
 
 } // namespace
 
+void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
+
 Device& test_device() {
     // Ends before the process does: the layer's own statics must still be there.
     struct Holder : testing::Environment {
@@ -77,11 +79,34 @@ ReferenceForm form_of(const Shot& shot) {
     return form;
 }
 
-Image render_linear(Device& device, const Shot& shot) {
-    const auto renderer = create_renderer(shot.renderer, &device, options_of(shot));
+Image render_linear(Device& device, const Shot& shot) { return view_of(shot, "linear", device); }
+
+Image view_of(const Shot& shot, const char* view, Device& device) {
+    RenderOptions options = options_of(shot);
+    options.views = {view};
+    const auto renderer = create_renderer(shot.renderer, &device, options);
     renderer->set_world(*shot.world);
     renderer->render(shot.camera);
-    return renderer->read("linear");
+    return renderer->read(view);
+}
+
+Rendered render_with(const World& world, const PlacedCamera& camera, const RenderOptions& options,
+                     const std::string& renderer) {
+    const auto made = create_renderer(renderer, &test_device(), options);
+    made->set_world(world);
+    made->render(camera);
+    Image linear = made->read("linear");
+    return {std::move(linear), made->stats()};
+}
+
+Rendered render_counting_pairs(const Shot& shot, uint32_t frames) {
+    RenderOptions options = options_of(shot);
+    options.count_pairs = true;
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options);
+    renderer->set_world(*shot.world);
+    renderer->render(shot.camera, frames);
+    Stats stats = renderer->stats();
+    return {renderer->read("linear"), std::move(stats)};
 }
 
 Comparison against_reference(Device& device, const Shot& shot) {

@@ -7,6 +7,7 @@
 #include <prelight/reference.hpp>
 #include <prelight/renderer.hpp>
 #include <string>
+#include <vector>
 
 namespace prelight {
 
@@ -20,6 +21,17 @@ struct Shot {
     std::map<std::string, std::string> settings;
     std::string renderer = "light-prepass";
 };
+
+/// A form of the lighting model that a test runs with, by its name.
+struct Form {
+    const char* name;
+    Shading shading;
+    std::map<std::string, std::string> settings;
+};
+void PrintTo(const Form& form, std::ostream* out);
+
+/// What every renderer on a device is called.
+inline const std::vector<std::string> device_renderers{"light-prepass", "deferred", "z-prepass", "multipass"};
 
 /// Bounds of docs/measuring.md for a picture against the reference of its own form of the model.
 struct Bound {
@@ -42,6 +54,19 @@ ReferenceForm form_of(const Shot& shot);
 /// What render_linear() asks of the shot's renderer.
 RenderOptions options_of(const Shot& shot);
 Image render_linear(Device& device, const Shot& shot);
+/// One of the renderer's other pictures.
+Image view_of(const Shot& shot, const char* view, Device& device = test_device());
+
+struct Rendered {
+    Image linear;
+    Stats stats;
+};
+/// With exactly these options.
+Rendered render_with(const World& world, const PlacedCamera& camera, const RenderOptions& options,
+                     const std::string& renderer = "light-prepass");
+/// With pairs of lights and pixels counted.
+Rendered render_counting_pairs(const Shot& shot, uint32_t frames = 1);
+
 /// Renders both and compares; texture filtering is bilinear on level 0 in both unless the settings name another.
 Comparison against_reference(Device& device, const Shot& shot);
 /// EXPECTs the bound, printing the figures.

@@ -1,5 +1,6 @@
 // [E1] Ambient occlusion from depth and normals: what planes, corners and edges must look like, how it lies against rays, and that it
 // takes from ambient light alone.
+#include "every_way.hpp"
 #include "garden.hpp"
 #include <cmath>
 #include <prelight/error.hpp>
@@ -8,13 +9,8 @@
 namespace prelight {
 namespace {
 
-Image view_of(const Shot& shot, Device* device = &test_device()) {
-    RenderOptions options = options_of(shot);
-    options.views = {"ambient-occlusion"};
-    const auto renderer = create_renderer(shot.renderer, device, options);
-    renderer->set_world(*shot.world);
-    renderer->render(shot.camera);
-    return renderer->read("ambient-occlusion");
+Image occlusion_of(const Shot& shot, Device& device = test_device()) {
+    return view_of(shot, "ambient-occlusion", device);
 }
 
 Image rays_of(const Shot& shot, const char* radius = "1") {
@@ -64,11 +60,6 @@ struct Room : TestWorld {
     Shot shot() const { return {.world = &world, .camera = camera, .settings = {{"ssao", "full"}}}; }
 };
 
-struct Way {
-    const char* renderer;
-    std::map<std::string, std::string> settings;
-};
-
 TEST(AmbientOcclusion, ALonePlaneIsOpenEverywhere) {
     TestWorld plane;
     plane.add_material({.name = "floor", .metallic = 0});
@@ -89,7 +80,7 @@ TEST(AmbientOcclusion, ALonePlaneIsOpenEverywhere) {
             for (const PlacedCamera& camera : cameras) {
                 Shot shot{.world = &plane.world, .camera = camera, .width = 161, .height = 91, .settings = way.settings, .renderer = way.renderer};
                 shot.settings["ssao"] = resolution;
-                const Image view = view_of(shot);
+                const Image view = occlusion_of(shot);
                 float least = 1;
                 for (const glm::vec3& pixel : view.pixels)
                     least = std::min(least, pixel.r);
@@ -106,7 +97,7 @@ TEST(AmbientOcclusion, OfCornersAndABoxLiesNearRays) {
     for (const Way& way : std::initializer_list<Way>{{"light-prepass", {{"ssao", "full"}}}, {"light-prepass", {{"ssao", "half"}}}, {"deferred", {{"ssao", "half"}}}}) {
         shot.renderer = way.renderer;
         shot.settings = way.settings;
-        const Image view = view_of(shot);
+        const Image view = occlusion_of(shot);
         const double off = mean_difference(view, rays);
         std::printf("    %s %s: %.4f from rays\n", way.renderer, way.settings.at("ssao").c_str(), off);
         EXPECT_LT(off, 0.03);
@@ -124,9 +115,11 @@ TEST(AmbientOcclusion, RadiusIsInMetres) {
     Shot shot = room.shot();
     const Image near = rays_of(shot, "0.3"), far = rays_of(shot, "2");
     shot.settings["ssao-radius"] = "0.3";
-    const double near_off = mean_difference(view_of(shot), near), near_other = mean_difference(view_of(shot), far);
+    const double near_off = mean_difference(occlusion_of(shot), near);
+    const double near_other = mean_difference(occlusion_of(shot), far);
     shot.settings["ssao-radius"] = "2"; // much of what is so far is hidden, or outside of the picture
-    const double far_off = mean_difference(view_of(shot), far), far_other = mean_difference(view_of(shot), near);
+    const double far_off = mean_difference(occlusion_of(shot), far);
+    const double far_other = mean_difference(occlusion_of(shot), near);
     std::printf("    %.4f and %.4f from rays; from those of the other radius %.4f and %.4f\n", near_off, far_off, near_other, far_other);
     EXPECT_LT(near_off, 0.03);
     EXPECT_LT(far_off, 0.06);
@@ -145,7 +138,7 @@ TEST(AmbientOcclusion, EdgesDoNotBleed) {
     const Image rays = rays_of(shot, "0.4");
     for (const char* resolution : {"half", "full"}) {
         shot.settings["ssao"] = resolution;
-        const Image view = view_of(shot);
+        const Image view = occlusion_of(shot);
         size_t on_panel = 0, beside = 0;
         double off = 0;
         for (uint32_t y = 2; y + 2 < shot.height; ++y)
@@ -184,7 +177,7 @@ TEST(AmbientOcclusion, TakesFromAmbientLightAlone) {
             shot.settings["ssao"] = "half";
             room.world.ambient = ambient;
             room.world.lights = lights;
-            const Image both = render_linear(test_device(), shot), view = view_of(shot);
+            const Image both = render_linear(test_device(), shot), view = occlusion_of(shot);
             room.world.ambient = {};
             const Image dark = render_linear(test_device(), shot);
             shot.settings["ssao"] = "off";
@@ -272,7 +265,7 @@ TEST(AmbientOcclusion, OnSwiftShaderLiesNearRaysToo) {
     shot.width = 160;
     shot.height = 90;
     shot.settings["ssao"] = "half";
-    EXPECT_LT(mean_difference(view_of(shot, device.get()), rays_of(shot)), 0.04);
+    EXPECT_LT(mean_difference(occlusion_of(shot, *device), rays_of(shot)), 0.04);
     expect_validation_clean(*device);
 }
 

@@ -4,14 +4,6 @@
 namespace prelight {
 namespace {
 
-/// At most four lights on a pixel, and no light above what the buffer stores.
-struct FewLights : Garden {
-    FewLights() {
-        for (int i = 0; i < 4; ++i)
-            add_light(point(9, 6), {2.6 * i - 3.9, 4.5, 1.0 + 0.3 * i});
-    }
-};
-
 TEST(LightBuffers, PackedRgba8BlendedWithScale2) {
     FewLights garden;
     Shot shot = garden.shot();

@@ -5,14 +5,14 @@
 namespace prelight {
 namespace {
 
-constexpr uint32_t size = 32;
+constexpr uint32_t texture_side = 32;
 
 template <class Value>
-std::vector<uint8_t> texels(Value value) {
+std::vector<uint8_t> decal_texels(Value value) {
     std::vector<uint8_t> out;
-    for (uint32_t y = 0; y < size; ++y)
-        for (uint32_t x = 0; x < size; ++x) {
-            const glm::dvec4 v = value(6.2831853 * (x + 0.5) / size, 6.2831853 * (y + 0.5) / size);
+    for (uint32_t y = 0; y < texture_side; ++y)
+        for (uint32_t x = 0; x < texture_side; ++x) {
+            const glm::dvec4 v = value(6.2831853 * (x + 0.5) / texture_side, 6.2831853 * (y + 0.5) / texture_side);
             for (int c = 0; c < 4; ++c)
                 out.push_back(static_cast<uint8_t>(std::lround(255 * std::clamp(v[c], 0.0, 1.0))));
         }
@@ -23,7 +23,8 @@ std::vector<uint8_t> texels(Value value) {
 
 DecalGarden::DecalGarden(glm::dvec3 origin) : Garden(origin) {
     const auto image = [&](auto value) {
-        return TextureRef{.image = add_image(size, size, texels(value)), .sampler = {.wrap_s = Wrap::clamp_to_edge, .wrap_t = Wrap::clamp_to_edge}};
+        return TextureRef{.image = add_image(texture_side, texture_side, decal_texels(value)),
+                          .sampler = {.wrap_s = Wrap::clamp_to_edge, .wrap_t = Wrap::clamp_to_edge}};
     };
     const TextureRef colours = image([](double u, double v) {
         return glm::dvec4(0.5 + 0.5 * std::sin(u), 0.5 + 0.5 * std::cos(2 * v), 0.4, 0.5 - 0.5 * std::cos(u) * std::cos(0.5 * v));

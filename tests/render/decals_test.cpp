@@ -11,13 +11,13 @@ namespace {
 using testing::HasSubstr;
 using Settings = std::map<std::string, std::string>;
 
-struct Way {
+struct DecalWay {
     const char* name;
     const char* renderer;
     Settings settings;
 };
 
-class Decals : public testing::TestWithParam<Way> {
+class Decals : public testing::TestWithParam<DecalWay> {
 protected:
     Shot shot_of(const Garden& garden) const {
         Shot shot = garden.shot();
@@ -109,9 +109,10 @@ TEST_P(Decals, EachObjectDecidesForItself) {
 
 INSTANTIATE_TEST_SUITE_P(
     Architectures, Decals,
-    testing::Values(Way{"LightPrepass", "light-prepass", {}}, Way{"Deferred", "deferred", {}},
-                    Way{"Multipass", "multipass", {}}, Way{"MultipassPerObject", "multipass", {{"ambient", "per-object"}, {"order", "objects"}}},
-                    Way{"ZPrepass", "z-prepass", {}}, Way{"ZPrepassGrid", "z-prepass", {{"lights", "grid"}}}),
+    testing::Values(DecalWay{"LightPrepass", "light-prepass", {}}, DecalWay{"Deferred", "deferred", {}},
+                    DecalWay{"Multipass", "multipass", {}},
+                    DecalWay{"MultipassPerObject", "multipass", {{"ambient", "per-object"}, {"order", "objects"}}},
+                    DecalWay{"ZPrepass", "z-prepass", {}}, DecalWay{"ZPrepassGrid", "z-prepass", {{"lights", "grid"}}}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(DecalSettings, EveryEncodingDepthAndFormAgrees) {
@@ -168,8 +169,8 @@ TEST(DecalSettings, SharedByAllThatLeavesOutGeometry) {
 }
 
 /// A wall of unlit grey with two decals of plain colour: what is seen is the equation itself.
-struct Wall : TestWorld {
-    Wall() {
+struct DecalWall : TestWorld {
+    DecalWall() {
         add_material({.name = "wall", .base_colour = {0.5f, 0.5f, 0.5f, 1}, .unlit = true});
         add(square(2));
         add_material({.name = "red", .base_colour = {1, 0, 0, 0.5f}});
@@ -183,7 +184,7 @@ struct Wall : TestWorld {
 
 TEST(DecalOrder, LaterOnesAreMixedOverEarlierOnes) {
     for (const char* renderer : {"light-prepass", "deferred", "multipass", "z-prepass"}) {
-        Wall wall;
+        DecalWall wall;
         wall.put(1, glm::dmat4(1));
         wall.put(2, glm::dmat4(1));
         const glm::vec3 over = wall.seen(renderer, 16, 16); // ((grey, red), blue)
@@ -201,7 +202,7 @@ TEST(DecalOrder, LaterOnesAreMixedOverEarlierOnes) {
 
 TEST(DecalOrder, FadesWithTheAngle) {
     const auto red_at = [](double degrees) {
-        Wall wall;
+        DecalWall wall;
         wall.put(1, glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(0, 1, 0)));
         return (wall.seen("light-prepass", 16, 16).r - 0.5) / 0.25;
     };
@@ -342,7 +343,7 @@ TEST(DecalErrors, NameTheDecal) {
         }
         return "none";
     };
-    Wall wall;
+    DecalWall wall;
     wall.put(9, glm::dmat4(1));
     EXPECT_THAT(error(wall.world, "light-prepass"), HasSubstr("decal 0: there is no material 9"));
     wall.world.decals[0].decal.material = 1;

@@ -11,13 +11,6 @@ using Settings = std::map<std::string, std::string>;
 
 std::vector<std::string> culling_methods() { return passes::light_culling_setting().values; }
 
-struct Form {
-    const char* name;
-    Shading shading;
-    Settings settings;
-};
-void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
-
 class DeferredForms : public testing::TestWithParam<Form> {};
 
 TEST_P(DeferredForms, D2_AgreeWithTheReference) {

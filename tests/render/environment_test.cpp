@@ -1,14 +1,16 @@
 // Environment light [materials]: every architecture and every material under a map of light from all around, against the
 // reference; what it is when nothing else shines; the background.
+#include "every_way.hpp"
 #include "garden.hpp"
 #include <cmath>
+#include <numbers>
 #include <prelight/material_shader.hpp>
 #include <prelight/scene_io.hpp>
 
 namespace prelight {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// A sky with a sun of 12° in it, over a brown floor.
 Environment sunny_sky(uint32_t width = 128) {
@@ -54,11 +56,6 @@ public:
 
 private:
     std::vector<std::pair<ReferenceForm, ReferencePicture>> known_;
-};
-
-struct Way {
-    const char* renderer;
-    std::map<std::string, std::string> settings;
 };
 
 TEST(EnvironmentLight, AgreesInEveryArchitecture) {

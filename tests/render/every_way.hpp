@@ -4,6 +4,12 @@
 
 namespace prelight {
 
+/// A renderer and what it is told.
+struct Way {
+    const char* renderer;
+    std::map<std::string, std::string> settings;
+};
+
 /// Each renderer on a device once for each way in which it finds lights, with the form of the lighting model that all of
 /// them run (model=nv).
 std::vector<Shot> every_way(const Shot& shot);

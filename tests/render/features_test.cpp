@@ -7,7 +7,7 @@ namespace {
 
 /// 64 × 64 texels from a function of u, v in 0 … 1.
 template <class F>
-uint32_t picture(TestWorld& world, F texel) {
+uint32_t add_picture(TestWorld& world, F texel) {
     constexpr uint32_t size = 64;
     std::vector<uint8_t> rgba;
     for (uint32_t y = 0; y < size; ++y)
@@ -24,18 +24,18 @@ constexpr float tau = 6.2831853f;
 /// A wall of four by two squares whose materials use all five textures.
 struct TexturedWall : TestWorld {
     explicit TexturedWall(Sampler sampler = {}) {
-        const uint32_t colour = picture(*this, [](float u, float v) {
+        const uint32_t colour = add_picture(*this, [](float u, float v) {
             return glm::vec4(0.5f + 0.4f * std::sin(tau * u), 0.5f + 0.4f * std::sin(tau * v), 0.6f, 1);
         });
-        const uint32_t surface = picture(*this, [](float u, float v) {
+        const uint32_t surface = add_picture(*this, [](float u, float v) {
             return glm::vec4(0, 0.5f + 0.2f * std::cos(tau * v), 0.5f + 0.5f * std::cos(tau * u), 1);
         });
-        const uint32_t bumps = picture(*this, [](float u, float v) {
+        const uint32_t bumps = add_picture(*this, [](float u, float v) {
             const glm::vec3 n = glm::normalize(glm::vec3(0.35f * std::sin(2 * tau * u), 0.35f * std::sin(tau * v), 1));
             return glm::vec4(n * 0.5f + 0.5f, 1);
         });
-        const uint32_t shade = picture(*this, [](float u, float) { return glm::vec4(u, 0, 0, 1); });
-        const uint32_t glow = picture(*this, [](float u, float v) {
+        const uint32_t shade = add_picture(*this, [](float u, float) { return glm::vec4(u, 0, 0, 1); });
+        const uint32_t glow = add_picture(*this, [](float u, float v) {
             return glm::vec4(u * v, 0.2f * u, 0.1f, 1);
         });
         Material material{.name = "wall", .base_colour = {0.9f, 0.9f, 0.9f, 1}, .emissive = {0.4f, 0.4f, 0.4f}};
@@ -98,7 +98,7 @@ TEST(Textures, MirroredInstanceShowsTheMirroredPicture) {
 
 TEST(Materials, AlphaMaskVertexColourDoubleSidedUnlit) {
     TestWorld world;
-    const uint32_t holes = picture(world, [](float u, float v) {
+    const uint32_t holes = add_picture(world, [](float u, float v) {
         return glm::vec4(1, 1, 1, 0.5f + 0.5f * std::sin(2 * tau * u) * std::sin(2 * tau * v));
     });
     Material masked{.name = "masked", .metallic = 0, .roughness = 0.7f, .alpha_mode = AlphaMode::mask, .alpha_cutoff = 0.4f, .double_sided = true};

@@ -5,15 +5,15 @@
 namespace prelight {
 namespace {
 
-struct Way {
+struct FinishingWay {
     const char* renderer;
     std::map<std::string, std::string> settings;
     Shading shading;
     std::vector<std::string> passes; ///< the last two
 };
-void PrintTo(const Way& way, std::ostream* out) { *out << way.renderer; }
+void PrintTo(const FinishingWay& way, std::ostream* out) { *out << way.renderer; }
 
-class FinishedPicture : public testing::TestWithParam<Way> {
+class FinishedPicture : public testing::TestWithParam<FinishingWay> {
 protected:
     FinishedPicture() {
         garden_.add_light(garden_.point(12, 40), {0, 4, 2});
@@ -81,10 +81,10 @@ TEST_P(FinishedPicture, NeedsNoPassOfItsOwn) {
 
 INSTANTIATE_TEST_SUITE_P(
     E4, FinishedPicture,
-    testing::Values(Way{"light-prepass", {}, Shading::ggx, {"material", "tonemap"}},
-                    Way{"light-prepass", {}, Shading::phong, {"material", "tonemap"}},
-                    Way{"deferred", {}, Shading::ggx, {"resolve", "tonemap"}},
-                    Way{"z-prepass", {{"lights", "grid"}}, Shading::ggx, {"opaque", "tonemap"}}),
+    testing::Values(FinishingWay{"light-prepass", {}, Shading::ggx, {"material", "tonemap"}},
+                    FinishingWay{"light-prepass", {}, Shading::phong, {"material", "tonemap"}},
+                    FinishingWay{"deferred", {}, Shading::ggx, {"resolve", "tonemap"}},
+                    FinishingWay{"z-prepass", {{"lights", "grid"}}, Shading::ggx, {"opaque", "tonemap"}}),
     [](const auto& tested) {
         std::string name = std::string(tested.param.renderer) + (tested.param.shading == Shading::ggx ? "Ggx" : "Phong");
         std::erase(name, '-');

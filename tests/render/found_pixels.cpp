@@ -2,11 +2,6 @@
 #include <cmath>
 
 namespace prelight {
-namespace {
-
-constexpr float degrees = 3.14159265f / 180;
-
-} // namespace
 
 std::vector<Found> find_pixels(const World& world, std::span<const PlacedCamera> cameras, const SettingMap& settings,
                                Device& device) {
@@ -68,12 +63,12 @@ void PrintTo(const LightCase& c, std::ostream* out) { *out << c.name; }
 std::vector<LightCase> light_cases() {
     const Garden g;
     return {{"point", g.point(4, 12)},
-            {"narrow_spot", g.spot(15 * degrees, 6, 60)},
-            {"wide_spot", g.spot(60 * degrees, 4, 20)},
-            {"spot_of_79_degrees", g.spot(79 * degrees, 4, 16)},
-            {"spot_of_85_degrees", g.spot(85 * degrees, 4, 16)},
-            {"spot_seen_from_behind", g.spot(30 * degrees, 6, 40), {0, -0.5, -1}},
-            {"spot_towards_the_camera", g.spot(40 * degrees, 6, 40), {0, 0.3, 1}}};
+            {"narrow_spot", g.spot(15 * degree, 6, 60)},
+            {"wide_spot", g.spot(60 * degree, 4, 20)},
+            {"spot_of_79_degrees", g.spot(79 * degree, 4, 16)},
+            {"spot_of_85_degrees", g.spot(85 * degree, 4, 16)},
+            {"spot_seen_from_behind", g.spot(30 * degree, 6, 40), {0, -0.5, -1}},
+            {"spot_towards_the_camera", g.spot(40 * degree, 6, 40), {0, 0.3, 1}}};
 }
 
 LightsEverywhere::LightsEverywhere() {
@@ -88,7 +83,7 @@ LightsEverywhere::LightsEverywhere() {
         if (i % 3 == 0)
             garden.add_light(garden.point(range, 3), eye + across);
         else
-            garden.add_light(garden.spot(static_cast<float>(10 + 24 * (i % 4)) * degrees, 2 * range, 12), eye + across,
+            garden.add_light(garden.spot(static_cast<float>(10 + 24 * (i % 4)) * degree, 2 * range, 12), eye + across,
                              {std::sin(2.0 * i), -1, std::cos(2.0 * i)});
     }
     const PlacedCamera& home = garden.camera;

@@ -12,6 +12,7 @@ struct Found {
 };
 using SettingMap = std::map<std::string, std::string>;
 
+inline constexpr float degree = 3.14159265f / 180;
 inline constexpr uint32_t found_width = 192, found_height = 108;
 
 /// The world from each camera.

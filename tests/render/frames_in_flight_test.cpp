@@ -33,7 +33,7 @@ std::vector<Step> steps(const Garden& garden) {
 
 class EachWay : public testing::TestWithParam<Shot> {};
 
-std::vector<Shot> ways() {
+std::vector<Shot> ways_in_flight() {
     std::vector<Shot> shots;
     for (const char* culling : {"volumes", "rectangles", "tiles", "clusters"})
         shots.push_back({.settings = {{"light-culling", culling}}});
@@ -42,7 +42,7 @@ std::vector<Shot> ways() {
     shots.push_back({.settings = {{"lights", "grid"}}, .renderer = "z-prepass"});
     return shots;
 }
-INSTANTIATE_TEST_SUITE_P(FramesInFlight, EachWay, testing::ValuesIn(ways()), [](const auto& way) {
+INSTANTIATE_TEST_SUITE_P(FramesInFlight, EachWay, testing::ValuesIn(ways_in_flight()), [](const auto& way) {
     std::string name = way.param.renderer;
     for (const auto& [key, value] : way.param.settings)
         name += "_" + value;

@@ -1,5 +1,7 @@
 #include "garden.hpp"
 #include <cmath>
+#include <prelight/light_distribution.hpp>
+#include <scene/procedural/cookie_maps.hpp>
 
 namespace prelight {
 
@@ -54,6 +56,31 @@ BacklitGarden::BacklitGarden() {
     for (const double x : {-4.0, 0.0, 4.0})
         add_light(point(20, 40), {x, 0.8, -7});
     camera = look_at(camera.camera, {0.5, 0.9, 9}, {0, 0.5, 0});
+}
+
+FewLights::FewLights(bool grey) {
+    for (int i = 0; i < 4; ++i)
+        add_light(point(9, 6), {2.6 * i - 3.9, 4.5, 1.0 + 0.3 * i});
+    if (grey)
+        for (Material& material : scene.materials)
+            if (material.metallic > 0)
+                material.base_colour = {0.7f, 0.7f, 0.7f, 1};
+}
+
+ShadedGarden::ShadedGarden(std::shared_ptr<const MaterialShader> shader, uint32_t lights) {
+    for (size_t m = 1; m < scene.materials.size(); ++m)
+        scene.materials[m].shader = shader;
+    add_lights(lights, 5, 6);
+}
+
+void ShadedGarden::set(const char* parameter, glm::vec4 value) {
+    for (size_t m = 1; m < scene.materials.size(); ++m)
+        scene.materials[m].parameters[parameter] = value;
+}
+
+std::shared_ptr<const LightProfile> wall_lamp() {
+    static const auto profile = std::make_shared<const LightProfile>(parse_profile(wall_lamp_profile(), "wall lamp"));
+    return profile;
 }
 
 MixedMaterials::MixedMaterials() {

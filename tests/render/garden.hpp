@@ -28,6 +28,20 @@ struct BacklitGarden : Garden {
     BacklitGarden();
 };
 
+/// At most four lights on a pixel, and no light above what eight bits hold. `grey`: no coloured metal.
+struct FewLights : Garden {
+    explicit FewLights(bool grey = false);
+};
+
+/// The garden with another shader on its spheres; what is metal there stays metal.
+struct ShadedGarden : Garden {
+    explicit ShadedGarden(std::shared_ptr<const MaterialShader> shader, uint32_t lights = 6);
+    void set(const char* parameter, glm::vec4 value);
+};
+
+/// The measured light of a lamp on a wall.
+std::shared_ptr<const LightProfile> wall_lamp();
+
 /// A masked double-sided square from the front, one from behind, a mirrored one, an unlit wall and a
 /// single-sided square that is turned away.
 struct MixedMaterials : TestWorld {

@@ -73,18 +73,6 @@ TEST(Deferred, D1_ChannelsHoldWhatTheTableSays) {
     EXPECT_NEAR(glm::unpackHalf1x16(halves[1]), 0, 1.0 / 2048);
 }
 
-/// At most four lights on a pixel, and no light above what RT0 holds. `grey`: no coloured metal.
-struct FewLights : Garden {
-    explicit FewLights(bool grey = false) {
-        for (int i = 0; i < 4; ++i)
-            add_light(point(9, 6), {2.6 * i - 3.9, 4.5, 1.0 + 0.3 * i});
-        if (grey)
-            for (Material& material : scene.materials)
-                if (material.metallic > 0)
-                    material.base_colour = {0.7f, 0.7f, 0.7f, 1};
-    }
-};
-
 Comparison killzone2_against(const Shot& shot, bool grey_form) {
     ReferenceForm form = form_of(shot);
     form.grey_reflectance = grey_form;

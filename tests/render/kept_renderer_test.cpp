@@ -1,6 +1,7 @@
 // A renderer that is kept while lights, objects and camera change draws what a new one draws: nothing of an earlier frame stays
 // where it does not belong. Sequences of changes are drawn by lot, with fixed seeds.
 #include "every_way.hpp"
+#include "garden.hpp"
 #include "random_scene.hpp"
 #include <functional>
 #include <glm/geometric.hpp>
@@ -10,11 +11,6 @@
 
 namespace prelight {
 namespace {
-
-std::shared_ptr<const LightProfile> wall_lamp() {
-    static const auto profile = std::make_shared<const LightProfile>(parse_profile(wall_lamp_profile(), "wall lamp"));
-    return profile;
-}
 
 /// A floor with spheres, boxes and a card with holes on it, under lights of every kind.
 class Stage : public TestWorld {
@@ -175,16 +171,12 @@ void expect_as_new(const Shot& shot, const std::vector<std::map<std::string, std
 
 class KeptRenderer : public testing::TestWithParam<Shot> {};
 
-std::vector<Shot> ways() {
-    return every_way({.width = 96, .height = 54});
-}
-
 std::string way_name(const testing::TestParamInfo<Shot>& info) {
     std::string name = name_of(info.param);
     std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
     return name;
 }
-INSTANTIATE_TEST_SUITE_P(All, KeptRenderer, testing::ValuesIn(ways()), way_name);
+INSTANTIATE_TEST_SUITE_P(All, KeptRenderer, testing::ValuesIn(every_way({.width = 96, .height = 54})), way_name);
 
 /// Each way goes through other changes.
 uint64_t seed_of(const Shot& shot) {

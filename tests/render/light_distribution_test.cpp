@@ -16,11 +16,6 @@
 namespace prelight {
 namespace {
 
-std::shared_ptr<const LightProfile> wall_lamp() {
-    static const auto profile = std::make_shared<const LightProfile>(parse_profile(wall_lamp_profile(), "wall lamp"));
-    return profile;
-}
-
 /// Equirectangular, so coarse that one sees between which texels it is mixed.
 TextureImage patches() {
     TextureImage image{"patches", 24, 12, {}};

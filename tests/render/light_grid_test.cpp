@@ -14,21 +14,6 @@ Shot grid_shot(const Garden& garden) {
     return shot;
 }
 
-struct Figures {
-    Image linear;
-    uint64_t evaluated = 0, contributing = 0, draws = 0;
-};
-
-Figures render(const Shot& shot, uint32_t frames = 2) {
-    RenderOptions options = options_of(shot);
-    options.count_pairs = true;
-    const auto renderer = create_renderer(shot.renderer, &test_device(), options);
-    renderer->set_world(*shot.world);
-    renderer->render(shot.camera, frames);
-    const Stats stats = renderer->stats();
-    return {renderer->read("linear"), stats.pairs_evaluated, stats.pairs_contributing, stats.draws};
-}
-
 TEST(LightGrid, AgreesWithTheReferenceWithPointsSpotsAndLightsWithoutRange) { // [Z3]
     Garden garden;
     garden.add_lights(24, 2.5f, 4);
@@ -64,12 +49,12 @@ TEST(LightGrid, HoldsEveryContributingLightOfRandomScenes) { // [Z3]
         Shot shot = grid_shot(garden);
         shot.width = 160;
         shot.height = 90;
-        const Figures grid = render(shot);
-        EXPECT_LT(grid.draws, 20u); // depth and shading, each object once
+        const Rendered grid = render_counting_pairs(shot, 2);
+        EXPECT_LT(grid.stats.draws, 20u); // depth and shading, each object once
         shot.settings = {{"lights", "per-draw"}};
-        const Figures yardstick = render(shot);
-        EXPECT_EQ(grid.contributing, yardstick.contributing) << "scene " << scene;
-        EXPECT_LT(grid.evaluated, yardstick.evaluated) << "scene " << scene;
+        const Rendered yardstick = render_counting_pairs(shot, 2);
+        EXPECT_EQ(grid.stats.pairs_contributing, yardstick.stats.pairs_contributing) << "scene " << scene;
+        EXPECT_LT(grid.stats.pairs_evaluated, yardstick.stats.pairs_evaluated) << "scene " << scene;
         EXPECT_GE(compare(grid.linear, yardstick.linear).psnr, 60) << "scene " << scene;
     }
     expect_validation_clean(test_device());
@@ -78,7 +63,8 @@ TEST(LightGrid, HoldsEveryContributingLightOfRandomScenes) { // [Z3]
 TEST(LightGrid, GivesTheSameBytesTwice) { // [Z3]
     Garden garden;
     garden.add_lights(300, 2, 3);
-    const Image once = render(grid_shot(garden), 1).linear, twice = render(grid_shot(garden), 3).linear;
+    const Image once = render_counting_pairs(grid_shot(garden), 1).linear;
+    const Image twice = render_counting_pairs(grid_shot(garden), 3).linear;
     EXPECT_EQ(std::memcmp(once.pixels.data(), twice.pixels.data(), once.pixels.size() * sizeof(once.pixels[0])), 0);
 }
 

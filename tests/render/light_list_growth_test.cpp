@@ -59,14 +59,15 @@ private:
 };
 
 class ListGrowth : public testing::TestWithParam<GrowthCase> {};
-const auto name_of = [](const auto& info) { return std::string(info.param.name); };
+const auto growth_name = [](const auto& info) { return std::string(info.param.name); };
 // The compute pass asks itself which lights reach a block: all lights are walked, and few more evaluated.
 INSTANTIATE_TEST_SUITE_P(V6, ListGrowth,
                          testing::Values(GrowthCase{"tiles", resident::LightCulling::tiles},
                                          GrowthCase{"tiles_compute", resident::LightCulling::tiles,
                                                     passes::ListShading::compute, 1}),
-                         name_of);
-INSTANTIATE_TEST_SUITE_P(V7, ListGrowth, testing::Values(GrowthCase{"clusters", resident::LightCulling::clusters}), name_of);
+                         growth_name);
+INSTANTIATE_TEST_SUITE_P(V7, ListGrowth, testing::Values(GrowthCase{"clusters", resident::LightCulling::clusters}),
+                         growth_name);
 
 TEST_P(ListGrowth, ListsThatDoNotFitWalkAllLightsAndFitInTheNextFrame) {
     Garden garden;

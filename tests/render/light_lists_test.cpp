@@ -8,20 +8,6 @@
 namespace prelight {
 namespace {
 
-struct Figures {
-    Image linear;
-    uint64_t evaluated = 0, contributing = 0;
-};
-
-Figures render(Device& device, const Shot& shot, uint32_t frames = 1) {
-    RenderOptions options = options_of(shot);
-    options.count_pairs = true;
-    const auto renderer = create_renderer(shot.renderer, &device, options);
-    renderer->set_world(*shot.world);
-    renderer->render(shot.camera, frames);
-    return {renderer->read("linear"), renderer->stats().pairs_evaluated, renderer->stats().pairs_contributing};
-}
-
 using Settings = std::map<std::string, std::string>;
 Settings with(Settings settings, const Settings& more) {
     settings.insert(more.begin(), more.end());
@@ -35,12 +21,12 @@ uint64_t expect_every_contributing_light(const Shot& shot, const std::string& cu
     full.settings["light-culling"] = "fullscreen";
     full.settings.erase("tile-size"); // refused where there are no tiles
     lists.settings["light-culling"] = culling;
-    const Figures yardstick = render(test_device(), full), found = render(test_device(), lists);
-    EXPECT_EQ(found.contributing, yardstick.contributing) << culling << ", " << where;
-    EXPECT_LE(found.evaluated, yardstick.evaluated) << culling << ", " << where;
+    const Rendered yardstick = render_counting_pairs(full), found = render_counting_pairs(lists);
+    EXPECT_EQ(found.stats.pairs_contributing, yardstick.stats.pairs_contributing) << culling << ", " << where;
+    EXPECT_LE(found.stats.pairs_evaluated, yardstick.stats.pairs_evaluated) << culling << ", " << where;
     // Blended half floats are rounded light by light, sums of a list once.
     EXPECT_GE(compare(found.linear, yardstick.linear).psnr, 60) << culling << ", " << where;
-    return found.evaluated;
+    return found.stats.pairs_evaluated;
 }
 
 bool same_bytes(const Image& a, const Image& b) {
@@ -135,9 +121,9 @@ TEST_P(LightLists, GiveTheSameBytesTwice) {
     garden.add_lights(300, 2, 3);
     Shot shot = garden.shot();
     shot.settings = settings();
-    const Figures once = render(test_device(), shot, 2), twice = render(test_device(), shot, 3);
+    const Rendered once = render_counting_pairs(shot, 2), twice = render_counting_pairs(shot, 3);
     EXPECT_TRUE(same_bytes(once.linear, twice.linear));
-    EXPECT_EQ(once.evaluated, twice.evaluated);
+    EXPECT_EQ(once.stats.pairs_evaluated, twice.stats.pairs_evaluated);
 }
 
 // Blocks without light keep what they held, and that must be none.
@@ -228,11 +214,11 @@ TEST(LightTiles, LightsOffScreenOrDarkCostNothing) { // [L8]
     garden.add_light(garden.point(3, 0), {0, 2, 0});
     Shot shot = garden.shot();
     shot.settings = {{"light-culling", "tiles"}};
-    EXPECT_EQ(render(test_device(), shot).evaluated, 0u);
+    EXPECT_EQ(render_counting_pairs(shot).stats.pairs_evaluated, 0u);
     World nothing = garden.world;
     nothing.lights.clear();
     shot.world = &nothing;
-    EXPECT_EQ(render(test_device(), shot).evaluated, 0u);
+    EXPECT_EQ(render_counting_pairs(shot).stats.pairs_evaluated, 0u);
     expect_validation_clean(test_device());
 }
 
@@ -241,14 +227,14 @@ TEST(LightListContents, AreTrimmedForTilesOnly) {
     garden.add_lights(24, 2.5f, 4);
     Shot shot = garden.shot();
     shot.settings = {{"light-culling", "tiles"}};
-    const Figures built = render(test_device(), shot);
+    const Rendered built = render_counting_pairs(shot);
     shot.settings["light-lists"] = "perfect";
-    const Figures perfect = render(test_device(), shot);
-    EXPECT_EQ(perfect.contributing, built.contributing);
-    EXPECT_LT(perfect.evaluated, built.evaluated);
+    const Rendered perfect = render_counting_pairs(shot);
+    EXPECT_EQ(perfect.stats.pairs_contributing, built.stats.pairs_contributing);
+    EXPECT_LT(perfect.stats.pairs_evaluated, built.stats.pairs_evaluated);
     EXPECT_TRUE(same_bytes(perfect.linear, built.linear)); // the others add nothing
     shot.settings["light-lists"] = "empty";
-    EXPECT_EQ(render(test_device(), shot).evaluated, 0u);
+    EXPECT_EQ(render_counting_pairs(shot).stats.pairs_evaluated, 0u);
     shot.settings["light-culling"] = "clusters";
     EXPECT_THROW(create_renderer("light-prepass", &test_device(), options_of(shot)), UsageError);
     expect_validation_clean(test_device());

@@ -4,13 +4,6 @@
 namespace prelight {
 namespace {
 
-struct Form {
-    const char* name;
-    Shading shading;
-    std::map<std::string, std::string> settings;
-};
-void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
-
 class Forms : public testing::TestWithParam<Form> {};
 
 TEST_P(Forms, AgreeWithTheReference) {

@@ -1,6 +1,7 @@
 // [V2]: rectangles around the projected volumes find every pixel of their light once.
 #include "found_pixels.hpp"
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <resident/light_bounds.hpp>
 #include <resident/lights.hpp>
@@ -9,6 +10,7 @@ namespace prelight {
 namespace {
 
 using resident::Interval, resident::ScreenBounds;
+using std::numbers::pi;
 
 const SettingMap rectangles{{"light-culling", "rectangles"}};
 
@@ -92,7 +94,7 @@ ScreenBounds brute_force(const PlacedLight& placed, const PlacedCamera& camera, 
     const Camera& lens = camera.camera;
     const bool perspective = lens.kind == ProjectionKind::perspective, cone = resident::is_cone(placed.light);
     const double half = perspective ? std::tan(lens.yfov / 2) : lens.ymag, range = placed.light.range * larger;
-    const double pi = 3.14159265358979323846, angle = cone ? std::min(placed.light.outer_cone * larger, pi / 2) : pi;
+    const double angle = cone ? std::min(placed.light.outer_cone * larger, pi / 2) : pi;
     const glm::dvec3 axis = placed.direction;
     const glm::dvec3 side = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1)));
     const glm::dvec3 up = glm::cross(axis, side);

@@ -9,20 +9,7 @@ namespace {
 using testing::HasSubstr;
 using Words = std::map<std::string, std::string>;
 
-struct Picture {
-    Image linear;
-    Stats stats;
-};
-
-Picture draw(const World& world, const PlacedCamera& camera, const RenderOptions& options, const char* renderer = "light-prepass") {
-    const auto made = create_renderer(renderer, &test_device(), options);
-    made->set_world(world);
-    made->render(camera);
-    Image linear = made->read("linear");
-    return {std::move(linear), made->stats()};
-}
-
-double mean(const Image& image) {
+double sum_as_shown(const Image& image) {
     double sum = 0;
     for (const glm::vec3& p : image.pixels)
         for (int c = 0; c < 3; ++c)
@@ -63,10 +50,11 @@ class PresetOnTheCity : public testing::TestWithParam<OnTheCity> {};
 
 TEST_P(PresetOnTheCity, LosesNoLight) {
     RenderOptions options = city().options(GetParam().preset);
-    const Picture eight = draw(city().world, city().world.cameras[0], options);
+    const Rendered eight = render_with(city().world, city().world.cameras[0], options);
     options.settings["light-buffer"] = GetParam().half;
-    const Picture half = draw(city().world, city().world.cameras[0], options);
-    const double ratio = mean(eight.linear) / mean(half.linear), psnr = compare(eight.linear, half.linear).psnr;
+    const Rendered half = render_with(city().world, city().world.cameras[0], options);
+    const double ratio = sum_as_shown(eight.linear) / sum_as_shown(half.linear);
+    const double psnr = compare(eight.linear, half.linear).psnr;
     std::printf("    %.1f dB, %.3f of the light, scales %.2f and %.2f, %llu clipped\n", psnr, ratio,
                 eight.stats.light_buffer->diffuse_scale, eight.stats.light_buffer->specular_scale,
                 static_cast<unsigned long long>(eight.stats.light_buffer->clipped_pixels));
@@ -77,7 +65,7 @@ TEST_P(PresetOnTheCity, LosesNoLight) {
 
     options.settings.erase("light-buffer");
     options.settings["light-scale"] = "0.1";
-    const Picture fixed = draw(city().world, city().world.cameras[0], options);
+    const Rendered fixed = render_with(city().world, city().world.cameras[0], options);
     EXPECT_THAT(notes_of(fixed.stats), HasSubstr(clipped_line));
     EXPECT_GT(fixed.stats.light_buffer->clipped_pixels, 1000u);
     EXPECT_EQ(fixed.stats.light_buffer->diffuse_scale, 0.1);
@@ -115,7 +103,7 @@ std::vector<std::pair<const char*, Words>> fixed_point_targets() {
             {"deferred", {{"accumulation", "rgba8"}, {"g-buffer", "killzone2"}}}};
 }
 
-std::string name_of(const std::pair<const char*, Words>& target) {
+std::string target_name(const std::pair<const char*, Words>& target) {
     std::string name = target.first;
     for (const auto& [key, value] : target.second)
         name += " " + key + "=" + value;
@@ -124,14 +112,14 @@ std::string name_of(const std::pair<const char*, Words>& target) {
 
 TEST(LightScale, FitsTheLightOfAnyScene) {
     for (const auto& target : fixed_point_targets()) {
-        SCOPED_TRACE(name_of(target));
+        SCOPED_TRACE(target_name(target));
         // The same scene under a thousandth and a thousand times the light, exposed alike: the scale follows.
         std::vector<Image> pictures;
         for (const double ev : {-10.0, 0.0, 10.0}) {
             const Lit garden(static_cast<float>(std::exp2(-ev)));
             RenderOptions options = garden.options(target.second);
             options.exposure = ev;
-            const Picture picture = draw(garden.world, garden.camera, options, target.first);
+            const Rendered picture = render_with(garden.world, garden.camera, options, target.first);
             EXPECT_THAT(notes_of(picture.stats), testing::Not(HasSubstr(clipped_line)));
             pictures.push_back(picture.linear);
         }
@@ -141,13 +129,13 @@ TEST(LightScale, FitsTheLightOfAnyScene) {
         const Lit garden;
         RenderOptions options = garden.options(target.second);
         options.exposure = 3;
-        const Image eight = draw(garden.world, garden.camera, options, target.first).linear;
+        const Image eight = render_with(garden.world, garden.camera, options, target.first).linear;
         for (const char* key : {"light-buffer", "accumulation"})
             if (options.settings.contains(key))
                 options.settings[key] = options.settings[key].starts_with("packed") ? "packed-rgba16f" : "rgba16f";
-        const Image half = draw(garden.world, garden.camera, options, target.first).linear;
-        const double psnr = compare(eight, half).psnr, ratio = mean(eight) / mean(half);
-        std::printf("    %s: %.1f dB, %.3f of the light\n", name_of(target).c_str(), psnr, ratio);
+        const Image half = render_with(garden.world, garden.camera, options, target.first).linear;
+        const double psnr = compare(eight, half).psnr, ratio = sum_as_shown(eight) / sum_as_shown(half);
+        std::printf("    %s: %.1f dB, %.3f of the light\n", target_name(target).c_str(), psnr, ratio);
         EXPECT_GE(psnr, 36);
         EXPECT_NEAR(ratio, 1, 0.02);
     }
@@ -156,7 +144,7 @@ TEST(LightScale, FitsTheLightOfAnyScene) {
 
 TEST(LightScale, TheFirstFrameIsAsAnyLaterOne) {
     for (const auto& target : fixed_point_targets()) {
-        SCOPED_TRACE(name_of(target));
+        SCOPED_TRACE(target_name(target));
         const Lit garden, bright(40);
         const RenderOptions options = garden.options(target.second);
         const auto renderer = create_renderer(target.first, &test_device(), options);
@@ -205,11 +193,12 @@ TEST(LightScale, CountsEachPixelWithAFullChannel) {
 TEST(LightScale, IsToldOfDeferredLightInBytesToo) {
     const Lit garden(20);
     RenderOptions options = garden.options({{"accumulation", "rgba8"}, {"light-scale", "0.1"}});
-    EXPECT_THAT(notes_of(draw(garden.world, garden.camera, options, "deferred").stats), HasSubstr(clipped_line));
+    EXPECT_THAT(notes_of(render_with(garden.world, garden.camera, options, "deferred").stats), HasSubstr(clipped_line));
     options.settings["light-scale"] = "auto";
-    EXPECT_THAT(notes_of(draw(garden.world, garden.camera, options, "deferred").stats), testing::Not(HasSubstr(clipped_line)));
+    EXPECT_THAT(notes_of(render_with(garden.world, garden.camera, options, "deferred").stats),
+                testing::Not(HasSubstr(clipped_line)));
     options.settings = {};
-    EXPECT_FALSE(draw(garden.world, garden.camera, options, "deferred").stats.light_buffer.has_value());
+    EXPECT_FALSE(render_with(garden.world, garden.camera, options, "deferred").stats.light_buffer.has_value());
     expect_validation_clean(test_device());
 }
 
@@ -217,12 +206,14 @@ TEST(LightScale, SeesShadowsAndDarkness) {
     // Without light there is nothing to choose from, and nothing is divided by it.
     const Garden dark;
     const Lit any;
-    const Picture none = draw(dark.world, dark.camera, any.options({{"light-buffer", "rgba8"}}));
+    const Rendered none = render_with(dark.world, dark.camera, any.options({{"light-buffer", "rgba8"}}));
     for (const glm::vec3& pixel : none.linear.pixels)
         ASSERT_TRUE(std::isfinite(pixel.x + pixel.y + pixel.z));
     // A light that shines through a wall would set the scale, if it were not for the wall's shadow.
     for (const char* memory : {"atlas", "reuse"}) {
-        const Picture shadowed = draw(any.world, any.camera, any.options({{"light-buffer", "rgba8"}, {"shadows", "on"}, {"shadow-memory", memory}}));
+        const RenderOptions options =
+            any.options({{"light-buffer", "rgba8"}, {"shadows", "on"}, {"shadow-memory", memory}});
+        const Rendered shadowed = render_with(any.world, any.camera, options);
         EXPECT_GT(shadowed.stats.light_buffer->diffuse_scale, 0);
         EXPECT_LE(shadowed.stats.light_buffer->clipped_pixels, 14u);
     }

@@ -52,7 +52,7 @@ double stack_error(Device& device, Shot shot, uint32_t lights, float range = 20)
 
 /// What adding up may lose. Half floats: up to 16 adds, each of which cuts off a step, at most 2⁻¹⁰ of the sum so far:
 /// 17/2048 = 0.8 %. Full floats: N/2 steps of 2⁻²⁴, 0.2 % for 65,536 adds. The picture is stored as half floats: 0.1 %.
-constexpr double bound = 0.01;
+constexpr double stack_bound = 0.01;
 
 /// The way builds light lists.
 bool lists(const Shot& shot) {
@@ -75,7 +75,7 @@ TEST_P(Many, EqualLightsAreOneLightInEveryWay) {
         if (GetParam() > most_drawn && (!lists(shot) || grid))
             continue;
         SCOPED_TRACE(name_of(shot));
-        EXPECT_LE(stack_error(test_device(), shot, GetParam()), bound);
+        EXPECT_LE(stack_error(test_device(), shot, GetParam()), stack_bound);
     }
     expect_validation_clean(test_device());
 }
@@ -86,13 +86,13 @@ TEST(LightStack, TensOfThousandsOfDrawnLightsAddUpToo) {
     Shot shot = Stack(1).shot();
     for (const char* culling : {"volumes", "rectangles"}) {
         shot.settings = {{"light-culling", culling}};
-        EXPECT_LE(stack_error(test_device(), shot, 65536), bound);
+        EXPECT_LE(stack_error(test_device(), shot, 65536), stack_bound);
     }
     shot.settings = {{"light-culling", "fullscreen"}, {"light-writes", "once"}};
-    EXPECT_LE(stack_error(test_device(), shot, 65536), bound);
+    EXPECT_LE(stack_error(test_device(), shot, 65536), stack_bound);
     shot.renderer = "multipass";
     shot.settings = {{"order", "objects"}};
-    EXPECT_LE(stack_error(test_device(), shot, 20000), bound);
+    EXPECT_LE(stack_error(test_device(), shot, 20000), stack_bound);
     expect_validation_clean(test_device());
 }
 
@@ -122,7 +122,7 @@ std::vector<Shot> other_ways() {
 TEST(LightStack, OtherSettingsAddUpToo) {
     for (const Shot& shot : other_ways()) {
         SCOPED_TRACE(name_of(shot));
-        EXPECT_LE(stack_error(test_device(), shot, 3000), bound);
+        EXPECT_LE(stack_error(test_device(), shot, 3000), stack_bound);
     }
     expect_validation_clean(test_device());
 }
@@ -131,7 +131,8 @@ TEST(LightStack, OtherSettingsAddUpToo) {
 TEST(LightStack, LightsWithoutARangeAddUpToo) {
     for (const Shot& shot : every_way(Stack(1).shot())) {
         SCOPED_TRACE(name_of(shot));
-        EXPECT_LE(stack_error(test_device(), shot, lists(shot) ? 40001 : 3000, std::numeric_limits<float>::infinity()), bound);
+        const float endless = std::numeric_limits<float>::infinity();
+        EXPECT_LE(stack_error(test_device(), shot, lists(shot) ? 40001 : 3000, endless), stack_bound);
     }
     expect_validation_clean(test_device());
 }
@@ -251,7 +252,7 @@ TEST(LightStack, ManyLightsElsewhereDoNotDimABrightOne) {
     const Image right = render_linear(test_device(), shot);
     EXPECT_GT(right.pixels[6 * 16 + 8].x, 300); // far above 32,752 / 3,001
     shot.world = &many.world;
-    EXPECT_LE(largest_error(render_linear(test_device(), shot), right), bound);
+    EXPECT_LE(largest_error(render_linear(test_device(), shot), right), stack_bound);
 }
 
 TEST(LightOverlap, IsNeverLessThanWhatMeetsAnywhere) {

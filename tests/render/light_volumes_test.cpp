@@ -7,8 +7,6 @@
 namespace prelight {
 namespace {
 
-constexpr float degrees = 3.14159265f / 180;
-
 struct Placement {
     const char* name;
     double distance; ///< of the light from the camera, in ranges
@@ -18,7 +16,7 @@ class Volumes : public testing::TestWithParam<LightCase> {};
 
 /// The same light drawn by its volume and by a full-screen triangle: the same picture, and exactly
 /// the same count of pixels that it lights.
-void expect_same_as_fullscreen(Garden& garden, const PlacedCamera& camera, const std::string& where) {
+void expect_volumes_find_as_fullscreen(Garden& garden, const PlacedCamera& camera, const std::string& where) {
     Image pictures[2];
     uint64_t contributing[2], evaluated[2];
     for (const int full : {0, 1}) {
@@ -51,7 +49,7 @@ TEST_P(Volumes, FindTheirPixelsOnceFromOutsideInsideAndCutByTheNearPlane) {
         const glm::dvec3 forward = -garden.camera.axes[2];
         const double distance = share * c.light.range;
         garden.add_light(c.light, garden.camera.position + forward * distance, c.direction);
-        expect_same_as_fullscreen(garden, garden.camera, "light at " + std::to_string(share) + " ranges");
+        expect_volumes_find_as_fullscreen(garden, garden.camera, "light at " + std::to_string(share) + " ranges");
     }
     expect_validation_clean(test_device());
 }
@@ -72,18 +70,18 @@ INSTANTIATE_TEST_SUITE_P(V3, Volumes, testing::ValuesIn(light_cases()),
 TEST(VolumeCulling, ManyLightsLightTheSamePixelsAsFullScreen) {
     Garden garden;
     garden.add_lights(64, 1.5f, 3);
-    expect_same_as_fullscreen(garden, garden.camera, "64 lights");
+    expect_volumes_find_as_fullscreen(garden, garden.camera, "64 lights");
     Garden orthographic;
     orthographic.add_lights(64, 1.5f, 3);
     orthographic.camera.camera.kind = ProjectionKind::orthographic;
     orthographic.camera.camera.ymag = 2;
     orthographic.camera.camera.znear = 7; // cuts through the garden
     orthographic.camera.camera.zfar = 11;
-    expect_same_as_fullscreen(orthographic, orthographic.camera, "orthographic");
+    expect_volumes_find_as_fullscreen(orthographic, orthographic.camera, "orthographic");
     Garden finite;
     finite.add_lights(64, 3, 3);
     finite.camera.camera.zfar = 11; // volumes reach past the far plane
-    expect_same_as_fullscreen(finite, finite.camera, "finite far plane");
+    expect_volumes_find_as_fullscreen(finite, finite.camera, "finite far plane");
 }
 
 TEST(VolumeCulling, LightsBesideThePictureReachIntoIt) {
@@ -97,19 +95,19 @@ TEST(VolumeCulling, LightsBesideThePictureReachIntoIt) {
                                   garden.camera.axes[1] * std::sin(angle) * radius;
         garden.add_light(garden.point(2.2f, 3), garden.at(0, 0.6, 0) + across);
     }
-    expect_same_as_fullscreen(garden, garden.camera, "a ring of lights around the view");
+    expect_volumes_find_as_fullscreen(garden, garden.camera, "a ring of lights around the view");
 }
 
 TEST(VolumeCulling, CameraBetweenARangeAndACapsCorner) {
     // The corners of a wide cone's cap lie beyond the range: a camera there is inside the mesh.
-    for (const float outer : {55 * degrees, 60 * degrees, 70 * degrees, 79 * degrees}) {
+    for (const float outer : {55 * degree, 60 * degree, 70 * degree, 79 * degree}) {
         Garden garden;
         Light light = garden.spot(outer, 6, 40);
         const double along = (1 + 1 / std::cos(outer / 2)) / 2 * light.range;
         const glm::dvec3 back = garden.camera.axes[2], down = -garden.camera.axes[1];
         const glm::dvec3 axis = back * std::cos(outer / 2.0) + down * std::sin(outer / 2.0);
         garden.add_light(light, garden.camera.position - back * along, axis);
-        expect_same_as_fullscreen(garden, garden.camera, "outer cone " + std::to_string(outer));
+        expect_volumes_find_as_fullscreen(garden, garden.camera, "outer cone " + std::to_string(outer));
     }
 }
 
@@ -197,7 +195,7 @@ TEST(VolumeMeshes, SphereCircumscribesTheUnitSphere) {
 
 TEST(VolumeMeshes, ConeStaysWithinItsReach) {
     const passes::VolumeMesh mesh = passes::cone_volume(resident::cone_sides);
-    for (float outer = 0.05f; outer < 80 * degrees; outer += 0.05f) {
+    for (float outer = 0.05f; outer < 80 * degree; outer += 0.05f) {
         double farthest = 0;
         for (const glm::vec3& p : mesh.points) { // as light_volume.vert places them
             const double radius = p.z == 1 ? std::sin(outer) : p.z == 2 ? std::tan(outer / 2) : 0;

@@ -14,10 +14,8 @@ namespace {
 using resident::mask_coverage;
 using resident::mask_levels;
 
-const std::vector<std::string> renderers{"light-prepass", "deferred", "z-prepass", "multipass"};
-
 template <class Alpha>
-std::vector<uint8_t> texels(uint32_t size, Alpha alpha) {
+std::vector<uint8_t> white_texels(uint32_t size, Alpha alpha) {
     std::vector<uint8_t> rgba;
     for (uint32_t y = 0; y < size; ++y)
         for (uint32_t x = 0; x < size; ++x)
@@ -48,13 +46,13 @@ TEST(MaskLevels, KeepTheCoverageOfLevelNought) {
     for (const Pattern& pattern : patterns)
         for (const float cutoff : {0.2f, 0.5f, 0.8f}) {
             SCOPED_TRACE(std::string(pattern.name) + ", " + std::to_string(cutoff));
-            const TextureImage image{"mask", 128, 128, texels(128, pattern.alpha)};
+            const TextureImage image{"mask", 128, 128, white_texels(128, pattern.alpha)};
             const double wanted = mask_coverage(image, cutoff, {}, Filter::linear);
             const auto levels = mask_levels(image, cutoff, {});
             for (const TextureImage& level : levels)
                 EXPECT_NEAR(mask_coverage(level, cutoff, {}, Filter::linear), wanted, std::max(0.1 * wanted, 0.002)) << level.width;
         }
-    const TextureImage quarter{"mask", 128, 128, texels(128, patterns[0].alpha)};
+    const TextureImage quarter{"mask", 128, 128, white_texels(128, patterns[0].alpha)};
     EXPECT_GE(mask_levels(quarter, 0.5f, {}).size(), 5u) << "levels are there to be used";
 }
 
@@ -83,7 +81,7 @@ double reference_mean(const Shot& shot) {
 /// White masked squares, unlit, that a camera sees from farther and farther away.
 struct MaskedWall : TestWorld {
     explicit MaskedWall(const Pattern& pattern, float cutoff = 0.5f, float factor = 1, float vertex_alpha = 1) {
-        const uint32_t image = add_image(128, 128, texels(128, pattern.alpha));
+        const uint32_t image = add_image(128, 128, white_texels(128, pattern.alpha));
         Material material{.name = "mask", .base_colour = {1, 1, 1, factor}, .alpha_mode = AlphaMode::mask, .alpha_cutoff = cutoff, .unlit = true};
         material.base_colour_texture = {.image = image};
         add_material(material);
@@ -117,7 +115,7 @@ void expect_coverage(const MaskedWall& wall, const std::vector<std::string>& nam
 }
 
 TEST(MaskCoverage, StaysAtADistance) {
-    expect_coverage(MaskedWall(patterns[0]), renderers);
+    expect_coverage(MaskedWall(patterns[0]), device_renderers);
     expect_coverage(MaskedWall(patterns[1]), {"light-prepass"});
     expect_coverage(MaskedWall(patterns[2]), {"light-prepass"}, 19); // farther away rays make a pattern of their own of it
     expect_validation_clean(test_device());
@@ -155,7 +153,7 @@ TEST(MaskCoverage, OfACasterKeepsItsShadow) {
     world.add(square(2));
     Material leaves{.name = "leaves", .alpha_mode = AlphaMode::mask};
     leaves.double_sided = true;
-    leaves.base_colour_texture = {.image = world.add_image(512, 512, texels(512, patterns[0].alpha))};
+    leaves.base_colour_texture = {.image = world.add_image(512, 512, white_texels(512, patterns[0].alpha))};
     world.add_material(leaves);
     Primitive caster = square(1.5f);
     for (glm::vec2& uv : caster.texcoords[0])
@@ -178,7 +176,7 @@ TEST(MaskCoverage, OfADecalStaysToo) {
     world.add_material({.name = "wall", .base_colour = {0, 0, 0, 1}, .unlit = false});
     world.add(square(3));
     Material mask{.name = "holes", .base_colour = {1, 1, 1, 1}, .metallic = 0, .roughness = 1, .alpha_mode = AlphaMode::mask};
-    mask.base_colour_texture = {.image = world.add_image(128, 128, texels(128, patterns[0].alpha))};
+    mask.base_colour_texture = {.image = world.add_image(128, 128, white_texels(128, patterns[0].alpha))};
     world.scene.materials.push_back(mask);
     for (int i = 0; i < 9; ++i) {
         PlacedDecal decal{};
@@ -203,7 +201,7 @@ TEST(MaskCoverage, OfTheCaseThatOthersReported) {
     for (const char* name : {"mask_far.glb", "mask_near.glb"}) {
         const Scene scene = load_gltf(folder / name);
         const World world = resolve(scene);
-        for (const std::string& renderer : renderers) {
+        for (const std::string& renderer : device_renderers) {
             const Shot shot{.world = &world, .camera = world.cameras.at(0), .width = 256, .height = 256, .settings = {{"texture-filter", "auto"}}, .renderer = renderer};
             const double right = reference_mean(shot); // of a picture with 700 pixels of it
             EXPECT_NEAR(mean(render_linear(test_device(), shot)), right, 0.15 * right) << name << ", " << renderer;

@@ -6,15 +6,6 @@
 namespace prelight {
 namespace {
 
-/// The garden with another shader on its spheres.
-struct ShadedGarden : Garden {
-    explicit ShadedGarden(std::shared_ptr<const MaterialShader> shader) {
-        for (size_t m = 1; m < scene.materials.size(); ++m)
-            scene.materials[m].shader = shader;
-        add_lights(6, 5, 6);
-    }
-};
-
 /// A wall with the maps of `detailed`: a dome of height, detail normals, a mask, gloss, incandescence.
 struct ReliefWall : TestWorld {
     template <class F>

@@ -6,13 +6,13 @@
 namespace prelight {
 namespace {
 
-struct Form {
+struct RendererForm {
     const char* name;
     const char* renderer;
     std::map<std::string, std::string> settings;
     Shading shading = Shading::ggx;
 };
-const std::vector<Form> forms{
+const std::vector<RendererForm> renderer_forms{
     {"Weighted", "light-prepass", {{"model", "weighted"}}},
     {"AtViewer", "light-prepass", {{"model", "nv"}}},
     {"Mono", "light-prepass", {{"model", "mono"}, {"light-buffer", "packed-rgba16f"}}},
@@ -24,7 +24,7 @@ const std::vector<Form> forms{
     {"FullDeferred", "deferred", {{"model", "full"}}},
     {"AtViewerDeferred", "deferred", {{"model", "nv"}}}};
 
-class EveryMaterial : public testing::TestWithParam<Form> {};
+class EveryMaterial : public testing::TestWithParam<RendererForm> {};
 
 TEST_P(EveryMaterial, AgreesWithTheReference) {
     for (const auto& shader : built_in_material_shaders()) {
@@ -44,7 +44,8 @@ TEST_P(EveryMaterial, AgreesWithTheReference) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(In, EveryMaterial, testing::ValuesIn(forms), [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(In, EveryMaterial, testing::ValuesIn(renderer_forms),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 } // namespace
 } // namespace prelight

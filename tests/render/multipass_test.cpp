@@ -14,21 +14,12 @@ Shot multipass(Shot shot, Settings settings = {}) {
     return shot;
 }
 
-Stats stats_of(Shot shot, bool count_pairs = false) {
-    RenderOptions options = options_of(shot);
-    options.count_pairs = count_pairs;
-    const auto renderer = create_renderer(shot.renderer, &test_device(), options);
+Stats stats_of(const Shot& shot) {
+    const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
     renderer->set_world(*shot.world);
     renderer->render(shot.camera);
     return renderer->stats();
 }
-
-struct Form {
-    const char* name;
-    Shading shading;
-    Settings settings;
-};
-void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
 
 class MultipassForms : public testing::TestWithParam<Form> {};
 
@@ -188,8 +179,9 @@ TEST(Multipass, M2_HalfFloatTargetHoldsNoInfinity) {
 TEST(Multipass, PairsAndViews) {
     Garden garden;
     garden.add_lights(10, 4, 6);
-    const Stats ones = stats_of(multipass(garden.shot()), true);
-    const Stats eights = stats_of(multipass(garden.shot(), {{"lights-per-pass", "8"}, {"order", "objects"}}), true);
+    const Stats ones = render_counting_pairs(multipass(garden.shot())).stats;
+    const Shot by_eights = multipass(garden.shot(), {{"lights-per-pass", "8"}, {"order", "objects"}});
+    const Stats eights = render_counting_pairs(by_eights).stats;
     EXPECT_GT(ones.pairs_contributing, 0u);
     EXPECT_GT(ones.pairs_evaluated, ones.pairs_contributing);
     EXPECT_EQ(ones.pairs_evaluated, eights.pairs_evaluated);

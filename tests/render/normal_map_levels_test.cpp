@@ -9,7 +9,7 @@ namespace {
 
 using resident::normal_map_levels;
 
-TextureImage map(uint32_t width, uint32_t height, auto&& normal) {
+TextureImage normal_map(uint32_t width, uint32_t height, auto&& normal) {
     TextureImage image{"map", width, height, {}};
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
@@ -22,7 +22,7 @@ TextureImage map(uint32_t width, uint32_t height, auto&& normal) {
 }
 
 TEST(NormalMapLevels, HalveDownToOneTexel) {
-    const auto levels = normal_map_levels(map(12, 5, [](uint32_t, uint32_t) { return glm::vec3(0, 0, 1); }));
+    const auto levels = normal_map_levels(normal_map(12, 5, [](uint32_t, uint32_t) { return glm::vec3(0, 0, 1); }));
     const std::vector<std::pair<uint32_t, uint32_t>> sizes{{12, 5}, {6, 2}, {3, 1}, {1, 1}};
     ASSERT_EQ(levels.size(), sizes.size());
     for (size_t l = 0; l < levels.size(); ++l) {
@@ -37,7 +37,7 @@ TEST(NormalMapLevels, HalveDownToOneTexel) {
 
 TEST(NormalMapLevels, KeepTheVarianceOfSlopes) {
     const float angle = 0.4f;
-    const TextureImage image = map(8, 8, [&](uint32_t x, uint32_t) {
+    const TextureImage image = normal_map(8, 8, [&](uint32_t x, uint32_t) {
         return glm::vec3(x % 2 ? std::sin(angle) : -std::sin(angle), 0, std::cos(angle));
     });
     const auto levels = normal_map_levels(image);

@@ -8,19 +8,7 @@ namespace prelight {
 namespace {
 
 using testing::HasSubstr;
-
-/// The garden with another shader on its spheres; what is metal there stays metal.
-struct ShadedGarden : Garden {
-    explicit ShadedGarden(std::shared_ptr<const MaterialShader> shader, uint32_t lights = 6) {
-        for (size_t m = 1; m < scene.materials.size(); ++m)
-            scene.materials[m].shader = shader;
-        add_lights(lights, 5, 6);
-    }
-    void set(const char* parameter, glm::vec4 value) {
-        for (size_t m = 1; m < scene.materials.size(); ++m)
-            scene.materials[m].parameters[parameter] = value;
-    }
-};
+using Settings = std::map<std::string, std::string>;
 
 /// The same source as a user's own file: compiled now, not with the build.
 std::shared_ptr<const MaterialShader> as_users_own(const char* name) {
@@ -72,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, OwnMaterial, testing::Values("metallic-roughne
                              return name;
                          });
 
-void expect_same_picture(Shot a, Shot b, const std::map<std::string, std::string>& settings, const char* renderer) {
+void expect_same_pixels(Shot a, Shot b, const Settings& settings, const char* renderer) {
     a.renderer = b.renderer = renderer;
     a.settings = b.settings = settings;
     a.width = b.width = 128;
@@ -83,12 +71,11 @@ void expect_same_picture(Shot a, Shot b, const std::map<std::string, std::string
 TEST(UsersOwnMaterial, CompiledAtRunTimeIsTheSamePicture) {
     const ShadedGarden built_in(find_material_shader("skin")), own(as_users_own("skin"));
     for (const char* renderer : {"light-prepass", "multipass", "z-prepass", "deferred"})
-        expect_same_picture(built_in.shot(), own.shot(), {}, renderer);
-    expect_same_picture(built_in.shot(), own.shot(), {{"lights", "grid"}}, "z-prepass");
-    using Settings = std::map<std::string, std::string>;
+        expect_same_pixels(built_in.shot(), own.shot(), {}, renderer);
+    expect_same_pixels(built_in.shot(), own.shot(), {{"lights", "grid"}}, "z-prepass");
     for (const Settings& settings : {Settings{{"normals", "oct32"}}, {{"depth", "r32f"}}, {{"normals", "oct32"}, {"depth", "r32f"}},
                                      {{"geometry", "two-passes"}, {"depth", "r32f"}}, {{"light-buffer", "rgba8"}}})
-        expect_same_picture(built_in.shot(), own.shot(), settings, "light-prepass");
+        expect_same_pixels(built_in.shot(), own.shot(), settings, "light-prepass");
     expect_validation_clean(test_device());
 }
 

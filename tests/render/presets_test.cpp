@@ -26,18 +26,6 @@ struct PresetGarden : Garden {
     }
 };
 
-struct Rendered {
-    Image linear;
-    Stats stats;
-};
-
-Rendered render(const Garden& garden, const RenderOptions& options) {
-    const auto renderer = create_renderer("light-prepass", &test_device(), options);
-    renderer->set_world(garden.world);
-    renderer->render(garden.camera);
-    return {renderer->read("linear"), renderer->stats()};
-}
-
 RenderOptions options_for(const char* preset, Shading shading) {
     RenderOptions options;
     options.width = 320;
@@ -55,7 +43,7 @@ TEST_P(Presets, AgreeWithTheReferenceOfTheirForm) {
     PresetGarden garden;
     for (const Shading shading : {Shading::ggx, Shading::phong}) {
         const RenderOptions options = options_for(GetParam().name, shading);
-        const Rendered ours = render(garden, options);
+        const Rendered ours = render_with(garden.world, garden.camera, options);
         const ReferencePicture reference = render_reference(
             garden.world, garden.camera, 320, 180, options.exposure, reference_form(shading, ours.stats.settings));
         const Comparison c = compare(ours.linear, reference.linear, reference.left_out());
@@ -74,7 +62,7 @@ TEST_P(Presets, HaveTheirSettingsInForce) {
     options.shading.reset(); // the source text's own
     if (GetParam().settings.contains("shadow-memory"))
         options.settings["shadows"] = "on"; // without them it says nothing
-    const Rendered ours = render(garden, options);
+    const Rendered ours = render_with(garden.world, garden.camera, options);
     for (const auto& [key, value] : GetParam().settings)
         EXPECT_EQ(ours.stats.settings.at(key), value) << key;
     EXPECT_TRUE(ours.stats.notes.empty());
@@ -93,7 +81,7 @@ TEST_P(Presets, AreListedAndGiveWayToTheUser) {
     options.settings["light-buffer"] = "packed-rgba16f";
     options.settings["normals"] = "oct32";
     PresetGarden garden;
-    const Rendered ours = render(garden, options);
+    const Rendered ours = render_with(garden.world, garden.camera, options);
     EXPECT_EQ(ours.stats.settings.at("light-buffer"), "packed-rgba16f");
     EXPECT_EQ(ours.stats.settings.at("normals"), "oct32");
     EXPECT_EQ(ours.stats.settings.at("light-culling"), GetParam().settings.at("light-culling"));
@@ -123,7 +111,7 @@ TEST(L4L5Presets, EngelTakesEachOfItsThreeWays) {
     for (const char* way : {"fifth-channel", "luminance", "bent"}) {
         RenderOptions options = options_for("engel", Shading::phong);
         options.settings["specular"] = way;
-        const Rendered ours = render(garden, options);
+        const Rendered ours = render_with(garden.world, garden.camera, options);
         EXPECT_EQ(ours.stats.settings.at("specular"), way);
         EXPECT_EQ(ours.stats.settings.at("light-buffer"), "packed-rgba8");
         const Image reference = render_reference(garden.world, garden.camera, 320, 180, options.exposure,
@@ -136,7 +124,7 @@ TEST(L4L5Presets, EngelTakesEachOfItsThreeWays) {
 
 TEST(L4L5Presets, AWayOfPhongIsNotTakenInGgxAndThatIsSaid) {
     PresetGarden garden;
-    const Rendered ours = render(garden, options_for("engel", Shading::ggx));
+    const Rendered ours = render_with(garden.world, garden.camera, options_for("engel", Shading::ggx));
     EXPECT_EQ(ours.stats.settings.at("specular"), "stored");
     ASSERT_EQ(ours.stats.notes.size(), 1u);
     EXPECT_THAT(ours.stats.notes[0], testing::HasSubstr("specular=luminance is for phong"));
@@ -148,9 +136,9 @@ TEST(L4L5Presets, PrelightingPutsNormalsIntoTheMemoryOfTheFrame) {
     // is scene-linear): 16 or 20 bytes a pixel, all alive. The light pass holds the first three as
     // well, and the normals: when nothing is beyond those bytes, the normals lie in the frame's.
     RenderOptions options = options_for("prelighting", Shading::phong);
-    EXPECT_EQ(render(garden, options).stats.attachment_bytes, 16u * 320 * 180);
+    EXPECT_EQ(render_with(garden.world, garden.camera, options).stats.attachment_bytes, 16u * 320 * 180);
     options.views = {"linear"};
-    EXPECT_EQ(render(garden, options).stats.attachment_bytes, 20u * 320 * 180);
+    EXPECT_EQ(render_with(garden.world, garden.camera, options).stats.attachment_bytes, 20u * 320 * 180);
 }
 
 // Lee: each light's maps in the memory of the light before. Lists read all maps at once: there the preset gives way.
@@ -158,17 +146,17 @@ TEST(L4L5Presets, PrelightingReusesShadowMemoryLightByLight) {
     PresetGarden garden;
     RenderOptions options = options_for("prelighting", Shading::phong);
     options.settings.insert({{"shadows", "on"}, {"shadow-detail", "0.25"}}); // so that all of them fit
-    const Stats stats = render(garden, options).stats;
+    const Stats stats = render_with(garden.world, garden.camera, options).stats;
     EXPECT_EQ(stats.settings.at("shadow-memory"), "reuse");
     EXPECT_EQ(stats.settings.at("light-culling"), "rectangles");
     const uint64_t together = [&] {
         options.settings["shadow-memory"] = "atlas";
-        return render(garden, options).stats.shadows->texels;
+        return render_with(garden.world, garden.camera, options).stats.shadows->texels;
     }();
     EXPECT_LT(stats.shadows->texels, together) << "one light's maps, not all";
     options.settings.erase("shadow-memory");
     options.settings["light-culling"] = "tiles";
-    const Stats lists = render(garden, options).stats;
+    const Stats lists = render_with(garden.world, garden.camera, options).stats;
     EXPECT_EQ(lists.settings.at("shadow-memory"), "atlas");
     EXPECT_THAT(lists.notes, testing::Contains(testing::HasSubstr("shadow-memory=reuse is for lights that are drawn one by one")));
     options.settings["shadow-memory"] = "reuse";

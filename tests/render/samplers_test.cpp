@@ -9,15 +9,16 @@
 namespace prelight {
 namespace {
 
-const std::vector<std::string> renderers{"light-prepass", "deferred", "z-prepass", "multipass"};
 /// lavapipe compiles a shader for each state of a sampler: the others draw every third tile, all filters and all wraps.
-bool drawn(const std::string& renderer, size_t i) { return renderer == renderers[0] || (i / 9 + i % 9 / 3 + i) % 3 == 0; }
+bool drawn(const std::string& renderer, size_t i) {
+    return renderer == device_renderers[0] || (i / 9 + i % 9 / 3 + i) % 3 == 0;
+}
 constexpr uint32_t columns = 12, rows = 9, tile = 32; ///< pixels
 
 /// A tile for each of 2 magnification filters, 6 minification filters, 3 × 3 wrap modes, a pixel a unit.
 struct Tiles : TestWorld {
     /// `texels`: under a pixel.
-    Tiles(uint32_t size, float texels, const std::string& renderer = renderers[0]) {
+    Tiles(uint32_t size, float texels, const std::string& renderer = device_renderers[0]) {
         std::vector<uint8_t> rgba;
         uint32_t random = 1;
         for (uint32_t i = 0; i < size * size; ++i) {
@@ -66,9 +67,9 @@ struct Tiles : TestWorld {
 
 void expect_each_tile(uint32_t size, float texels, double bound) {
     const Tiles all(size, texels);
-    const Shot first = all.shot(renderers[0]);
+    const Shot first = all.shot(device_renderers[0]);
     const Image right = render_reference(all.world, first.camera, first.width, first.height, 0, form_of(first)).linear;
-    for (const std::string& renderer : renderers) {
+    for (const std::string& renderer : device_renderers) {
         const Tiles tiles(size, texels, renderer);
         const Image picture = render_linear(test_device(), tiles.shot(renderer));
         std::vector<double> most(columns * rows, 0);
@@ -98,7 +99,7 @@ TEST(Samplers, OfCasesThatOthersReported) {
     const std::filesystem::path folder = std::filesystem::path(PRELIGHT_SHARED_SCENES) / ".." / "cases";
     if (!std::filesystem::exists(folder))
         GTEST_SKIP() << "no cases beside the repository";
-    for (const std::string& renderer : renderers) {
+    for (const std::string& renderer : device_renderers) {
         const auto picture_of = [&](const char* name, const char* filter) {
             const Scene scene = load_gltf(folder / name);
             const World world = resolve(scene);

@@ -5,8 +5,8 @@
 namespace prelight {
 namespace {
 
-Image picture(const Shot& shot) {
-    return render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form_of(shot)).linear;
+ReferencePicture reference_of(const Shot& shot) {
+    return render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form_of(shot));
 }
 
 /// Changes each instance (its transform and its mesh's normals), compares, and changes it back.
@@ -16,7 +16,7 @@ double mean_square(Garden& garden, const Shot& shot, const ReferencePicture& bef
     const std::vector<Instance> instances = garden.world.instances;
     for (Instance& instance : garden.world.instances)
         change(instance, garden.scene.meshes[instance.mesh].primitives[0].normals);
-    const Comparison c = compare(picture(shot), before.linear, before.left_out());
+    const Comparison c = compare(reference_of(shot).linear, before.linear, before.left_out());
     garden.scene.meshes = meshes;
     garden.world.instances = instances;
     return std::pow(10, -c.psnr / 10);
@@ -25,10 +25,6 @@ double mean_square(Garden& garden, const Shot& shot, const ReferencePicture& bef
 void turn(std::vector<glm::vec3>& normals, const glm::dmat3& by) {
     for (glm::vec3& n : normals)
         n = glm::vec3(by * glm::dvec3(n));
-}
-
-ReferencePicture unchanged(const Shot& shot) {
-    return render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form_of(shot));
 }
 
 Bound from_mean_square(double of_format) {
@@ -50,7 +46,7 @@ double largest_angle(const passes::NormalEncodingInfo& encoding) {
 
 Bound bound_for_normals(Garden& garden, const Shot& shot, double degrees) {
     constexpr double small = 0.1; // degrees
-    const ReferencePicture before = unchanged(shot);
+    const ReferencePicture before = reference_of(shot);
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 about(0);
@@ -75,7 +71,7 @@ Bound bound_for_depth(Garden& garden, const Shot& shot, double relative) {
                                 : glm::dmat3(1) + small * glm::outerProduct(forward, forward);
     const glm::dmat4 move = glm::translate(glm::dmat4(1), eye) * glm::dmat4(grow) * glm::translate(glm::dmat4(1), -eye);
     const double square = mean_square(
-        garden, shot, unchanged(shot), [&](Instance& instance, std::vector<glm::vec3>& normals) {
+        garden, shot, reference_of(shot), [&](Instance& instance, std::vector<glm::vec3>& normals) {
             const glm::dmat3 before(instance.transform);
             instance.transform = move * instance.transform;
             turn(normals, glm::transpose(glm::dmat3(instance.transform)) * glm::transpose(glm::inverse(before)));

@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string refusal(const RendererInfo& info, const RenderOptions& options) {
+std::string refusal_by(const RendererInfo& info, const RenderOptions& options) {
     try {
         create_renderer(info.name, info.needs_device ? &test_device() : nullptr, options);
     } catch (const UsageError& error) {
@@ -56,7 +56,7 @@ TEST(Settings, WithoutEffectAreRefusedWithWhatTheyNeed) {
                         if (std::find(unmet.values.begin(), unmet.values.end(), value) == unmet.values.end() && value != "auto")
                             options.settings[unmet.key] = value;
                 }
-                const std::string line = refusal(info, options);
+                const std::string line = refusal_by(info, options);
                 EXPECT_THAT(line, HasSubstr("--set " + setting.key + "="));
                 EXPECT_THAT(line, HasSubstr(unmet.key == "shading" ? "--shading " + unmet.values[0] : unmet.key + "="));
                 EXPECT_THAT(line, testing::Not(HasSubstr("\n")));
@@ -77,12 +77,12 @@ TEST(Settings, AreTakenWhereTheirNeedsAreMet) {
             options.settings[setting.key] = another_value(setting);
             if (setting.key == "shadow-memory" && info.name != "z-prepass")
                 options.settings["light-culling"] = "volumes"; // maps are drawn light by light
-            EXPECT_EQ(refusal(info, options), "accepted");
+            EXPECT_EQ(refusal_by(info, options), "accepted");
             for (const SettingNeed& need : setting.needs)
                 if (!need.or_view.empty()) { // a view does as well
                     options.settings.erase(need.key);
                     options.views = {need.or_view};
-                    EXPECT_EQ(refusal(info, options), "accepted");
+                    EXPECT_EQ(refusal_by(info, options), "accepted");
                 }
         }
 }
@@ -91,7 +91,7 @@ TEST(Settings, ThatSayWhatIsSoAnywayAreTaken) {
     for (const RendererInfo& info : renderer_infos())
         for (const SettingInfo& setting : info.settings) {
             RenderOptions options{.width = 16, .height = 16, .settings = {{setting.key, setting.default_value}}};
-            EXPECT_EQ(refusal(info, options), "accepted") << info.name << " " << setting.key;
+            EXPECT_EQ(refusal_by(info, options), "accepted") << info.name << " " << setting.key;
         }
 }
 

@@ -139,7 +139,7 @@ TEST(ShadowViews, FacesMeetAtTheirEdges) {
 }
 
 /// A floor, and a box on either side of the middle.
-std::vector<Draw> boxes() {
+std::vector<Draw> floor_and_boxes() {
     std::vector<Draw> draws(3);
     draws[0].low = {-10, -0.1, -10}, draws[0].high = {10, 0, 10};
     draws[1].low = {-4, 0.5, -1}, draws[1].high = {-3, 1.5, 1};
@@ -157,7 +157,7 @@ std::vector<ShadowTile> tiles_of(ShadowPlan& plan, const std::vector<PlacedLight
 
 // A plan that knew the light before it changed has the maps that a new plan has.
 TEST(ShadowPlan, CastersAreThoseOfTheLightAsItIs) {
-    const std::vector<Draw> draws = boxes();
+    const std::vector<Draw> draws = floor_and_boxes();
     const PlacedLight light{{.kind = LightKind::spot, .range = 20, .outer_cone = 0.3f}, {0, 4, 0}, glm::normalize(glm::dvec3(-3.5, -3, 0))};
     std::vector<PlacedLight> changed(6, light);
     changed[0].direction = glm::normalize(glm::dvec3(3.5, -3, 0));
@@ -183,7 +183,7 @@ TEST(ShadowPlan, CastersAreThoseOfTheLightAsItIs) {
 
 // A change that no caster and no texel of the maps depends on leaves them equal: they are not drawn again.
 TEST(ShadowPlan, MapsStayWhereNothingThatTheyShowChanged) {
-    const std::vector<Draw> draws = boxes();
+    const std::vector<Draw> draws = floor_and_boxes();
     PlacedLight light{{.kind = LightKind::point, .range = 20}, {0, 4, 0}};
     ShadowPlan plan(draws, {}, 4096);
     const std::vector<ShadowTile> before = tiles_of(plan, {light});
@@ -198,7 +198,7 @@ TEST(ShadowPlan, MapsStayWhereNothingThatTheyShowChanged) {
 
 // A light asks for no more than it could have alone, so that what is left out is what others took.
 TEST(ShadowPlan, LightsAskForWhatFits) {
-    const std::vector<Draw> draws = boxes();
+    const std::vector<Draw> draws = floor_and_boxes();
     const PlacedLight sun{{.kind = LightKind::directional}, glm::dvec3(0), glm::normalize(glm::dvec3(-0.4, -1, 0.3))};
     const PlacedLight lamp{{.kind = LightKind::point, .range = 30}, {0, 4, 0}};
     for (const PlacedLight& light : {sun, lamp}) {

@@ -7,13 +7,13 @@
 namespace prelight {
 namespace {
 
-const std::filesystem::path folder = PRELIGHT_SHARED_SCENES;
+const std::filesystem::path shared_folder = PRELIGHT_SHARED_SCENES;
 
 TEST(SharedScenes, AllRenderWithoutAValidationMessage) {
-    if (!std::filesystem::exists(folder))
+    if (!std::filesystem::exists(shared_folder))
         GTEST_SKIP() << "no shared scenes beside the repository";
     size_t rendered = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(shared_folder)) {
         if (entry.path().extension() != ".glb")
             continue;
         SCOPED_TRACE(entry.path().filename());
@@ -37,9 +37,9 @@ TEST(SharedScenes, AllRenderWithoutAValidationMessage) {
 }
 
 TEST(SharedScenes, SponzaWithAThousandLightsAgreesWithTheReference) {
-    if (!std::filesystem::exists(folder / "sponza-512.glb"))
+    if (!std::filesystem::exists(shared_folder / "sponza-512.glb"))
         GTEST_SKIP() << "no shared scenes beside the repository";
-    const Scene scene = load_gltf(folder / "sponza-512.glb");
+    const Scene scene = load_gltf(shared_folder / "sponza-512.glb");
     World world = resolve(scene);
     scatter_lights(world, 1024, 1);
     Camera lens;

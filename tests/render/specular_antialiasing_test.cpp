@@ -6,8 +6,8 @@
 namespace prelight {
 namespace {
 
-constexpr int frames = 6, finer = 8;
-constexpr uint32_t width = 96, height = 54;
+constexpr int turn_frames = 6, finer = 8;
+constexpr uint32_t coarse_width = 96, coarse_height = 54;
 
 /// Smooth metal spheres a few pixels across.
 struct Beads : TestWorld {
@@ -62,31 +62,32 @@ double difference(const Image& a, const Image& b) {
     return sum / double(a.pixels.size());
 }
 
-Image picture(const World& world, int frame, uint32_t scale, const std::string& renderer, const char* setting) {
+Image turned_picture(const World& world, int frame, uint32_t scale, const std::string& renderer, const char* setting) {
     Camera lens;
     lens.yfov = 0.35;
     const double turn = 0.0013 * frame; // a fifth of a pixel
     const PlacedCamera camera = look_at(lens, {0, 0, 22}, {22 * std::sin(turn), 0, 22 - 22 * std::cos(turn)});
     const auto made = create_renderer(renderer, &test_device(),
-                                      {.width = width * scale, .height = height * scale, .settings = {{"specular-antialiasing", setting}}, .views = {"linear"}});
+                                      {.width = coarse_width * scale, .height = coarse_height * scale,
+                                       .settings = {{"specular-antialiasing", setting}}, .views = {"linear"}});
     made->set_world(world);
     made->render(camera);
     return made->read("linear");
 }
 
-struct Figures {
+struct Sparkle {
     double error = 0;  ///< against the fine pictures
     double change = 0; ///< from frame to frame
 };
 
-Figures turning(const World& world, const std::vector<Image>& fine, const std::string& renderer, const char* setting) {
-    Figures figures;
+Sparkle turning(const World& world, const std::vector<Image>& fine, const std::string& renderer, const char* setting) {
+    Sparkle figures;
     Image before;
-    for (int f = 0; f < frames; ++f) {
-        const Image now = picture(world, f, 1, renderer, setting);
+    for (int f = 0; f < turn_frames; ++f) {
+        const Image now = turned_picture(world, f, 1, renderer, setting);
         if (f > 0)
-            figures.change += difference(now, before) / (frames - 1);
-        figures.error += difference(now, fine[f]) / frames;
+            figures.change += difference(now, before) / (turn_frames - 1);
+        figures.error += difference(now, fine[f]) / turn_frames;
         before = now;
     }
     return figures;
@@ -94,23 +95,22 @@ Figures turning(const World& world, const std::vector<Image>& fine, const std::s
 
 std::vector<Image> fine_pictures(const World& world) {
     std::vector<Image> fine;
-    for (int f = 0; f < frames; ++f)
-        fine.push_back(shrunk(picture(world, f, finer, "light-prepass", "off")));
+    for (int f = 0; f < turn_frames; ++f)
+        fine.push_back(shrunk(turned_picture(world, f, finer, "light-prepass", "off")));
     return fine;
 }
 
-void print(const char* renderer, const Figures& off, const Figures& on) {
-    std::printf("    %s: against 64 times the pixels %.2e without, %.2e with; from frame to frame %.2e and %.2e\n", renderer,
-                off.error, on.error, off.change, on.change);
+void print(const std::string& renderer, const Sparkle& off, const Sparkle& on) {
+    std::printf("    %s: against 64 times the pixels %.2e without, %.2e with; from frame to frame %.2e and %.2e\n",
+                renderer.c_str(), off.error, on.error, off.change, on.change);
 }
-
-constexpr const char* architectures[] = {"light-prepass", "deferred", "z-prepass", "multipass"};
 
 TEST(SpecularAntialiasing, KeepsHighlightsFromSparkling) {
     const Beads beads;
     const std::vector<Image> fine = fine_pictures(beads.world);
-    for (const char* renderer : architectures) {
-        const Figures off = turning(beads.world, fine, renderer, "off"), on = turning(beads.world, fine, renderer, "on");
+    for (const std::string& renderer : device_renderers) {
+        const Sparkle off = turning(beads.world, fine, renderer, "off");
+        const Sparkle on = turning(beads.world, fine, renderer, "on");
         print(renderer, off, on);
         EXPECT_LT(on.error, 0.75 * off.error) << renderer; // what is left are mostly silhouettes, in both
         EXPECT_LT(on.change, 0.3 * off.change) << renderer;
@@ -121,8 +121,8 @@ TEST(SpecularAntialiasing, KeepsHighlightsFromSparkling) {
 TEST(SpecularAntialiasing, KnowsWhatMipMapsOfNormalsAverageAway) {
     const Hammered wall;
     const std::vector<Image> fine = fine_pictures(wall.world);
-    for (const char* renderer : architectures) {
-        const Figures off = turning(wall.world, fine, renderer, "off"), on = turning(wall.world, fine, renderer, "on");
+    for (const std::string& renderer : device_renderers) {
+        const Sparkle off = turning(wall.world, fine, renderer, "off"), on = turning(wall.world, fine, renderer, "on");
         print(renderer, off, on);
         EXPECT_LT(on.error, 0.5 * off.error) << renderer;
     }

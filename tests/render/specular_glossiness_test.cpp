@@ -8,8 +8,6 @@
 namespace prelight {
 namespace {
 
-constexpr const char* architectures[] = {"light-prepass", "z-prepass", "multipass", "deferred"};
-
 Material made_of(glm::vec3 diffuse, glm::vec3 f0, float glossiness) {
     Material m{.name = "surface", .base_colour = glm::vec4(diffuse, 1), .metallic = 0, .roughness = 1 - glossiness};
     m.shader = find_material_shader("specular-glossiness");
@@ -18,8 +16,8 @@ Material made_of(glm::vec3 diffuse, glm::vec3 f0, float glossiness) {
 }
 
 /// A wall of one material under a directional light that shines along the view.
-struct Wall : TestWorld {
-    explicit Wall(const Material& material) {
+struct WallOfOneMaterial : TestWorld {
+    explicit WallOfOneMaterial(const Material& material) {
         add_material(material);
         add(square(2));
         add_light({.kind = LightKind::directional, .intensity = 3}, {0, 0, 1}, {0, 0, -1});
@@ -46,7 +44,7 @@ void expect_near(glm::vec3 a, glm::dvec3 b, double share) {
 TEST(SpecularGlossiness, MatchesTheClosedForm) {
     for (const auto& [diffuse, f0] : std::initializer_list<std::pair<glm::vec3, glm::vec3>>{
              {{0.8f, 0.1f, 0.1f}, {0.04f, 0.04f, 0.04f}}, {{0.2f, 0.3f, 0.8f}, {0.9f, 0.6f, 0.1f}}, {{0, 0, 0}, {1, 0.75f, 0.25f}}, {{0.5f, 0.5f, 0.5f}, {0, 0, 0}}}) {
-        const Wall wall(made_of(diffuse, f0, 0));
+        const WallOfOneMaterial wall(made_of(diffuse, f0, 0));
         for (const char* renderer : {"reference", "light-prepass", "z-prepass", "multipass"}) {
             SCOPED_TRACE(renderer);
             expect_near(wall.middle(renderer), closed_form(diffuse, f0), 0.003);
@@ -55,7 +53,7 @@ TEST(SpecularGlossiness, MatchesTheClosedForm) {
 }
 
 TEST(SpecularGlossiness, ReadsBothMaps) {
-    Wall wall(made_of({0.5f, 1, 1}, {1, 0.5f, 1}, 0));
+    WallOfOneMaterial wall(made_of({0.5f, 1, 1}, {1, 0.5f, 1}, 0));
     wall.scene.materials[0].base_colour_texture.image = wall.add_image(1, 1, {188, 188, 92, 255});
     wall.scene.materials[0].textures["specular_glossiness_map"] = {.image = wall.add_image(1, 1, {92, 188, 92, 255})};
     const auto linear = [](int code) { return std::pow((code / 255.0 + 0.055) / 1.055, 2.4); };
@@ -88,7 +86,7 @@ TEST(SpecularGlossiness, IsMetallicRoughnessWhereThatSaysTheSame) {
             for (size_t m = 1; m < garden->scene.materials.size(); ++m)
                 garden->scene.materials[m] = garden == &own ? pair.own : pair.plain;
         }
-        for (const char* renderer : architectures) {
+        for (const std::string& renderer : device_renderers) {
             SCOPED_TRACE(renderer);
             Shot a = own.shot(), b = same.shot();
             a.renderer = b.renderer = renderer;
@@ -106,7 +104,7 @@ TEST(SpecularGlossiness, AgreesWithTheReferenceInEveryArchitecture) {
     for (size_t m = 1; m < garden.scene.materials.size(); ++m)
         garden.scene.materials[m] = made_of(looks[(m - 1) % 5][0], looks[(m - 1) % 5][1], 0.2f * float(m));
     garden.world.ambient = glm::vec3(0.1f);
-    for (const char* renderer : architectures) {
+    for (const std::string& renderer : device_renderers) {
         SCOPED_TRACE(renderer);
         Shot shot = garden.shot();
         shot.renderer = renderer;

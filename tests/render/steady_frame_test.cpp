@@ -8,7 +8,7 @@ namespace {
 
 /// Each renderer on a device once for each value of the settings that say how lights meet pixels, and
 /// with what may leave out geometry.
-std::vector<Shot> every_way(const Shot& shot) {
+std::vector<Shot> every_steady_way(const Shot& shot) {
     std::vector<Shot> shots;
     for (const RendererInfo& info : renderer_infos())
         for (const SettingInfo& setting : info.settings)
@@ -32,7 +32,7 @@ TEST(SteadyFrame, MakesNothingWhileLightsAndCameraMove) {
     garden.add_lights(40, 3, 4);
     for (int i = 0; i < 5; ++i)
         garden.add_light(garden.spot(0.6f, 5, 6), garden.at(i - 2, 3, 0), {0, -1, 0.1});
-    std::vector<Shot> shots = every_way(garden.shot());
+    std::vector<Shot> shots = every_steady_way(garden.shot());
     for (const char* memory : {"atlas", "reuse"}) {
         Shot& shadowed = shots.emplace_back(garden.shot());
         shadowed.settings = {{"shadows", "on"}, {"shadow-memory", memory}, {"shadow-budget", "1048576"}};

@@ -20,12 +20,12 @@ Shot lit(const Garden& garden, const Words& settings, Shading shading = Shading:
     return shot;
 }
 
-struct GlossyGarden : Garden {
-    GlossyGarden() { add_lights(7, 6, 6); }
+struct SevenLights : Garden {
+    SevenLights() { add_lights(7, 6, 6); }
 };
 
 /// Both hold the same code of eight bits.
-void expect_same_bytes(Shot shot) {
+void expect_same_in_stencil(Shot shot) {
     SCOPED_TRACE(name_of(shot));
     const Image beside = render_linear(test_device(), shot);
     shot.settings["roughness"] = "stencil";
@@ -34,28 +34,28 @@ void expect_same_bytes(Shot shot) {
 }
 
 TEST(PowerInStencil, IsTheSamePictureAsBesideTheNormal) {
-    const GlossyGarden garden;
-    expect_same_bytes(lit(garden, {}, Shading::ggx));
+    const SevenLights garden;
+    expect_same_in_stencil(lit(garden, {}, Shading::ggx));
     for (const Words& settings : {Words{}, {{"normals", "rgb8"}, {"normal-space", "view"}}, {{"geometry", "two-passes"}}, {{"depth", "r32f"}},
                                   {{"geometry", "two-passes"}, {"depth", "rgba8"}}, {{"light-buffer", "packed-rgba16f"}}, {{"light-buffer", "rgba8"}}})
-        expect_same_bytes(lit(garden, settings));
+        expect_same_in_stencil(lit(garden, settings));
 }
 
 TEST(PowerInStencil, IsReadByEveryWayInWhichLightsFindTheirPixels) {
-    GlossyGarden garden;
+    SevenLights garden;
     garden.add_light(garden.spot(0.7f, 10, 9), {3.5, 5, 1.6}, {-0.1, -1, -0.2});
     garden.add_light({.kind = LightKind::directional, .intensity = 0.2f}, {0, 0, 0}, {-0.3, -1, -0.5});
     for (const char* culling : {"fullscreen", "rectangles", "volumes", "tiles", "clusters"})
         expect_agrees(lit(garden, {{"light-culling", culling}, {"roughness", "stencil"}}, Shading::ggx));
     for (const char* culling : {"volumes", "tiles"})
-        expect_same_bytes(lit(garden, {{"light-culling", culling}, {"shadows", "on"}}));
-    expect_same_bytes(lit(garden, {{"light-culling", "tiles"}, {"list-shading", "fragment"}}));
-    expect_same_bytes(lit(garden, {{"light-culling", "tiles"}, {"light-lists", "perfect"}}));
-    expect_same_bytes(lit(garden, {{"light-culling", "fullscreen"}, {"light-writes", "once"}}));
+        expect_same_in_stencil(lit(garden, {{"light-culling", culling}, {"shadows", "on"}}));
+    expect_same_in_stencil(lit(garden, {{"light-culling", "tiles"}, {"list-shading", "fragment"}}));
+    expect_same_in_stencil(lit(garden, {{"light-culling", "tiles"}, {"light-lists", "perfect"}}));
+    expect_same_in_stencil(lit(garden, {{"light-culling", "fullscreen"}, {"light-writes", "once"}}));
 }
 
 TEST(PowerInStencil, AgreesWithTheReferenceWithoutATargetOfItsOwn) {
-    const GlossyGarden garden;
+    const SevenLights garden;
     for (const char* normals : {"oct32", "rgb10a2"}) {
         SCOPED_TRACE(normals);
         Shot shot = lit(garden, {{"normals", normals}, {"roughness", "stencil"}}, Shading::ggx);
@@ -76,21 +76,21 @@ TEST(PowerInStencil, AgreesWithTheReferenceWithoutATargetOfItsOwn) {
 TEST(PowerInStencil, KnowsDecalsMasksAndOwnMaterials) {
     DecalGarden decals;
     decals.add_lights(6, 6, 6);
-    expect_same_bytes(lit(decals, {}));
-    expect_same_bytes(lit(decals, {{"geometry", "two-passes"}}));
-    GlossyGarden own;
+    expect_same_in_stencil(lit(decals, {}));
+    expect_same_in_stencil(lit(decals, {{"geometry", "two-passes"}}));
+    SevenLights own;
     for (size_t m = 1; m < own.scene.materials.size(); ++m)
         own.scene.materials[m].shader = find_material_shader(m % 2 ? "skin" : "detailed");
-    expect_same_bytes(lit(own, {}));
-    expect_same_bytes(lit(own, {{"depth", "r32f"}}));
+    expect_same_in_stencil(lit(own, {}));
+    expect_same_in_stencil(lit(own, {{"depth", "r32f"}}));
     MixedMaterials masked;
     Shot shot = masked.shot();
     shot.shading = Shading::phong;
-    expect_same_bytes(shot);
+    expect_same_in_stencil(shot);
 }
 
 TEST(PowerInStencil, IsShownByTheViewOfRoughness) {
-    const GlossyGarden garden;
+    const SevenLights garden;
     std::vector<Image> views;
     for (const char* place : {"normal", "stencil"}) {
         RenderOptions options = options_of(lit(garden, {{"roughness", place}}));
@@ -124,7 +124,7 @@ TEST(PowerInStencil, IsRefusedWhereStencilIsTakenOrPowerIsNotStored) {
 
 TEST(PowerInStencil, GoesBesideTheNormalWhereFragmentsCannotWriteStencil) {
     const auto device = Device::create({.select = "cpu", .validate = true, .hidden_extensions = {VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME}});
-    const GlossyGarden garden;
+    const SevenLights garden;
     const Shot shot = lit(garden, {{"roughness", "stencil"}});
     const auto renderer = create_renderer("light-prepass", device.get(), options_of(shot));
     renderer->set_world(garden.world);
@@ -141,7 +141,7 @@ TEST(PowerInStencil, GoesBesideTheNormalOnSwiftShader) {
     const auto device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
-    const GlossyGarden garden;
+    const SevenLights garden;
     for (const char* culling : {"volumes", "tiles"}) {
         Shot shot = lit(garden, {{"light-culling", culling}}, Shading::ggx);
         const Image beside = render_linear(*device, shot);

@@ -20,15 +20,6 @@ struct SunnyGarden : Garden {
     }
 };
 
-Image draw(const Shot& shot, const char* view = "linear") {
-    RenderOptions options = options_of(shot);
-    options.views = {view};
-    const auto renderer = create_renderer(shot.renderer, &test_device(), options);
-    renderer->set_world(*shot.world);
-    renderer->render(shot.camera);
-    return renderer->read(view);
-}
-
 // A sun too weak to be seen takes the channel in the second picture: the first one is then filtered in the light pass.
 TEST(SunOcclusion, D1_ThePictureIsThatOfMapsReadInTheLightPass) {
     const SunnyGarden garden;
@@ -44,9 +35,9 @@ TEST(SunOcclusion, D1_ThePictureIsThatOfMapsReadInTheLightPass) {
             shot.settings["shadow-memory"] = memory;
             shot.settings["shadow-filter"] = filter;
             SCOPED_TRACE(std::string(culling) + " " + memory + " " + filter);
-            const Image channel = draw(shot);
+            const Image channel = render_linear(test_device(), shot);
             shot.world = &without;
-            const Comparison c = compare(channel, draw(shot));
+            const Comparison c = compare(channel, render_linear(test_device(), shot));
             expect_within(c, {.psnr = 60, .off_share = 0, .block = 0.25}); // 256 steps of one light of four
             if (std::string(filter) != "pcf")
                 break; // ways to find lights differ in nothing but where the shader stands
@@ -62,11 +53,11 @@ TEST(SunOcclusion, D1_TheChannelIsTheShareThatComesThrough) {
     sun.ambient = glm::vec3(0);
     Shot shot = garden.shot();
     shot.world = &sun;
-    const Image shadowed = draw(shot), channel = draw(shot, "sun-occlusion");
+    const Image shadowed = render_linear(test_device(), shot), channel = view_of(shot, "sun-occlusion");
     shot.settings["shadows"] = "off";
     shot.settings.erase("shadow-detail");
     shot.settings.erase("shadow-budget");
-    const Image open = draw(shot);
+    const Image open = render_linear(test_device(), shot);
     size_t dark = 0, bright = 0, between = 0;
     for (size_t i = 0; i < open.pixels.size(); ++i) {
         if (open.pixels[i].g < 0.01f)
@@ -97,7 +88,7 @@ TEST(SunOcclusion, D1_ThePresetAgreesWithShadowRays) {
     ReferenceForm form = form_of(shot);
     form.grey_reflectance = true; // what the layout can hold
     const ReferencePicture reference = render_reference(garden.world, shot.camera, shot.width, shot.height, shot.exposure, form);
-    expect_within(compare(draw(shot), reference.linear, reference.left_out()), rgba8_bound);
+    expect_within(compare(render_linear(test_device(), shot), reference.linear, reference.left_out()), rgba8_bound);
     expect_validation_clean(test_device());
 }
 

@@ -11,9 +11,11 @@
 namespace prelight {
 namespace {
 
-const std::vector<std::string> renderers{"light-prepass", "deferred", "z-prepass", "multipass", "reference"};
+const std::vector<std::string> renderers_with_reference{"light-prepass", "deferred", "z-prepass", "multipass",
+                                                        "reference"};
 
-Image picture_of(const World& world, const PlacedCamera& camera, const std::string& renderer, uint32_t width = 192, uint32_t height = 144) {
+Image picture_by(const World& world, const PlacedCamera& camera, const std::string& renderer,
+                 uint32_t width = 192, uint32_t height = 144) {
     RenderOptions options{.width = width, .height = height};
     options.settings = {{"texture-filter", "bilinear"}};
     options.views = {"linear"};
@@ -32,8 +34,8 @@ double largest_difference(const Image& a, const Image& b) {
 }
 
 void expect_same_picture(const World& given, const World& right, const PlacedCamera& camera) {
-    for (const std::string& renderer : renderers) {
-        const Image a = picture_of(given, camera, renderer), b = picture_of(right, camera, renderer);
+    for (const std::string& renderer : renderers_with_reference) {
+        const Image a = picture_by(given, camera, renderer), b = picture_by(right, camera, renderer);
         EXPECT_LT(largest_difference(a, b), 0.002) << renderer;
     }
     expect_validation_clean(test_device());
@@ -106,9 +108,9 @@ std::vector<TextureRef> twelve_ways(uint32_t image) {
 /// A wall of twelve patches, each with a material that reads its maps in another way: by transform or from `set`, in
 /// which the coordinates are baked. `first`: 1 leaves out the one with a mere offset, for which a map beside the normal map
 /// shares its smooth frame in set 0, and has its triangles' in set 1.
-enum class Way { transform, set_0, set_1 };
+enum class CoordinatesBy { transform, set_0, set_1 };
 template <class Dress>
-std::unique_ptr<TestWorld> wall(Way way, bool heights, Dress dress, uint32_t first = 0) {
+std::unique_ptr<TestWorld> wall(CoordinatesBy way, bool heights, Dress dress, uint32_t first = 0) {
     auto world = std::make_unique<TestWorld>();
     const uint32_t image = add_waves(*world, heights);
     Mesh mesh{"wall", {}};
@@ -120,9 +122,9 @@ std::unique_ptr<TestWorld> wall(Way way, bool heights, Dress dress, uint32_t fir
         }
         Primitive p = patch({-1.5f + static_cast<float>(i % 4), 1.0f - static_cast<float>(i / 4)}, 0.48f);
         p.material = i++;
-        if (way != Way::transform) {
-            p.texcoords[way == Way::set_0 ? 0 : 1] = baked(p.texcoords[0], ref);
-            ref = {.image = image, .texcoord = way == Way::set_0 ? 0u : 1u};
+        if (way != CoordinatesBy::transform) {
+            p.texcoords[way == CoordinatesBy::set_0 ? 0 : 1] = baked(p.texcoords[0], ref);
+            ref = {.image = image, .texcoord = way == CoordinatesBy::set_0 ? 0u : 1u};
         }
         Material& material = world->add_material({.name = "patch", .metallic = 0, .roughness = 0.6f});
         dress(material, ref);
@@ -135,18 +137,18 @@ std::unique_ptr<TestWorld> wall(Way way, bool heights, Dress dress, uint32_t fir
     return world;
 }
 
-const PlacedCamera camera = front_camera(4);
+const PlacedCamera wall_camera = front_camera(4);
 
 TEST(NormalMapCoordinates, ATransformIsTheSameBakedIn) {
     const auto dress = [](Material& material, const TextureRef& ref) { material.normal_texture = ref; };
-    const auto given = wall(Way::transform, false, dress), right = wall(Way::set_0, false, dress);
-    expect_same_picture(given->world, right->world, camera);
+    const auto given = wall(CoordinatesBy::transform, false, dress), right = wall(CoordinatesBy::set_0, false, dress);
+    expect_same_picture(given->world, right->world, wall_camera);
 }
 
 TEST(NormalMapCoordinates, AnotherSetIsTheSameAsTheFirst) {
     const auto dress = [](Material& material, const TextureRef& ref) { material.normal_texture = ref; };
-    const auto given = wall(Way::set_1, false, dress), right = wall(Way::set_0, false, dress);
-    expect_same_picture(given->world, right->world, camera);
+    const auto given = wall(CoordinatesBy::set_1, false, dress), right = wall(CoordinatesBy::set_0, false, dress);
+    expect_same_picture(given->world, right->world, wall_camera);
 }
 
 void with_details(Material& material, const TextureRef& ref) {
@@ -162,15 +164,16 @@ void with_relief(Material& material, const TextureRef& ref) {
 }
 
 TEST(DetailMapCoordinates, AreTheirOwn) {
-    const auto given = wall(Way::transform, false, with_details, 1), right = wall(Way::set_1, false, with_details, 1);
-    expect_same_picture(given->world, right->world, camera);
+    const auto given = wall(CoordinatesBy::transform, false, with_details, 1);
+    const auto right = wall(CoordinatesBy::set_1, false, with_details, 1);
+    expect_same_picture(given->world, right->world, wall_camera);
 }
 
 TEST(DetailMapCoordinates, AgreeWithTheReference) {
     for (const auto& dress : {with_details, with_relief}) {
-        const auto world = wall(Way::transform, dress == with_relief, dress);
+        const auto world = wall(CoordinatesBy::transform, dress == with_relief, dress);
         for (const char* renderer : {"light-prepass", "deferred"})
-            expect_agrees({.world = &world->world, .camera = camera, .renderer = renderer});
+            expect_agrees({.world = &world->world, .camera = wall_camera, .renderer = renderer});
     }
 }
 
@@ -198,8 +201,9 @@ TEST(DetailMapCoordinates, TurnSlopesAsTheNormalMapItselfWould) {
     };
     const auto detail = flat(true), normal = flat(false);
     // UDN takes slopes from the texel's own length: a little off where z of the map is not 1.
-    for (const std::string& renderer : renderers)
-        EXPECT_LT(largest_difference(picture_of(detail->world, camera, renderer), picture_of(normal->world, camera, renderer)), 0.05) << renderer;
+    for (const std::string& renderer : renderers_with_reference)
+        EXPECT_LT(largest_difference(picture_by(detail->world, wall_camera, renderer),
+                                     picture_by(normal->world, wall_camera, renderer)), 0.05) << renderer;
 }
 
 TEST(ReliefCoordinates, MoveEveryMapWithThem) {
@@ -207,8 +211,9 @@ TEST(ReliefCoordinates, MoveEveryMapWithThem) {
         with_relief(material, ref);
         material.base_colour_texture = ref;
     };
-    const auto given = wall(Way::transform, true, dress, 1), right = wall(Way::set_1, true, dress, 1);
-    expect_same_picture(given->world, right->world, camera);
+    const auto given = wall(CoordinatesBy::transform, true, dress, 1);
+    const auto right = wall(CoordinatesBy::set_1, true, dress, 1);
+    expect_same_picture(given->world, right->world, wall_camera);
 }
 
 TEST(NormalMapCoordinates, CasesAreTheirPlainForms) {

@@ -1,4 +1,5 @@
 // [G2] [G3]: what is not drawn never had a pixel, and how much that is.
+#include "found_pixels.hpp"
 #include "garden.hpp"
 #include "random_scene.hpp"
 #include <cmath>
@@ -9,7 +10,6 @@
 namespace prelight {
 namespace {
 
-using SettingMap = std::map<std::string, std::string>;
 const SettingMap everything{{"draws", "direct"}, {"frustum-culling", "off"}, {"index-trimming", "off"}};
 
 struct Drawn {
@@ -17,7 +17,7 @@ struct Drawn {
     Stats stats;
 };
 
-Drawn draw(const World& world, const PlacedCamera& camera, const SettingMap& settings,
+Drawn drawn_with(const World& world, const PlacedCamera& camera, const SettingMap& settings,
            const std::string& renderer = "light-prepass", Device& device = test_device()) {
     const RenderOptions options{.width = 240, .height = 136, .settings = settings, .views = {"depth"}};
     const auto made = create_renderer(renderer, &device, options);
@@ -47,9 +47,9 @@ std::vector<SettingMap> ways_of(const std::string& renderer) {
 /// The same bytes however objects are drawn, for all architectures.
 void expect_same_bytes(const World& world, const PlacedCamera& camera, Device& device = test_device()) {
     for (const char* renderer : {"light-prepass", "deferred", "z-prepass", "multipass"}) {
-        const Drawn all = draw(world, camera, everything, renderer, device);
+        const Drawn all = drawn_with(world, camera, everything, renderer, device);
         for (const SettingMap& way : ways_of(renderer)) {
-            const Drawn ours = draw(world, camera, way, renderer, device);
+            const Drawn ours = drawn_with(world, camera, way, renderer, device);
             std::string trace = renderer;
             for (const auto& [key, value] : way)
                 trace += " " + key + "=" + value;
@@ -108,7 +108,7 @@ TEST(VisibleDraws, G2_TrianglesBelowAPixel) {
     test.add_light({.kind = LightKind::directional, .intensity = 2}, {0, 0, 0}, {-0.3, -0.5, -1});
     for (const double distance : {9.0, 31.7, 140.3}) {
         expect_same_bytes(test.world, front_camera(distance));
-        const Drawn ours = draw(test.world, front_camera(distance), {});
+        const Drawn ours = drawn_with(test.world, front_camera(distance), {});
         EXPECT_LT(2 * ours.stats.triangles_drawn, test.world.triangles) << "half of a sphere faces away";
         if (distance > 100) {
             EXPECT_LT(ours.stats.triangles_drawn, uint64_t(240 * 136)) << "more triangles than pixels";
@@ -136,11 +136,11 @@ TEST(VisibleDraws, G2_OnSwiftShadersCoarserGridOfPixels) {
     garden.world.triangles = 0;
     for (const Instance& instance : garden.world.instances)
         garden.world.triangles += garden.world.mesh_of(instance).primitives[0].indices.size() / 3;
-    const Drawn all = draw(garden.world, garden.camera, everything, "light-prepass", *device);
-    const Drawn ours = draw(garden.world, garden.camera, {}, "light-prepass", *device);
+    const Drawn all = drawn_with(garden.world, garden.camera, everything, "light-prepass", *device);
+    const Drawn ours = drawn_with(garden.world, garden.camera, {}, "light-prepass", *device);
     EXPECT_TRUE(ours.final.pixels == all.final.pixels);
     EXPECT_LT(2 * ours.stats.triangles_drawn, all.stats.triangles_drawn);
-    const Drawn by_device = draw(garden.world, garden.camera, all_at_once, "light-prepass", *device);
+    const Drawn by_device = drawn_with(garden.world, garden.camera, all_at_once, "light-prepass", *device);
     EXPECT_TRUE(by_device.final.pixels == all.final.pixels);
     EXPECT_LT(2 * by_device.stats.triangles_drawn, all.stats.triangles_drawn);
     EXPECT_EQ(by_device.stats.settings.at("occlusion"), "off") << "there is no conditional rendering";
@@ -154,7 +154,7 @@ TEST(VisibleDraws, G2_OnSwiftShadersCoarserGridOfPixels) {
 TEST(VisibleDraws, G3_CountsOfTheYardstickScene) {
     const Scene scene = make_scene("lights", 4, 1);
     const World world = resolve(scene);
-    const auto stats = [&](SettingMap settings) { return draw(world, world.cameras.at(0), settings).stats; };
+    const auto stats = [&](SettingMap settings) { return drawn_with(world, world.cameras.at(0), settings).stats; };
     EXPECT_EQ(stats(everything).draws, 266u);
     EXPECT_EQ(stats(everything).triangles_drawn, world.triangles);
     const Stats culled = stats({{"draws", "direct"}, {"index-trimming", "off"}});
@@ -174,7 +174,8 @@ TEST(VisibleDraws, G2_TheDeviceLeavesOutWhatTheHostDoes) {
     const Scene scene = make_scene("lights", 4, 1);
     const World world = resolve(scene);
     const auto triangles = [&](const char* way) {
-        return static_cast<double>(draw(world, world.cameras.at(0), {{"index-trimming", way}}).stats.triangles_drawn);
+        const Stats stats = drawn_with(world, world.cameras.at(0), {{"index-trimming", way}}).stats;
+        return static_cast<double>(stats.triangles_drawn);
     };
     const double host = triangles("host"), device = triangles("device");
     EXPECT_LT(host, 0.25 * static_cast<double>(world.triangles));
@@ -201,12 +202,13 @@ TEST(VisibleDraws, G1_HiddenObjectsAreNotDrawnAgain) {
     const PlacedCamera camera = front_camera(9);
     expect_same_bytes(hidden.world, camera);
     for (const char* renderer : {"light-prepass", "z-prepass"}) {
-        const Stats stats = draw(hidden.world, camera, {{"occlusion", "queries"}}, renderer).stats;
+        const Stats stats = drawn_with(hidden.world, camera, {{"occlusion", "queries"}}, renderer).stats;
         EXPECT_EQ(stats.draws_skipped, 4u) << renderer;
         EXPECT_FALSE(stats.triangles_skipped.has_value());
-        EXPECT_FALSE(draw(hidden.world, camera, {}, renderer).stats.draws_skipped.has_value());
+        EXPECT_FALSE(drawn_with(hidden.world, camera, {}, renderer).stats.draws_skipped.has_value());
     }
-    EXPECT_EQ(draw(hidden.world, look_at(camera.camera, {0, 0, -16}, {0, 0, 0}), {{"occlusion", "queries"}}).stats.draws_skipped, 0u)
+    const PlacedCamera from_behind = look_at(camera.camera, {0, 0, -16}, {0, 0, 0});
+    EXPECT_EQ(drawn_with(hidden.world, from_behind, {{"occlusion", "queries"}}).stats.draws_skipped, 0u)
         << "from behind all can be seen";
 }
 
@@ -215,7 +217,8 @@ TEST(VisibleDraws, G2_HiddenTrianglesAreNotDrawnAgain) {
     const PlacedCamera camera = front_camera(9);
     for (const char* renderer : {"light-prepass", "z-prepass"})
         for (const char* trimming : {"off", "host", "device"}) {
-            const Stats stats = draw(hidden.world, camera, {{"index-trimming", trimming}, {"material-trimming", "depth"}}, renderer).stats;
+            const SettingMap settings{{"index-trimming", trimming}, {"material-trimming", "depth"}};
+            const Stats stats = drawn_with(hidden.world, camera, settings, renderer).stats;
             ASSERT_TRUE(stats.triangles_skipped.has_value());
             // With all triangles sent, those that face away are left as well: they have no pixels to be seen at.
             EXPECT_GT(10 * *stats.triangles_skipped, 6 * stats.triangles_drawn) << renderer << " " << trimming;
@@ -242,7 +245,7 @@ TEST(VisibleDraws, G2_TheDeviceKeepsTheOrder) {
     test.add(std::move(pile));
     test.world.triangles = 2000;
     expect_same_bytes(test.world, front_camera(6));
-    const Stats stats = draw(test.world, front_camera(6), {{"index-trimming", "device"}}).stats;
+    const Stats stats = drawn_with(test.world, front_camera(6), {{"index-trimming", "device"}}).stats;
     EXPECT_EQ(stats.triangles_drawn, 1333u);
 }
 

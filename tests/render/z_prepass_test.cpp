@@ -13,15 +13,6 @@ Shot z_prepass(Shot shot, std::map<std::string, std::string> settings = {}) {
     return shot;
 }
 
-Stats stats_of(const Shot& shot) {
-    RenderOptions options = options_of(shot);
-    options.count_pairs = true;
-    const auto renderer = create_renderer(shot.renderer, &test_device(), options);
-    renderer->set_world(*shot.world);
-    renderer->render(shot.camera);
-    return renderer->stats();
-}
-
 // [Z2] More than eight lights reach most objects: 15, and two that reach everything.
 TEST(ZPrepass, Z2_EveryFormAgreesWithTheReference) {
     Garden garden;
@@ -68,7 +59,7 @@ TEST(ZPrepass, Z1_EachVisiblePixelIsShadedOnce) {
     }
     test.add_light({.kind = LightKind::directional, .intensity = 1}, {0, 0, 0}, {0, 0, -1});
     const Shot shot = z_prepass({.world = &test.world, .camera = front_camera(5)});
-    const Stats stats = stats_of(shot);
+    const Stats stats = render_counting_pairs(shot).stats;
     EXPECT_EQ(stats.pairs_evaluated, uint64_t(shot.width) * shot.height);
     EXPECT_EQ(stats.pairs_contributing, uint64_t(shot.width) * shot.height);
     EXPECT_EQ(stats.draws, 6u); // depth and shading of each
@@ -88,11 +79,11 @@ TEST(ZPrepass, Z2_ObjectIsDrawnAgainForEachEightLights) {
     const std::pair<size_t, uint64_t> expected[] = {{0, 2}, {8, 2}, {9, 3}, {16, 3}, {19, 4}};
     for (const auto& [lights, draws] : expected) {
         add_until(lights);
-        EXPECT_EQ(stats_of(shot).draws, draws) << lights;
+        EXPECT_EQ(render_counting_pairs(shot).stats.draws, draws) << lights;
     }
     expect_agrees(shot);
     test.add_light({.kind = LightKind::point, .intensity = 9, .range = 1}, {0, 0, 1.5});
-    EXPECT_EQ(stats_of(shot).draws, 4u);
+    EXPECT_EQ(render_counting_pairs(shot).stats.draws, 4u);
 }
 
 // [Z2] Strongest first, at the point of the object's box that is nearest to the light.

@@ -72,7 +72,7 @@ TEST(Sample, RotationsComeOutOfUnitLength) {
 }
 
 /// A triangle at a node that moves 1 m/s along x, below a parent.
-Scene moving() {
+Scene moving_triangle() {
     Scene scene;
     scene.name = "moving";
     Primitive p;
@@ -95,7 +95,7 @@ Scene moving() {
 }
 
 TEST(Resolve, WithoutAMomentNothingMoves) {
-    const Scene scene = moving();
+    const Scene scene = moving_triangle();
     const World world = resolve(scene);
     EXPECT_EQ(world.instances.at(0).transform[3], glm::dvec4(5, 10'006, 7, 1));
     EXPECT_FALSE(world.instances[0].previous_transform);
@@ -104,7 +104,7 @@ TEST(Resolve, WithoutAMomentNothingMoves) {
 }
 
 TEST(Resolve, AMomentPlacesNodesAndSaysWhereTheyWere) {
-    const Scene scene = moving();
+    const Scene scene = moving_triangle();
     const World world = resolve(scene, {}, Moment{2, 0.25});
     const Instance& instance = world.instances.at(0);
     // Animation replaces the translation and leaves the scale; the parent stays.
@@ -119,7 +119,7 @@ TEST(Resolve, AMomentPlacesNodesAndSaysWhereTheyWere) {
 }
 
 TEST(Resolve, CamerasAndLightsMove) {
-    Scene scene = moving();
+    Scene scene = moving_triangle();
     scene.nodes[1].camera = 0;
     scene.nodes[1].light = 0;
     scene.cameras.emplace_back();
@@ -139,7 +139,7 @@ TEST(Resolve, CamerasAndLightsMove) {
 }
 
 TEST(Resolve, TheFirstAnimationOfAPropertyWinsUnlessOneIsChosen) {
-    Scene scene = moving();
+    Scene scene = moving_triangle();
     scene.animations.push_back({"turn and jump",
                                 {{{0}, {0, 0, 1, 0}, Interpolation::step}, {{0}, {0, 3, 0}, Interpolation::step}},
                                 {{0, 1, AnimationPath::rotation}, {1, 1, AnimationPath::translation}}});
@@ -163,7 +163,7 @@ TEST(Resolve, TheFirstAnimationOfAPropertyWinsUnlessOneIsChosen) {
 
 TEST(Resolve, AnimationsThatDoNotFitEndInALine) {
     const auto line = [](auto damage) -> std::string {
-        Scene scene = moving();
+        Scene scene = moving_triangle();
         damage(scene);
         try {
             resolve(scene, {}, Moment{2});
@@ -181,7 +181,7 @@ TEST(Resolve, AnimationsThatDoNotFitEndInALine) {
     EXPECT_THAT(line([](Scene& s) { s.animations[0].samplers[0] = {}; }), HasSubstr("0 values for 0 keyframes"));
     EXPECT_THAT(line([](Scene& s) { s.animations[0].samplers[0].values[3] = INFINITY; }),
                 HasSubstr("node 1: its world transform is not finite"));
-    Scene scene = moving();
+    Scene scene = moving_triangle();
     EXPECT_THROW(resolve(scene, {}, Moment{std::nan("")}), Error);
 }
 

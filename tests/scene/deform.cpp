@@ -7,18 +7,15 @@
 #include <prelight/error.hpp>
 #include <prelight/scene.hpp>
 #include <scene/deform.hpp>
+#include <scene/near.hpp>
 #include <scene/tangents.hpp>
 
 using namespace prelight;
+using prelight::test::expect_near;
 using testing::HasSubstr;
 using testing::SizeIs;
 
 namespace {
-
-void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-6) {
-    for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(a[i], b[i], tolerance) << i;
-}
 
 /// A strip of two triangles in z = 0 facing +z, x in 0 … 1, y in 0 … 1, with tangents along x.
 Primitive strip() {
@@ -118,7 +115,7 @@ TEST(Morph, NodesWithEqualWeightsShareTheirShape) {
 
 /// The strip follows joint 0 (node 1) at x = 0 and joint 1 (node 2, child of 1) at x = 1; the corner
 /// (1, 1) half and half.
-Scene skinned() {
+Scene skinned_strip() {
     Primitive p = strip();
     p.joint_sets.resize(1);
     p.joint_sets[0].joints = {{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}};
@@ -138,7 +135,7 @@ Scene skinned() {
 }
 
 TEST(Skin, AtItsBindPoseIsTheMeshItself) {
-    const Scene scene = skinned();
+    const Scene scene = skinned_strip();
     const World world = resolve(scene);
     for (uint32_t v = 0; v < 4; ++v)
         expect_near(place(world, v), scene.meshes[0].primitives[0].positions[v]);
@@ -147,7 +144,7 @@ TEST(Skin, AtItsBindPoseIsTheMeshItself) {
 }
 
 TEST(Skin, FollowsItsJointsAndNotItsNode) {
-    Scene scene = skinned();
+    Scene scene = skinned_strip();
     const float s = std::sqrt(0.5f);
     // Joint 1 turns by 90° about z in one second; the whole skeleton is lifted by 10 m.
     scene.nodes[1].local = glm::translate(glm::dmat4(1), {0, 0, 10});
@@ -171,7 +168,7 @@ TEST(Skin, FollowsItsJointsAndNotItsNode) {
 }
 
 TEST(Skin, ComesAfterMorphTargets) {
-    Scene scene = skinned();
+    Scene scene = skinned_strip();
     scene.meshes[0].primitives[0].morph_targets.resize(1);
     scene.meshes[0].primitives[0].morph_targets[0].positions.assign(4, {0, 1, 0});
     scene.meshes[0].weights = {1};
@@ -182,7 +179,7 @@ TEST(Skin, ComesAfterMorphTargets) {
 }
 
 TEST(Skin, KeepsMillimetresFarFromTheOrigin) {
-    Scene scene = skinned();
+    Scene scene = skinned_strip();
     // Weights whose floats do not sum up to 1.
     scene.meshes[0].primitives[0].joint_sets[0].weights[0] = {0.1f, 0.7f, 0.1f, 0.1f};
     scene.nodes[1].local = glm::translate(glm::dmat4(1), {10'000.001, -20'000.002, 30'000.003});
@@ -192,7 +189,7 @@ TEST(Skin, KeepsMillimetresFarFromTheOrigin) {
 }
 
 TEST(Skin, UnevenScaleTiltsNormalsByTheInverseTranspose) {
-    Scene scene = skinned();
+    Scene scene = skinned_strip();
     Primitive& p = scene.meshes[0].primitives[0];
     p.normals.assign(4, glm::normalize(glm::vec3(1, 0, 1)));
     p.tangents.assign(4, glm::vec4(glm::normalize(glm::vec3(1, 0, -1)), -1));
@@ -205,7 +202,7 @@ TEST(Skin, UnevenScaleTiltsNormalsByTheInverseTranspose) {
 }
 
 TEST(Skin, MirroringJointsKeepFrontsAtTheFront) {
-    Scene scene = skinned();
+    Scene scene = skinned_strip();
     scene.nodes[1].local = glm::scale(glm::dmat4(1), {-1, 1, 1});
     const World world = resolve(scene);
     EXPECT_FALSE(world.instances[0].mirrored);
@@ -219,7 +216,7 @@ TEST(Skin, MirroringJointsKeepFrontsAtTheFront) {
 }
 
 TEST(Skin, FlatNormalsAreMadeAnew) {
-    Scene scene = skinned();
+    Scene scene = skinned_strip();
     Primitive& p = scene.meshes[0].primitives[0];
     p.normals.clear();
     make_flat_normals(p);
@@ -238,7 +235,7 @@ TEST(Skin, FlatNormalsAreMadeAnew) {
 
 TEST(Skin, WhatDoesNotFitEndsInALine) {
     const auto line = [](auto damage) -> std::string {
-        Scene scene = skinned();
+        Scene scene = skinned_strip();
         damage(scene);
         try {
             resolve(scene);
@@ -259,7 +256,7 @@ TEST(Skin, WhatDoesNotFitEndsInALine) {
     EXPECT_THAT(line([](Scene& s) { s.skins[0].inverse_bind[0][0][0] = 1e300; }),
                 HasSubstr("node 0: its vertex"));
     // Without joints in the mesh the skin has nothing to move: the mesh stays at its node.
-    Scene scene = skinned();
+    Scene scene = skinned_strip();
     scene.meshes[0].primitives[0].joint_sets.clear();
     expect_near(place(resolve(scene), 0), {100, 100, 100});
 }
@@ -288,7 +285,7 @@ TEST(Deform, IsBounded) {
 }
 
 TEST(World, IsCopiedAndMovedWithItsDeformedMeshes) {
-    const Scene scene = skinned();
+    const Scene scene = skinned_strip();
     World first = resolve(scene);
     const glm::dvec3 before = place(first, 2);
     const World copy = first;

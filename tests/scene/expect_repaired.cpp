@@ -13,4 +13,16 @@ Scene expect_repaired(const GltfBuilder& builder, const std::string& warning) {
     return scene;
 }
 
+void expect_told(GltfBuilder good, const Damage& damage) {
+    ASSERT_EQ(error_of(good), "");
+    damage.change(good);
+    if (damage.repaired) {
+        expect_repaired(good, damage.line);
+        return;
+    }
+    const std::string line = error_of(good);
+    EXPECT_THAT(line, testing::StartsWith("test.glb: " + damage.line));
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+}
+
 } // namespace prelight::test

@@ -82,7 +82,7 @@ Scene cloud(std::mt19937& random, glm::vec3 size) {
     return scene;
 }
 
-void place(Scene& scene, const glm::dmat4& local) {
+void add_node(Scene& scene, const glm::dmat4& local) {
     scene.scenes[0].nodes.push_back(uint32_t(scene.nodes.size()));
     scene.nodes.emplace_back().mesh = 0;
     scene.nodes.back().local = local;
@@ -97,7 +97,7 @@ TEST(Frame, WhatIsDrawnFillsTheShareOfThePictureThatWasAskedFor) {
         Scene scene = cloud(random, glm::vec3(float(scale * between(0.001, 1)), float(scale * between(0.001, 1)), float(scale)));
         const glm::dvec3 away = scale * std::pow(10, between(-1, 5)) * glm::dvec3(between(-1, 1), between(-1, 1), between(-1, 1));
         for (int node = 0; node < 1 + i % 3; ++node)
-            place(scene, glm::rotate(glm::translate(glm::dmat4(1), away + scale * glm::dvec3(node)), between(-3, 3),
+            add_node(scene, glm::rotate(glm::translate(glm::dmat4(1), away + scale * glm::dvec3(node)), between(-3, 3),
                                      glm::dvec3(between(-1, 1), between(-1, 1), 1)));
         const double elevations[] = {between(-90, 90), 90, -90, 0};
         expect_framed(resolve(scene), std::exp(between(-1.2, 1.2)),
@@ -110,7 +110,7 @@ TEST(Frame, FlatThingsFillThePictureToo) {
     for (const glm::vec3& size : {glm::vec3(1, 0, 2), glm::vec3(1, 2, 0), glm::vec3(0, 1, 1), glm::vec3(3, 0, 0), glm::vec3(0, 3, 0), glm::vec3(0, 0, 3)})
         for (const double elevation : {15.0, 60.0}) {
             Scene scene = cloud(random, size);
-            place(scene, glm::dmat4(1));
+            add_node(scene, glm::dmat4(1));
             expect_framed(resolve(scene), 16.0 / 9, {.elevation = elevation});
         }
 }
@@ -119,7 +119,7 @@ TEST(Frame, WithoutExtentThereIsStillACamera) {
     std::mt19937 random(6);
     for (const glm::vec3& size : {glm::vec3(0), glm::vec3(0, 2, 0)}) { // a point; a line that is looked along
         Scene scene = cloud(random, size);
-        place(scene, glm::translate(glm::dmat4(1), glm::dvec3(5000, 1, 2)));
+        add_node(scene, glm::translate(glm::dmat4(1), glm::dvec3(5000, 1, 2)));
         const World world = resolve(scene);
         const PlacedCamera camera = frame(world, 2, {.azimuth = 0, .elevation = 90});
         const Seen seen = look(world, camera, 2);
@@ -138,7 +138,7 @@ TEST(Frame, WithoutExtentThereIsStillACamera) {
 TEST(Frame, TheFrontIsPlusZAndTheRightPlusX) {
     std::mt19937 random(7);
     Scene scene = cloud(random, glm::vec3(1));
-    place(scene, glm::dmat4(1));
+    add_node(scene, glm::dmat4(1));
     const World world = resolve(scene);
     const auto from = [&](double azimuth, double elevation) { return frame(world, 1, {.azimuth = azimuth, .elevation = elevation}); };
     const auto near = [](glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b) < 1e-12; };
@@ -164,7 +164,7 @@ TEST(Frame, FollowsWhatAnimationsDeform) {
         stretch.positions.push_back({0, 7 * p.y + 30, 0});
     primitive.morph_targets.push_back(stretch);
     scene.meshes[0].weights = {1};
-    place(scene, glm::dmat4(1));
+    add_node(scene, glm::dmat4(1));
     const World world = resolve(scene);
     ASSERT_TRUE(world.instances.at(0).deformed);
     expect_framed(world, 1.5, {});

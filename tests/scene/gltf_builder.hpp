@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <prelight/scene.hpp>
 #include <string>
@@ -85,6 +87,18 @@ std::string strict_error_of(const GltfBuilder& builder);
 /// Expects that the file is repaired: it loads with this warning (its start, after "test.glb: "), and read
 /// strictly ends in it.
 Scene expect_repaired(const GltfBuilder& builder, const std::string& warning);
+
+/// One change of a good file and the start of the line that it must give.
+struct Damage {
+    const char* name;
+    std::function<void(GltfBuilder&)> change;
+    std::string line;
+    bool repaired = false; ///< by default; the line is a warning's then
+};
+/// Expects that the file is good, and after the change refused in that one line or repaired with that warning.
+void expect_told(GltfBuilder good, const Damage& damage);
+
+inline constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 
 /// A folder of its own for one test, removed with everything in it.
 class TemporaryFolder {

@@ -14,15 +14,7 @@ using testing::StartsWith;
 
 namespace {
 
-/// One change of a good file and the start of the line that it must give.
-struct Bad {
-    const char* name;
-    std::function<void(GltfBuilder&)> damage;
-    std::string line;
-    bool repaired = false; ///< by default; the line is a warning's then
-};
-
-class GltfErrors : public testing::TestWithParam<Bad> {};
+class GltfErrors : public testing::TestWithParam<Damage> {};
 
 TEST_P(GltfErrors, OneLineThatNamesTheObject) {
     GltfBuilder b = GltfBuilder::textured_triangle();
@@ -30,24 +22,16 @@ TEST_P(GltfErrors, OneLineThatNamesTheObject) {
     b.add_image(png(4, 4, solid(4, 4, {9, 9, 9, 255})));
     b.json["textures"] = Json::array({{{"source", 0}}});
     b.json["materials"][0]["emissiveTexture"]["index"] = 0;
-    ASSERT_EQ(error_of(b), "");
-    GetParam().damage(b);
-    if (GetParam().repaired) {
-        expect_repaired(b, GetParam().line);
-        return;
-    }
-    const std::string line = error_of(b);
-    EXPECT_THAT(line, StartsWith("test.glb: " + GetParam().line));
-    EXPECT_EQ(line.find('\n'), std::string::npos);
+    expect_told(b, GetParam());
 }
 
 void set_position(GltfBuilder& b, float value) {
     std::memcpy(b.binary.data() + 12, &value, 4);
 }
 
-constexpr size_t huge = std::numeric_limits<size_t>::max();
+constexpr size_t largest = std::numeric_limits<size_t>::max();
 
-std::vector<Bad> kinds() {
+std::vector<Damage> damaged_files() {
     return {
         {"NoAsset", [](GltfBuilder& b) { b.json.erase("asset"); }, "asset: is missing"},
         {"Version1", [](GltfBuilder& b) { b.json["asset"]["version"] = "1.0"; },
@@ -66,7 +50,7 @@ std::vector<Bad> kinds() {
         {"ViewBeyondBuffer",
          [](GltfBuilder& b) { b.json["bufferViews"][0]["byteOffset"] = 100000; },
          "bufferView 0: its bytes 100000 + 36 lie beyond buffer 0"},
-        {"ViewOverflows", [](GltfBuilder& b) { b.json["bufferViews"][0]["byteOffset"] = huge - 4; },
+        {"ViewOverflows", [](GltfBuilder& b) { b.json["bufferViews"][0]["byteOffset"] = largest - 4; },
          "bufferView 0: its bytes"},
         {"ViewWithoutBuffer", [](GltfBuilder& b) { b.json["bufferViews"][0]["buffer"] = 7; },
          "bufferView 0: buffer is 7, but there are 1"},
@@ -77,10 +61,10 @@ std::vector<Bad> kinds() {
         {"AccessorCountHuge", [](GltfBuilder& b) { b.json["accessors"][0]["count"] = 0xfffffffe; },
          "accessor 0: 4294967294 elements"},
         {"AccessorCountOverflows",
-         [](GltfBuilder& b) { b.json["accessors"][0]["count"] = huge / 12 + 1; },
+         [](GltfBuilder& b) { b.json["accessors"][0]["count"] = largest / 12 + 1; },
          "accessor 0: count"},
         {"AccessorOffsetOverflows",
-         [](GltfBuilder& b) { b.json["accessors"][0]["byteOffset"] = huge - 3; },
+         [](GltfBuilder& b) { b.json["accessors"][0]["byteOffset"] = largest - 3; },
          "accessor 0: 3 elements of 12 bytes from byte 18446744073709551612 lie beyond"},
         {"AccessorOffsetNegative",
          [](GltfBuilder& b) { b.json["accessors"][0]["byteOffset"] = -4; },
@@ -243,7 +227,7 @@ std::vector<Bad> kinds() {
     };
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, GltfErrors, testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(Kinds, GltfErrors, testing::ValuesIn(damaged_files()),
                          [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(GltfContainer, TruncatedAtEveryLength) {

@@ -14,7 +14,6 @@ using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr int i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125;
 
 template <class T>
@@ -132,18 +131,19 @@ TEST(GltfKinds, JointsAndWeights) {
     // Weights that do not sum up to 1, that are below 0, that are no numbers, and none at all.
     EXPECT_EQ(height_of(skinned(joints, u8, all(1.5f, 0.5f), 5126), "WEIGHTS: those of vertex 0 sum up to 2 instead of 1; they are scaled"), 6);
     EXPECT_EQ(height_of(skinned(joints, u8, all(1, -1), 5126), "WEIGHTS_0: vertex 0 has a negative weight; 0 is used"), 8);
-    EXPECT_EQ(height_of(skinned(joints, u8, all(1, nan), 5126), "WEIGHTS_0: vertex 0 is not finite; its weights are 0"), 0);
+    EXPECT_EQ(height_of(skinned(joints, u8, all(1, no_number), 5126),
+                        "WEIGHTS_0: vertex 0 is not finite; its weights are 0"), 0);
     EXPECT_EQ(height_of(skinned(joints, u8, all(0, 0), 5126), "WEIGHTS: vertex 0 has none; it follows the skin's first joint"), 0);
     EXPECT_TRUE(skinned(joints, u8, all(0.504f, 0.5f), 5126).load().warnings.empty()) << "as exporters round";
 }
 
 TEST(GltfVectors, NormalsThatAreNoNumbersAreMadeAnew) {
-    for (const float bad : {nan, std::numeric_limits<float>::infinity(), 0.f}) {
+    for (const float bad : {no_number, std::numeric_limits<float>::infinity(), 0.f}) {
         const Scene scene = expect_repaired(with("NORMAL", std::vector<float>{1, 0, 0, bad, bad, bad, 0, 0, 1}, 5126, "VEC3"),
                                             "mesh 0 primitive 0: NORMAL: zero normals and those that are not finite are taken from the triangles");
         EXPECT_THAT(scene.meshes[0].primitives[0].normals, ElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)));
     }
-    std::vector<float> normals(1500, nan); // 500 of them are one line
+    std::vector<float> normals(1500, no_number); // 500 of them are one line
     GltfBuilder b = GltfBuilder::triangle();
     std::vector<float> positions;
     for (int i = 0; i < 500; ++i)
@@ -154,7 +154,7 @@ TEST(GltfVectors, NormalsThatAreNoNumbersAreMadeAnew) {
 }
 
 TEST(GltfVectors, TangentsThatAreNoNumbersAreMadeAnew) {
-    GltfBuilder b = with("TANGENT", std::vector<float>{0, 1, 0, 1, nan, 1, 0, 1, 0, 1, 0, 1}, 5126, "VEC4");
+    GltfBuilder b = with("TANGENT", std::vector<float>{0, 1, 0, 1, no_number, 1, 0, 1, 0, 1, 0, 1}, 5126, "VEC4");
     b.add_image(png(1, 1, solid(1, 1, {128, 128, 255, 255})));
     b.json["textures"] = Json::array({{{"source", 0}}});
     b.json["materials"][0]["normalTexture"]["index"] = 0;
@@ -166,10 +166,13 @@ TEST(GltfVectors, TangentsThatAreNoNumbersAreMadeAnew) {
 TEST(GltfVectors, OthersThatAreNoNumbers) {
     const auto start = [](const char* name) { return std::string("mesh 0 primitive 0: ") + name + ": vertex 1 is not finite; "; };
     const auto primitive = [](const GltfBuilder& b, const std::string& warning) { return expect_repaired(b, warning).meshes.at(0).primitives; };
-    EXPECT_EQ(primitive(with("TEXCOORD_0", std::vector<float>{0, 0, nan, 0, 0, 1}, 5126, "VEC2"), start("TEXCOORD_0") + "(0, 0) is used")[0].texcoords[0][1], glm::vec2(0));
-    EXPECT_EQ(primitive(with("COLOR_0", std::vector<float>{0, 0, 0, 0, nan, 0, 0, 0, 0}, 5126, "VEC3"), start("COLOR_0") + "white is used")[0].colours[1], glm::vec4(1));
-    EXPECT_TRUE(primitive(with("POSITION", std::vector<float>{0, 0, 0, nan, 0, 0, 0, 1, 0}, 5126, "VEC3"), start("POSITION") + "the triangles at it are left out").empty());
-    GltfBuilder four = with("POSITION", std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, nan, 1, 0}, 5126, "VEC3");
+    EXPECT_EQ(primitive(with("TEXCOORD_0", std::vector<float>{0, 0, no_number, 0, 0, 1}, 5126, "VEC2"),
+                        start("TEXCOORD_0") + "(0, 0) is used")[0].texcoords[0][1], glm::vec2(0));
+    EXPECT_EQ(primitive(with("COLOR_0", std::vector<float>{0, 0, 0, 0, no_number, 0, 0, 0, 0}, 5126, "VEC3"),
+                        start("COLOR_0") + "white is used")[0].colours[1], glm::vec4(1));
+    EXPECT_TRUE(primitive(with("POSITION", std::vector<float>{0, 0, 0, no_number, 0, 0, 0, 1, 0}, 5126, "VEC3"),
+                          start("POSITION") + "the triangles at it are left out").empty());
+    GltfBuilder four = with("POSITION", std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, no_number, 1, 0}, 5126, "VEC3");
     four.attributes() = {{"POSITION", four.attributes()["POSITION"]}};
     four.primitive()["indices"] = four.add_values<uint8_t>({0, 1, 2, 1, 3, 2}, u8, "SCALAR");
     EXPECT_EQ(primitive(four, "mesh 0 primitive 0: POSITION: vertex 3 is not finite")[0].indices.size(), 3u) << "the other triangle stays";
@@ -211,10 +214,12 @@ TEST(GltfKeyframes, OutOfOrderAreSorted) {
 }
 
 TEST(GltfKeyframes, ThatAreNoNumbersAreLeftOut) {
-    const Scene value = expect_repaired(moving({0, 1, 2}, {0, nan, 4}), "animation 0 sampler 0: keyframe 1 (at 1 s) is not finite; it is left out");
+    const Scene value = expect_repaired(moving({0, 1, 2}, {0, no_number, 4}),
+                                        "animation 0 sampler 0: keyframe 1 (at 1 s) is not finite; it is left out");
     EXPECT_NEAR(x_at(value, 1), 2, 1e-6);
-    EXPECT_NEAR(x_at(moving({0, nan, 2}, {0, 7, 4}).load(), 1), 2, 1e-6);
-    EXPECT_TRUE(expect_repaired(moving({nan, nan}, {0, 1}), "animation 0 sampler 0: keyframe 0").animations[0].channels.empty()) << "none is left";
+    EXPECT_NEAR(x_at(moving({0, no_number, 2}, {0, 7, 4}).load(), 1), 2, 1e-6);
+    const Scene none = expect_repaired(moving({no_number, no_number}, {0, 1}), "animation 0 sampler 0: keyframe 0");
+    EXPECT_TRUE(none.animations[0].channels.empty()) << "none is left";
     const Scene before = expect_repaired(moving({-1, 1}, {0, 2}), "animation 0 sampler 0: keyframe 0 (at -1 s) is before 0 s; it counts");
     EXPECT_NEAR(x_at(before, 0), 1, 1e-6);
     EXPECT_NEAR(x_at(moving({0, 1, 1, 2}, {0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0}, "CUBICSPLINE").load(), 1.5), 2.5, 1e-5);

@@ -11,7 +11,7 @@ namespace {
 using namespace prelight::test;
 using testing::HasSubstr;
 
-GltfBuilder with_own(const Json& own) {
+GltfBuilder material_with_own(const Json& own) {
     GltfBuilder b = GltfBuilder::textured_triangle();
     b.add_image(png(1, 1, solid(1, 1, {9, 9, 9, 255})));
     b.json["textures"] = Json::array({{{"source", 0}}});
@@ -20,7 +20,7 @@ GltfBuilder with_own(const Json& own) {
 }
 
 TEST(GltfMaterialExtras, ChooseAMaterialWithParametersAndTextures) {
-    GltfBuilder b = with_own({{"material", "detailed"},
+    GltfBuilder b = material_with_own({{"material", "detailed"},
                               {"parameters", {{"depth", 0.05}, {"detail", {2}}}},
                               {"textures", {{"gloss_map", {{"index", 0}, {"texCoord", 1}}}}}});
     const Scene scene = b.load();
@@ -42,13 +42,14 @@ TEST(GltfMaterialExtras, ChooseAMaterialWithParametersAndTextures) {
 }
 
 TEST(GltfMaterialExtras, ParametersOfAFileThatIsNamedElsewhereAreKept) {
-    const Material material = with_own({{"parameters", {{"steps", 4}, {"ink", {0, 0.5, 1}}}}}).load().materials.at(0);
+    const GltfBuilder builder = material_with_own({{"parameters", {{"steps", 4}, {"ink", {0, 0.5, 1}}}}});
+    const Material material = builder.load().materials.at(0);
     EXPECT_FALSE(material.shader);
     EXPECT_EQ(material.parameters.at("ink"), glm::vec4(0, 0.5f, 1, 0));
 }
 
 TEST(GltfMaterialExtras, WrongOnesAreOneLine) {
-    const auto error = [](const Json& own) { return strict_error_of(with_own(own)); };
+    const auto error = [](const Json& own) { return strict_error_of(material_with_own(own)); };
     EXPECT_THAT(error({{"material", "skn"}}), HasSubstr("material \"skn\" is not built in (blinn-phong"));
     EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"roll_off", -1}}}}), HasSubstr("roll_off of skin: -1 is outside 0 … 2"));
     EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"k", 1}}}}), HasSubstr("skin has no parameter k"));

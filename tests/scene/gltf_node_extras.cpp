@@ -10,7 +10,7 @@ namespace {
 using namespace prelight::test;
 using testing::HasSubstr;
 
-GltfBuilder with_own(const Json& own) {
+GltfBuilder node_with_own(const Json& own) {
     GltfBuilder b = GltfBuilder::textured_triangle();
     b.json["nodes"][0]["extras"]["prelight"] = own;
     return b;
@@ -23,7 +23,7 @@ Scene saved_and_loaded(const Scene& scene) {
 }
 
 TEST(GltfNodeExtras, DecalsAreReadAndWritten) {
-    GltfBuilder b = with_own({{"receivesDecals", false},
+    GltfBuilder b = node_with_own({{"receivesDecals", false},
                               {"decal", {{"material", 0}, {"opacity", 0.5}, {"order", -3}, {"fade", {0.25, 0.75}}, {"channels", {"normal", "roughness"}}}}});
     b.json["materials"][0]["extras"]["prelight"]["receivesDecals"] = false;
     const Scene first = b.load();
@@ -41,14 +41,14 @@ TEST(GltfNodeExtras, DecalsAreReadAndWritten) {
         EXPECT_FALSE(decal.colour);
         EXPECT_TRUE(decal.normal && decal.roughness);
     }
-    const Scene plain = with_own({{"decal", {{"material", 0}}}}).load();
+    const Scene plain = node_with_own({{"decal", {{"material", 0}}}}).load();
     EXPECT_EQ(plain.decals[0].opacity, 1);
     EXPECT_TRUE(plain.decals[0].colour && plain.decals[0].normal && plain.decals[0].roughness);
     EXPECT_TRUE(plain.nodes[0].receives_decals && plain.materials[0].receives_decals);
 }
 
 TEST(GltfNodeExtras, WrongDecalsAreOneLine) {
-    const auto error = [](const Json& decal) { return strict_error_of(with_own({{"decal", decal}})); };
+    const auto error = [](const Json& decal) { return strict_error_of(node_with_own({{"decal", decal}})); };
     EXPECT_THAT(error(Json::object()), HasSubstr("node 0 extras prelight decal: material"));
     EXPECT_THAT(error({{"material", 7}}), HasSubstr("material is 7, but there are"));
     EXPECT_THAT(error({{"material", 0}, {"opacity", 1.5}}), HasSubstr("opacity is 1.5, outside 0 … 1"));
@@ -56,14 +56,16 @@ TEST(GltfNodeExtras, WrongDecalsAreOneLine) {
     EXPECT_THAT(error({{"material", 0}, {"fade", {1, 0.5}}}), HasSubstr("fade is [1, 0.5]"));
     EXPECT_THAT(error({{"material", 0}, {"fade", {0, 2}}}), HasSubstr("fade is [0, 2]"));
     EXPECT_THAT(error({{"material", 0}, {"channels", {"color"}}}), HasSubstr("channel \"color\" is not known"));
-    GltfBuilder own = with_own({{"decal", {{"material", 0}}}});
+    GltfBuilder own = node_with_own({{"decal", {{"material", 0}}}});
     own.json["materials"][0]["extras"]["prelight"]["material"] = "skin";
     EXPECT_TRUE(expect_repaired(own, "node 0 extras prelight decal: material 0 has a shader of its own").decals.empty());
-    EXPECT_TRUE(expect_repaired(with_own({{"receivesDecals", 1}}), "node 0 extras prelight: receivesDecals is 1, not true or false").nodes[0].receives_decals);
+    const Scene repaired = expect_repaired(node_with_own({{"receivesDecals", 1}}),
+                                           "node 0 extras prelight: receivesDecals is 1, not true or false");
+    EXPECT_TRUE(repaired.nodes[0].receives_decals);
 }
 
 TEST(GltfNodeExtras, EmittersAreReadAndWritten) {
-    const Scene first = with_own({{"emitter",
+    const Scene first = node_with_own({{"emitter",
                                    {{"count", 12}, {"seed", 99}, {"lifetime", {0.5, 1.5}}, {"speed", {1, 2}}, {"cone", 0.25}, {"radius", 0.125},
                                     {"gravity", 5}, {"ground", -0.5}, {"bounce", 0.75}, {"slip", 0.5}, {"colours", {{4, 2, 1}, {1, 0, 0}}},
                                     {"intensity", 3}, {"range", 2.5}, {"size", 0.02}, {"streak", 0.01}, {"material", 0}, {"castsShadow", true}}}})
@@ -97,7 +99,7 @@ TEST(GltfNodeExtras, WrongEmittersAreOneLine) {
     const auto error = [](Json emitter) {
         if (!emitter.contains("material"))
             emitter["material"] = 0;
-        return strict_error_of(with_own({{"emitter", emitter}}));
+        return strict_error_of(node_with_own({{"emitter", emitter}}));
     };
     EXPECT_THAT(error({{"count", 0}}), HasSubstr("node 0 extras prelight emitter: count is 0"));
     EXPECT_THAT(error({{"count", 65537}}), HasSubstr("count is 65537, outside 1 … 65536"));
@@ -111,11 +113,12 @@ TEST(GltfNodeExtras, WrongEmittersAreOneLine) {
     EXPECT_THAT(error({{"colours", {{1, 2, -1}}}}), HasSubstr("colours is not"));
     EXPECT_THAT(error({{"range", 0}}), HasSubstr("range is 0"));
     EXPECT_THAT(error({{"material", 5}}), HasSubstr("material is 5"));
-    EXPECT_EQ(with_own({{"emitter", {{"size", 0}}}}).load().emitters.size(), 1u) << "without shapes no material is needed";
+    EXPECT_EQ(node_with_own({{"emitter", {{"size", 0}}}}).load().emitters.size(), 1u)
+        << "without shapes no material is needed";
 }
 
 TEST(GltfNodeExtras, ManyParticlesOfASmallFileAreRefused) {
-    GltfBuilder b = with_own({{"emitter", {{"count", 65536}, {"material", 0}}}});
+    GltfBuilder b = node_with_own({{"emitter", {{"count", 65536}, {"material", 0}}}});
     for (int i = 0; i < 15; ++i)
         b.json["nodes"].push_back(b.json["nodes"][0]);
     EXPECT_THAT(error_of(b), HasSubstr("emitter: "));

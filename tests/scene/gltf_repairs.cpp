@@ -2,6 +2,7 @@
 // what becomes of them.
 #include "gltf_builder.hpp"
 #include <cmath>
+#include <fmt/format.h>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ using testing::HasSubstr;
 constexpr float endless = std::numeric_limits<float>::infinity();
 constexpr double half_pi = std::numbers::pi / 2;
 
-GltfBuilder with_light(const Json& light) {
+GltfBuilder beside_good_light(const Json& light) {
     GltfBuilder b = GltfBuilder::triangle();
     b.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light, {{"type", "directional"}, {"name", "good"}}});
     b.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
@@ -31,7 +32,7 @@ GltfBuilder with_light(const Json& light) {
 }
 
 Light repaired(const Json& light, const std::string& warning) {
-    return expect_repaired(with_light(light), warning).lights.at(0);
+    return expect_repaired(beside_good_light(light), warning).lights.at(0);
 }
 
 TEST(GltfRepairs, ConesOfSpots) {
@@ -58,9 +59,10 @@ TEST(GltfRepairs, ConesOfSpots) {
         EXPECT_LT(light.inner_cone, light.outer_cone) << c.spot;
     }
     // Equal after rounding only, or a rounded π/2: right as they are.
-    for (const Json& spot : {Json{{"innerConeAngle", 0.4}, {"outerConeAngle", 0.4000000001}}, Json{{"outerConeAngle", half_pi + 1e-6}}}) {
-        const Scene scene = with_light({{"type", "spot"}, {"spot", spot}}).load();
-        EXPECT_THAT(scene.warnings, ElementsAre()) << spot;
+    for (const Json& cone : {Json{{"innerConeAngle", 0.4}, {"outerConeAngle", 0.4000000001}},
+                             Json{{"outerConeAngle", half_pi + 1e-6}}}) {
+        const Scene scene = beside_good_light({{"type", "spot"}, {"spot", cone}}).load();
+        EXPECT_THAT(scene.warnings, ElementsAre()) << cone;
         EXPECT_LT(scene.lights[0].inner_cone, scene.lights[0].outer_cone);
     }
 }
@@ -80,16 +82,19 @@ TEST(GltfRepairs, RangesColoursAndIntensities) {
 
 TEST(GltfRepairs, LightsOfUnknownKindsAreLeftOut) {
     for (const char* type : {"ambient", "area", "sun", "Point", ""}) {
-        const Scene scene = expect_repaired(with_light({{"type", type}, {"intensity", 9}}), fmt::format("light 0: type \"{}\" is not known; the light is left out", type));
+        const Scene scene = expect_repaired(
+            beside_good_light({{"type", type}, {"intensity", 9}}),
+            fmt::format("light 0: type \"{}\" is not known; the light is left out", type));
         ASSERT_EQ(scene.lights.size(), 1u);
         EXPECT_EQ(scene.lights[0].name, "good");
         EXPECT_FALSE(scene.nodes[1].light);
         EXPECT_EQ(scene.nodes[2].light, 0u);
         EXPECT_EQ(resolve(scene).lights.size(), 1u);
     }
-    EXPECT_EQ(expect_repaired(with_light(Json::object()), "light 0: type \"\" is not known").lights.size(), 1u);
-    EXPECT_EQ(expect_repaired(with_light({{"type", "point"}, {"intensity", -4}}), "light 0: intensity -4 is negative; the light is left out").lights.size(), 1u);
-    GltfBuilder bad_index = with_light({{"type", "ambient"}});
+    EXPECT_EQ(expect_repaired(beside_good_light(Json::object()), "light 0: type \"\" is not known").lights.size(), 1u);
+    EXPECT_EQ(expect_repaired(beside_good_light({{"type", "point"}, {"intensity", -4}}),
+                              "light 0: intensity -4 is negative; the light is left out").lights.size(), 1u);
+    GltfBuilder bad_index = beside_good_light({{"type", "ambient"}});
     bad_index.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 2;
     EXPECT_EQ(error_of(bad_index), "test.glb: node 1 KHR_lights_punctual: light is 2, but there are 2");
 }
@@ -215,7 +220,7 @@ TEST(GltfRepairs, ScenesAreChosenByNameOrIndex) {
 }
 
 TEST(GltfVisibility, HidesANodeAndAllBelowIt) {
-    GltfBuilder b = with_light({{"type", "point"}});
+    GltfBuilder b = beside_good_light({{"type", "point"}});
     b.json["cameras"] = Json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}});
     b.json["extensionsUsed"] = {"KHR_node_visibility"};
     b.json["extensionsRequired"] = {"KHR_node_visibility"};

@@ -36,7 +36,7 @@ Bytes ramp(size_t count, uint8_t step = 1) {
 }
 
 /// The picture's texels one by one within `tolerance`.
-void expect_near(const Bytes& rgba, const Bytes& right, int tolerance) {
+void expect_texels_near(const Bytes& rgba, const Bytes& right, int tolerance) {
     ASSERT_EQ(rgba.size(), right.size());
     for (size_t i = 0; i < rgba.size(); ++i)
         ASSERT_NEAR(rgba[i], right[i], tolerance) << i;
@@ -162,17 +162,17 @@ TEST(PngKinds, WhatIsCutOrDamagedIsRefused) {
 
 TEST(JpegKinds, GreyColourAndProgressive) {
     const Bytes grey(64, 90), colour = solid(8, 8, {200, 100, 50});
-    expect_near(decoded(jpeg_of(8, 8, grey, {.stored = Stored::grey})), solid(8, 8, {90, 90, 90, 255}), 1);
+    expect_texels_near(decoded(jpeg_of(8, 8, grey, {.stored = Stored::grey})), solid(8, 8, {90, 90, 90, 255}), 1);
     for (const bool progressive : {false, true})
         for (const bool arithmetic : {false, true}) {
             JpegForm form{.progressive = progressive, .arithmetic = arithmetic};
-            expect_near(decoded(jpeg_of(8, 8, colour, form)), solid(8, 8, {200, 100, 50, 255}), 2);
+            expect_texels_near(decoded(jpeg_of(8, 8, colour, form)), solid(8, 8, {200, 100, 50, 255}), 2);
             // RGB that is not YCbCr says so by Adobe's marker or by the components' names.
             form.stored = Stored::rgb;
             form.jfif_marker = false;
             for (const bool marker : {false, true}) {
                 form.adobe_marker = marker;
-                expect_near(decoded(jpeg_of(8, 8, colour, form)), solid(8, 8, {200, 100, 50, 255}), 2);
+                expect_texels_near(decoded(jpeg_of(8, 8, colour, form)), solid(8, 8, {200, 100, 50, 255}), 2);
             }
         }
 }
@@ -188,11 +188,12 @@ TEST(JpegKinds, InksBecomeColours) {
             v = uint8_t(255 - v);
         const Bytes colours = solid(8, 8, right);
         for (const bool progressive : {false, true}) {
-            expect_near(decoded(jpeg_of(8, 8, solid(8, 8, inks), {.stored = Stored::cmyk, .progressive = progressive})), colours, 2);
+            const JpegForm form{.stored = Stored::cmyk, .progressive = progressive};
+            expect_texels_near(decoded(jpeg_of(8, 8, solid(8, 8, inks), form)), colours, 2);
             JpegForm adobe{.stored = Stored::cmyk, .adobe_marker = true, .progressive = progressive};
-            expect_near(decoded(jpeg_of(8, 8, solid(8, 8, inverted), adobe)), colours, 2);
+            expect_texels_near(decoded(jpeg_of(8, 8, solid(8, 8, inverted), adobe)), colours, 2);
             adobe.stored = Stored::ycck;
-            expect_near(decoded(jpeg_of(8, 8, solid(8, 8, inverted), adobe)), colours, 3);
+            expect_texels_near(decoded(jpeg_of(8, 8, solid(8, 8, inverted), adobe)), colours, 3);
         }
         EXPECT_THAT(reason(jpeg_of(8, 8, solid(8, 8, inverted), {.stored = Stored::ycck})),
                     HasSubstr("does not say whether its four components are CMYK or YCCK"));

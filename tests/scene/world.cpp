@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -9,8 +10,10 @@
 #include <prelight/error.hpp>
 #include <prelight/framing.hpp>
 #include <prelight/scene.hpp>
+#include <scene/near.hpp>
 
 using namespace prelight;
+using prelight::test::expect_near;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -30,11 +33,6 @@ Scene box(glm::vec3 size = glm::vec3(1)) {
     scene.nodes.emplace_back().mesh = 0;
     scene.scenes.push_back({"", {0}});
     return scene;
-}
-
-void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance = 1e-12) {
-    for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(a[i], b[i], tolerance) << i;
 }
 
 TEST(Resolve, WalksDepthFirstInDouble) {
@@ -64,8 +62,8 @@ TEST(Resolve, BoundsAreOfTheTrianglesVerticesOnly) {
     const double c = std::sqrt(0.5);
     scene.nodes[0].local = glm::dmat4(c, c, 0, 0, -c, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
     const World world = resolve(scene); // a box about the turned box would reach √2 too far
-    expect_near(world.bounds_min, {-c, 0, 0});
-    expect_near(world.bounds_max, {c, 2 * c, 1});
+    expect_near(world.bounds_min, {-c, 0, 0}, 1e-12);
+    expect_near(world.bounds_max, {c, 2 * c, 1}, 1e-12);
 }
 
 TEST(Resolve, VeryManyInstancesOfVeryManyVerticesFallBackToBoxes) {
@@ -81,8 +79,8 @@ TEST(Resolve, VeryManyInstancesOfVeryManyVerticesFallBackToBoxes) {
     const auto start = std::chrono::steady_clock::now();
     const World world = resolve(scene);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
-    expect_near(world.bounds_min, {0, 0, 0});
-    expect_near(world.bounds_max, {11, 1, 1});
+    expect_near(world.bounds_min, {0, 0, 0}, 1e-12);
+    expect_near(world.bounds_max, {11, 1, 1}, 1e-12);
 }
 
 TEST(Resolve, NegativeScaleMirrorsAndWhatHasNoAreaIsDropped) {
@@ -118,8 +116,8 @@ TEST(Resolve, LightsShineAlongMinusZWithoutScale) {
     scene.nodes[1].local = glm::dmat4(0, 0, 2, 0, 0, 3, 0, 0, -5, 0, 0, 0, 1, 2, 3, 1);
     const World world = resolve(scene);
     ASSERT_THAT(world.lights, SizeIs(1));
-    expect_near(world.lights[0].position, {1, 2, 3});
-    expect_near(world.lights[0].direction, {1, 0, 0});
+    expect_near(world.lights[0].position, {1, 2, 3}, 1e-12);
+    expect_near(world.lights[0].direction, {1, 0, 0}, 1e-12);
     EXPECT_EQ(world.lights[0].light.range, 7);
     EXPECT_EQ(world.ambient, glm::vec3(0)); // it has a light, so no default comes in
 }
@@ -137,8 +135,8 @@ TEST(Resolve, CameraAxesAreOrthonormal) {
         for (int k = 0; k < 3; ++k)
             EXPECT_NEAR(glm::dot(axes[i], axes[k]), i == k ? 1 : 0, 1e-12);
     EXPECT_NEAR(glm::determinant(axes), 1, 1e-12);
-    expect_near(axes[2], {0, 0, 1});
-    expect_near(world.cameras[0].position, {1, 2, 3});
+    expect_near(axes[2], {0, 0, 1}, 1e-12);
+    expect_near(world.cameras[0].position, {1, 2, 3}, 1e-12);
 }
 
 TEST(Resolve, DefaultsWhenThereIsNeitherCameraNorLight) {
@@ -146,7 +144,7 @@ TEST(Resolve, DefaultsWhenThereIsNeitherCameraNorLight) {
     ASSERT_THAT(world.lights, SizeIs(1));
     EXPECT_EQ(world.lights[0].light.kind, LightKind::directional);
     EXPECT_EQ(world.lights[0].light.intensity, 3);
-    expect_near(world.lights[0].direction, glm::normalize(glm::dvec3(-0.4, -0.8, -0.45)));
+    expect_near(world.lights[0].direction, glm::normalize(glm::dvec3(-0.4, -0.8, -0.45)), 1e-12);
     EXPECT_EQ(world.ambient, glm::vec3(0.25f));
     ASSERT_THAT(world.cameras, SizeIs(1));
     EXPECT_EQ(world.cameras[0].camera.name, "framed");

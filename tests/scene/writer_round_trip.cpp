@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-void expect_near(const glm::dmat4& a, const glm::dmat4& b, double bound) {
+void expect_matrix_near(const glm::dmat4& a, const glm::dmat4& b, double bound) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             EXPECT_NEAR(a[column][row], b[column][row], bound) << column << ' ' << row;
@@ -137,7 +137,7 @@ void expect_same_motion(const Scene& a, const Scene& b) {
         EXPECT_EQ(a.skins[i].joints, b.skins[i].joints);
         ASSERT_EQ(a.skins[i].inverse_bind.size(), b.skins[i].inverse_bind.size());
         for (size_t k = 0; k < a.skins[i].inverse_bind.size(); ++k) // single precision in the file
-            expect_near(a.skins[i].inverse_bind[k], b.skins[i].inverse_bind[k], 1e-6);
+            expect_matrix_near(a.skins[i].inverse_bind[k], b.skins[i].inverse_bind[k], 1e-6);
     }
     ASSERT_EQ(a.animations.size(), b.animations.size());
     for (size_t i = 0; i < a.animations.size(); ++i) {
@@ -185,10 +185,10 @@ void expect_same_frame(const Scene& a, const Scene& b) {
         expect_same(a.nodes[i].trs, b.nodes[i].trs);
         // A turned node with a scale of zero goes through a quaternion; all others are exact.
         const double bound = a.nodes[i].name == "flat" ? 1e-15 : 0;
-        expect_near(a.nodes[i].local, b.nodes[i].local, bound);
+        expect_matrix_near(a.nodes[i].local, b.nodes[i].local, bound);
         ASSERT_EQ(a.nodes[i].instances.size(), b.nodes[i].instances.size());
         for (size_t k = 0; k < a.nodes[i].instances.size(); ++k) // single precision in the file
-            expect_near(a.nodes[i].instances[k], b.nodes[i].instances[k], 1e-6);
+            expect_matrix_near(a.nodes[i].instances[k], b.nodes[i].instances[k], 1e-6);
     }
     expect_same_motion(a, b);
 }
