@@ -24,9 +24,6 @@ void print(const std::string& name, const Comparison& c) {
 void show(Device& device, const std::string& name, const World& world) {
     using Fresnel = ReferenceForm::Fresnel;
     const PlacedCamera& camera = world.cameras.at(0);
-    const auto reference = [&](Fresnel fresnel) {
-        return render_reference(world, camera, width, height, 0, {.fresnel = fresnel});
-    };
     RenderOptions options;
     options.width = width;
     options.height = height;
@@ -35,6 +32,11 @@ void show(Device& device, const std::string& name, const World& world) {
     const auto renderer = create_renderer("light-prepass", &device, options);
     renderer->set_world(world);
     renderer->render(camera);
+    const auto reference = [&](Fresnel fresnel) {
+        ReferenceForm form = reference_form(options.shading.value_or(Shading::ggx), renderer->stats().settings);
+        form.fresnel = fresnel;
+        return render_reference(world, camera, width, height, 0, form);
+    };
 
     const ReferencePicture full = reference(Fresnel::full), weighted = reference(Fresnel::weighted);
     print(name + ": light-prepass",
