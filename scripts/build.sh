@@ -26,4 +26,17 @@ if ! cmake --preset "$preset" -DPRELIGHT_TESTS=$tests >"$log" 2>&1; then
     cat "$log" >&2
     exit 1
 fi
-cmake --build --preset "$preset" --target $target
+echo "Building build/$preset"
+if [ -t 1 ]; then
+    cmake --build --preset "$preset" --target $target # one line that moves
+else
+    # A line for each tenth of the steps, and whatever a step says.
+    cmake --build --preset "$preset" --target $target 2>&1 | awk '
+        match($0, /^\[[0-9]+\/[0-9]+\]/) {
+            split(substr($0, 2, RLENGTH - 2), step, "/")
+            tenth = int(10 * step[1] / step[2])
+            if (tenth > shown) { printf "  %3d %% of %d steps\n", 10 * tenth, step[2]; fflush(); shown = tenth }
+            next
+        }
+        { print; fflush() }'
+fi

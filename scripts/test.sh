@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every test: installs what is missing, builds Release and the fuzz target, runs all test binaries.
-#   scripts/test.sh [NAME…]   only these, of: image scene reference gpu render cli docs fuzz …
+#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli docs fuzz …
 # One line for each binary; the last line counts the tests. The fuzz targets do a fixed number of runs from a fixed seed:
 # scripts/fuzz.sh fuzzes freely.
 set -euo pipefail
@@ -36,7 +36,7 @@ for binary in "$build"/tests/test_*; do
     name=${binary##*/test_}
     [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
 done
-names+=(docs)
+names=(format "${names[@]}" docs)
 [ -f scripts/fuzz.sh ] && names+=(fuzz)
 if [ $# -gt 0 ]; then
     names=("$@")
@@ -103,6 +103,15 @@ run_docs() {
     fi
 }
 
+# All C++ as .clang-format says: one test.
+run_format() {
+    if scripts/format.sh --check >"$logs/format.log" 2>&1; then
+        echo "1 0 0" >"$logs/format.count"
+    else
+        echo "0 1 0" >"$logs/format.count"
+    fi
+}
+
 # What the failed tests wrote, and the end of the log when that says nothing (a crash, the fuzzer).
 explain_failure() { # LOG
     local text
@@ -121,6 +130,8 @@ run_one() { # NAME: runs it, then prints its line
         run_fuzz
     elif [ "$1" = docs ]; then
         run_docs
+    elif [ "$1" = format ]; then
+        run_format
     else
         run_gtest "$1"
     fi

@@ -19,8 +19,7 @@ bool whole_number(std::string_view text, T& value) {
     return error == std::errc() && end == text.data() + text.size() && text.front() != '-';
 }
 
-[[noreturn]] void refuse(std::string_view option, const std::string& text,
-                         const std::string& reason) {
+[[noreturn]] void refuse(std::string_view option, const std::string& text, const std::string& reason) {
     throw UsageError(fmt::format("{} {}: {}", option, text.empty() ? "\"\"" : text, reason));
 }
 
@@ -29,8 +28,7 @@ bool whole_number(std::string_view text, T& value) {
 std::pair<uint32_t, uint32_t> parse_size(std::string_view option, const std::string& text) {
     uint32_t width = 0, height = 0;
     const size_t cross = text.find('x');
-    if (cross == std::string::npos ||
-        !whole_number(std::string_view(text).substr(0, cross), width) ||
+    if (cross == std::string::npos || !whole_number(std::string_view(text).substr(0, cross), width) ||
         !whole_number(std::string_view(text).substr(cross + 1), height))
         refuse(option, text, "not WIDTHxHEIGHT in pixels, as in 1280x720");
     if (width == 0 || height == 0)
@@ -42,8 +40,7 @@ uint32_t parse_count(std::string_view option, const std::string& text, uint32_t 
     uint32_t value = 0;
     if (!whole_number(text, value) || value < least)
         refuse(option, text,
-               fmt::format("not a whole number from {} to {}", least,
-                           std::numeric_limits<uint32_t>::max()));
+               fmt::format("not a whole number from {} to {}", least, std::numeric_limits<uint32_t>::max()));
     return value;
 }
 
@@ -55,8 +52,8 @@ std::vector<uint32_t> parse_light_counts(std::string_view option, const std::str
     for (size_t at = 0; at <= text.size();) {
         const size_t end = std::min(text.find(',', at), text.size());
         uint32_t count = 0;
-        if (end == at || !whole_number(std::string_view(text).substr(at, end - at), count) ||
-            count == 0 || count > most)
+        if (end == at || !whole_number(std::string_view(text).substr(at, end - at), count) || count == 0 ||
+            count > most)
             refuse(option, text, fmt::format("not numbers from 1 to {}, as in 1,16,64, or none", most));
         counts.push_back(count);
         at = end + 1;
@@ -92,8 +89,8 @@ uint64_t parse_memory(std::string_view option, const std::string& text) {
 double parse_number(std::string_view option, const std::string& text, double least, double most) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
-        value < least || value > most)
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || value < least ||
+        value > most)
         refuse(option, text, fmt::format("not a number from {} to {}", least, most));
     return value;
 }
@@ -115,8 +112,7 @@ std::optional<Moment> parse_moment(const std::string& time, const std::string& a
 }
 
 Shading parse_shading(const std::string& text) {
-    return parse_word<Shading>("--shading", text,
-                               {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
+    return parse_word<Shading>("--shading", text, {{"ggx", Shading::ggx}, {"phong", Shading::phong}});
 }
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -187,8 +183,7 @@ void check_outputs(const RenderCommand& command) {
     for (const ViewFile& more : command.more_views) {
         if (lower_extension(more.file) != (more.view == "linear" ? ".exr" : ".png"))
             refuse("--view", more.view + "=" + more.file.string(),
-                   more.view == "linear" ? "the name must end in .exr"
-                                         : "the name must end in .png");
+                   more.view == "linear" ? "the name must end in .exr" : "the name must end in .png");
         refuse_pattern("--view", more.file);
     }
     check_distinct(outputs_of(command), {});

@@ -18,8 +18,7 @@ namespace prelight::app {
 namespace {
 
 constexpr std::array benches{
-    Bench{"encodings", "angular error of each encoding of normals, and its picture's error",
-          bench_encodings_table},
+    Bench{"encodings", "angular error of each encoding of normals, and its picture's error", bench_encodings_table},
     Bench{"light-buffers", "error of each light buffer by the lights on a pixel, on a wall of its own",
           bench_light_buffers_table, 160, 90},
     Bench{"claims", "what the source texts claim, beside figures of this device", bench_claims_table},
@@ -34,9 +33,7 @@ std::string bench_names() {
     return names;
 }
 
-bool is_bench(std::string_view name) {
-    return std::ranges::find(benches, name, &Bench::name) != benches.end();
-}
+bool is_bench(std::string_view name) { return std::ranges::find(benches, name, &Bench::name) != benches.end(); }
 
 void run(const BenchCommand& command) {
     if (command.kind == BenchCommand::Kind::scene)
@@ -53,15 +50,14 @@ void run(const BenchCommand& command) {
     BenchCommand sized = command;
     if (command.width == 0)
         std::tie(sized.width, sized.height) = std::pair(bench->width, bench->height);
-    const auto device = open_device({.select = command.device, .validate = command.validate}, sized.width, sized.height);
-    nlohmann::ordered_json json = {
-        {"bench", command.what}, {"device", device->name()}, {"driver", device->driver()}};
+    const auto device =
+        open_device({.select = command.device, .validate = command.validate}, sized.width, sized.height);
+    nlohmann::ordered_json json = {{"bench", command.what}, {"device", device->name()}, {"driver", device->driver()}};
     json.update(bench->run(sized, *device));
     check_validation(*device);
     // A file name may hold any bytes; JSON holds UTF-8 only.
     if (!command.json.empty())
-        save_text(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
-                  command.json);
+        save_text(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n", command.json);
 }
 
 } // namespace prelight::app

@@ -80,12 +80,17 @@ void BenchArguments::check_kind(Kind kind) const {
         bool given;
         std::vector<Kind> kinds;
     };
-    const std::vector<Kind> scene{Kind::scene}, table{Kind::table}, report{Kind::report}, both{Kind::scene, Kind::table};
-    for (const Given& one : {Given{"FILE", !files_.empty(), report}, {"-o", !output_.empty(), report},
+    const std::vector<Kind> scene{Kind::scene}, table{Kind::table}, report{Kind::report},
+        both{Kind::scene, Kind::table};
+    for (const Given& one : {Given{"FILE", !files_.empty(), report},
+                             {"-o", !output_.empty(), report},
                              {"--renderers", !renderers_.empty(), scene},
-                             {"--light-counts", !light_counts_.empty(), scene}, {"--limit", limit_, scene},
-                             {"--baseline", !baseline_.empty(), scene}, {"--set", !settings_.empty(), scene},
-                             {"--shading", !shading_.empty(), scene}, {"--time", !time_.empty(), scene},
+                             {"--light-counts", !light_counts_.empty(), scene},
+                             {"--limit", limit_, scene},
+                             {"--baseline", !baseline_.empty(), scene},
+                             {"--set", !settings_.empty(), scene},
+                             {"--shading", !shading_.empty(), scene},
+                             {"--time", !time_.empty(), scene},
                              {"--animation", !animation_.empty(), scene},
                              {"--environment", !environment_.file.empty(), scene},
                              {"--environment-intensity", !environment_.intensity.empty(), scene},
@@ -93,12 +98,16 @@ void BenchArguments::check_kind(Kind kind) const {
                              {"--background", !environment_.background.empty(), scene},
                              {"--view-from", !view_.from.empty(), scene},
                              {"--fit", !view_.fit.empty(), scene},
-                             {"--count-pairs", count_pairs_, scene}, {"--strict", reading_.strict, scene},
+                             {"--count-pairs", count_pairs_, scene},
+                             {"--strict", reading_.strict, scene},
                              {"--log-level", !reading_.log_level.empty(), scene},
                              {"--memory-limit", !reading_.memory_limit.empty(), scene},
-                             {"--scene", !table_scene_.empty(), both}, {"--frames", !frames_.empty(), both},
-                             {"--json", !json_.empty(), both}, {"--camera", !camera_.empty(), both},
-                             {"--size", !size_.empty(), both}, {"--lights", !lights_.empty(), both},
+                             {"--scene", !table_scene_.empty(), both},
+                             {"--frames", !frames_.empty(), both},
+                             {"--json", !json_.empty(), both},
+                             {"--camera", !camera_.empty(), both},
+                             {"--size", !size_.empty(), both},
+                             {"--lights", !lights_.empty(), both},
                              {"--validate", validate_, both}})
         if (one.given && std::ranges::find(one.kinds, kind) == one.kinds.end())
             throw UsageError(fmt::format("{}: goes with bench {} only", one.option,
@@ -160,7 +169,8 @@ BenchCommand BenchArguments::command() const {
         if (files_.empty())
             throw UsageError("bench report: names no file of figures");
         if (lower_extension(command.output) != ".html")
-            throw UsageError(fmt::format("-o {}: the page's name must end in .html", output_.empty() ? "\"\"" : output_));
+            throw UsageError(
+                fmt::format("-o {}: the page's name must end in .html", output_.empty() ? "\"\"" : output_));
     }
     return command;
 }

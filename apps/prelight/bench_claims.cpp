@@ -13,13 +13,11 @@ using Json = nlohmann::ordered_json;
 constexpr uint32_t default_lights = 16; ///< of a built-in scene
 constexpr uint32_t default_frames = 5;
 
-Json number(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
+Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 void print_claim(const Claim& c) {
-    fmt::print("\n{}: {}\n    claim    {} ({})\n    how      {}\n", c.id, verdict_name(c.verdict()), c.claim,
-               c.source, c.how);
+    fmt::print("\n{}: {}\n    claim    {} ({})\n    how      {}\n", c.id, verdict_name(c.verdict()), c.claim, c.source,
+               c.how);
     if (c.a && c.b)
         fmt::print("    figures  {:.3g} : {:.3g} {}{}\n", *c.a, *c.b, c.unit,
                    c.ratio() ? fmt::format(" = {:.2f}", *c.ratio()) : "");
@@ -48,14 +46,13 @@ Json bench_claims_table(const BenchCommand& command, Device& device) {
     const World& world = loaded->world;
     const ClaimScene scene{.device = device,
                            .world = world,
-                           .camera = command.camera.empty() ? world.cameras.at(0)
-                                                            : find_camera(world, command.camera),
+                           .camera = command.camera.empty() ? world.cameras.at(0) : find_camera(world, command.camera),
                            .width = command.width,
                            .height = command.height,
                            .frames = command.frames.value_or(default_frames),
                            .software = type_of(device) == "software"};
-    fmt::print("{}, {} lights, {} objects, {}x{}, on {}\n", command.scene, world.lights.size(),
-               world.instances.size(), scene.width, scene.height, device.name());
+    fmt::print("{}, {} lights, {} objects, {}x{}, on {}\n", command.scene, world.lights.size(), world.instances.size(),
+               scene.width, scene.height, device.name());
     Json rows = Json::array(), presets = rows;
     for (const auto& claims : {size_claims(scene), time_claims(scene)})
         for (const Claim& claim : claims) {
@@ -66,9 +63,8 @@ Json bench_claims_table(const BenchCommand& command, Device& device) {
     for (const PresetSize& size : preset_sizes(scene)) {
         fmt::print("{:<13} {:13.1f}   {:8.1f}   {:14.1f}\n", size.preset, size.bytes, size.unshared,
                    size.bytes * 1280 * 720 / 1e6);
-        presets.push_back({{"preset", size.preset},
-                           {"bytes_per_pixel", size.bytes},
-                           {"bytes_per_pixel_unshared", size.unshared}});
+        presets.push_back(
+            {{"preset", size.preset}, {"bytes_per_pixel", size.bytes}, {"bytes_per_pixel_unshared", size.unshared}});
     }
     return {{"scene", command.scene},
             {"lights", world.lights.size()},

@@ -17,7 +17,8 @@ std::string percent(double fraction) {
 void print_overlap(const Figures& overlaps) {
     const LightBufferFigures& first = overlaps.front();
     fmt::print("{:<25} {:>5} {:<8}", first.name, first.bytes, first.writes);
-    for (const auto sum : {&LightBufferFigures::diffuse, &LightBufferFigures::specular, &LightBufferFigures::rounding}) {
+    for (const auto sum :
+         {&LightBufferFigures::diffuse, &LightBufferFigures::specular, &LightBufferFigures::rounding}) {
         fmt::print(" |");
         for (const LightBufferFigures& f : overlaps)
             fmt::print(" {:>6}", percent((f.*sum).rms));
@@ -40,9 +41,7 @@ void print_head(const std::vector<uint32_t>& overlaps) {
     fmt::print("\n");
 }
 
-nlohmann::ordered_json error_json(const LightSumError& e) {
-    return {{"rms", e.rms}, {"max", e.max}, {"bias", e.bias}};
-}
+nlohmann::ordered_json error_json(const LightSumError& e) { return {{"rms", e.rms}, {"max", e.max}, {"bias", e.bias}}; }
 
 nlohmann::ordered_json row_json(const LightBufferFigures& f) {
     return {{"name", f.name},

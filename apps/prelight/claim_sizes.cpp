@@ -34,8 +34,15 @@ std::vector<Claim> size_claims(const ClaimScene& scene) {
     const double target = pixels * 2 * 4 / 1e6; // 8:8:8:8 with two samples, MB
     const double saved = with_light_buffer(scene, "rgba8") - with_light_buffer(scene, "packed-rgba8");
     const auto row = [](const char* id, const char* claim, const char* how, double ours, double text) {
-        return Claim{.id = id, .claim = claim, .source = "Lee, Prelighting", .how = how, .unit = "MB",
-                     .a = ours, .b = text, .from = 0.95, .to = 1.05};
+        return Claim{.id = id,
+                     .claim = claim,
+                     .source = "Lee, Prelighting",
+                     .how = how,
+                     .unit = "MB",
+                     .a = ours,
+                     .b = text,
+                     .from = 0.95,
+                     .to = 1.05};
     };
     return {
         row("msaa-target", "a 1280x720 MSAA buffer is 7.3mb",

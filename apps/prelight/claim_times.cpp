@@ -95,7 +95,8 @@ World under_suns(const World& world) {
     suns.lights.clear();
     for (int i = 0; i < 8; ++i) {
         const double turn = 2.4 * i; // about the golden angle
-        suns.lights.push_back({{.kind = LightKind::directional, .intensity = 0.4f}, glm::dvec3(0),
+        suns.lights.push_back({{.kind = LightKind::directional, .intensity = 0.4f},
+                               glm::dvec3(0),
                                glm::normalize(glm::dvec3(std::cos(turn), -1.2, std::sin(turn)))});
     }
     return suns;
@@ -109,8 +110,7 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     Timing t(scene);
     const size_t depth = t.add("z-prepass", scene.world, all);
     const size_t first = t.add("multipass", scene.world, all, {{"order", "objects"}});
-    const size_t per_object =
-        t.add("multipass", scene.world, all, {{"order", "objects"}, {"ambient", "per-object"}});
+    const size_t per_object = t.add("multipass", scene.world, all, {{"order", "objects"}, {"ambient", "per-object"}});
     const size_t ray = t.add("light-prepass", scene.world, all, {{"position", "ray"}});
     const size_t matrix = t.add("light-prepass", scene.world, all, {{"position", "matrix"}});
     const size_t multipass = t.add("multipass", scene.world, all);
@@ -119,7 +119,8 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     const size_t multipass_half = t.add("multipass", half, all);
     const size_t multipass_half_few = t.add("multipass", half, few);
     const size_t untrimmed = t.add("light-prepass", scene.world, all, {{"index-trimming", "off"}});
-    const size_t trimmed = t.add("light-prepass", scene.world, all, {{"index-trimming", scene.software ? "host" : "device"}});
+    const size_t trimmed =
+        t.add("light-prepass", scene.world, all, {{"index-trimming", scene.software ? "host" : "device"}});
     const size_t conditional = t.add("light-prepass", scene.world, all, {{"occlusion", "queries"}});
     const World suns = under_suns(scene.world);
     const Settings shadows{{"shadows", "on"}};
@@ -129,7 +130,8 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     };
     std::vector<Suns> sunlit;
     for (const int count : {1, 2, 4, 8})
-        sunlit.push_back({count, t.add("light-prepass", suns, size_t(count), shadows), t.add("deferred", suns, size_t(count), shadows)});
+        sunlit.push_back({count, t.add("light-prepass", suns, size_t(count), shadows),
+                          t.add("deferred", suns, size_t(count), shadows)});
     t.run();
 
     const char* engel = "Engel, ShaderX7 8.5";
@@ -144,67 +146,102 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
     // One object cannot be halved.
     const bool halves = half.instances.size() < scene.world.instances.size();
     std::vector<Claim> claims{
-        with({.id = "depth-against-ambient", .claim = depth_only, .source = engel,
-              .how = "multipass, pass ambient : z-prepass, pass depth; " + pass_time, .from = 2, .to = 8},
+        with({.id = "depth-against-ambient",
+              .claim = depth_only,
+              .source = engel,
+              .how = "multipass, pass ambient : z-prepass, pass depth; " + pass_time,
+              .from = 2,
+              .to = 8},
              t.pass_ms(multipass, "ambient"), t.pass_ms(depth, "depth")),
-        with({.id = "depth-against-normals", .claim = depth_only, .source = engel,
+        with({.id = "depth-against-normals",
+              .claim = depth_only,
+              .source = engel,
               .how = "light-prepass, pass depth-normal : z-prepass, pass depth; " + pass_time,
-              .from = 2, .to = 8},
+              .from = 2,
+              .to = 8},
              t.pass_ms(ray, "depth-normal"), t.pass_ms(depth, "depth")),
         with({.id = "frustum-ray",
               .claim = "the frustum ray is a cheaper way to get the position than the matrix",
               .source = "Quandt, Light Pre-Pass Round 2",
               .how = "light-prepass, pass light, position=matrix : position=ray; " + pass_time,
-              .from = clearly, .to = {}},
+              .from = clearly,
+              .to = {}},
              t.pass_ms(matrix, "light"), t.pass_ms(ray, "light")),
         with({.id = "ambient-first",
               .claim = "ambient passes for all of the geometry before any point light pass: "
                        "sometimes better performance",
               .source = "XNA sample, Multipass Lighting",
               .how = "multipass, order=objects, ambient=per-object : ambient=first; " + frame_time,
-              .from = clearly, .to = {}},
+              .from = clearly,
+              .to = {}},
              t.frame_ms(per_object), t.frame_ms(first)),
         with({.id = "conditional-rendering",
               .claim = "conditional rendering: ~20% speed increase",
               .source = lee,
-              .how = "light-prepass, occlusion=off : queries; " + frame_time, .from = 1.1, .to = 1.3},
+              .how = "light-prepass, occlusion=off : queries; " + frame_time,
+              .from = 1.1,
+              .to = 1.3},
              t.frame_ms(ray), t.frame_ms(conditional)),
         with({.id = "index-trimming",
               .claim = "trimmed index buffers: we could potentially save about ~30% on the depth pass",
               .source = lee,
-              .how = "light-prepass, pass depth-normal, index-trimming=off : on; " + pass_time, .from = 1.3, .to = {}},
+              .how = "light-prepass, pass depth-normal, index-trimming=off : on; " + pass_time,
+              .from = 1.3,
+              .to = {}},
              t.pass_ms(untrimmed, "depth-normal"), t.pass_ms(trimmed, "depth-normal")),
         {.id = "vertices-culled",
-         .claim = ">50% of vertices get culled after they already been transformed", .source = lee,
-         .how = "light-prepass, triangles with index-trimming=off : on", .unit = "triangles",
-         .a = t.triangles_drawn(untrimmed), .b = t.triangles_drawn(trimmed), .from = 2, .to = {}},
+         .claim = ">50% of vertices get culled after they already been transformed",
+         .source = lee,
+         .how = "light-prepass, triangles with index-trimming=off : on",
+         .unit = "triangles",
+         .a = t.triangles_drawn(untrimmed),
+         .b = t.triangles_drawn(trimmed),
+         .from = 2,
+         .to = {}},
         {.id = "multipass-lights",
          .claim = "multi-pass is very slow: for each new light we are potentially re-rendering "
                   "the entire scene",
-         .source = lee, .how = "multipass : light-prepass; " + slope, .unit = "ms a light",
-         .a = light, .b = t.light_ms(ray, prepass_few), .from = clearly, .to = {}},
+         .source = lee,
+         .how = "multipass : light-prepass; " + slope,
+         .unit = "ms a light",
+         .a = light,
+         .b = t.light_ms(ray, prepass_few),
+         .from = clearly,
+         .to = {}},
         {.id = "multipass-geometry",
-         .claim = "multi-pass: for each light, render all meshes the light intersects", .source = lee,
+         .claim = "multi-pass: for each light, render all meshes the light intersects",
+         .source = lee,
          .how = fmt::format("multipass, {} objects : {} of them; {}", scene.world.instances.size(),
                             half.instances.size(), slope),
-         .unit = "ms a light", .a = light,
+         .unit = "ms a light",
+         .a = light,
          .b = halves ? t.light_ms(multipass_half, multipass_half_few) : std::nullopt,
-         .from = clearly, .to = {}},
+         .from = clearly,
+         .to = {}},
     };
     for (const Suns& some : sunlit) {
         const double count = some.count;
-        claims.push_back(with({.id = fmt::format("shadowed-directional-{}", some.count),
-                               .claim = "a directional light with shadows, reflections: 0.7 ms, deferred 3.3 ms", .source = engel,
-                               .how = fmt::format("{} directional lights with shadows, a light: deferred, pass light : light-prepass, "
-                                                  "pass light; {}", some.count, pass_time),
-                               .unit = "ms a light", .from = clearly, .to = {}},
-                              each_of(t.pass_ms(some.deferred, "light"), count), each_of(t.pass_ms(some.prepass, "light"), count)));
+        claims.push_back(with(
+            {.id = fmt::format("shadowed-directional-{}", some.count),
+             .claim = "a directional light with shadows, reflections: 0.7 ms, deferred 3.3 ms",
+             .source = engel,
+             .how = fmt::format("{} directional lights with shadows, a light: deferred, pass light : light-prepass, "
+                                "pass light; {}",
+                                some.count, pass_time),
+             .unit = "ms a light",
+             .from = clearly,
+             .to = {}},
+            each_of(t.pass_ms(some.deferred, "light"), count), each_of(t.pass_ms(some.prepass, "light"), count)));
     }
     claims.push_back(with({.id = "more-directionals",
-                           .claim = "by increasing the number of directional lights, the cost per light will go down", .source = engel,
+                           .claim = "by increasing the number of directional lights, the cost per light will go down",
+                           .source = engel,
                            .how = "light-prepass, pass light, with shadows, a light: one light : eight; " + pass_time,
-                           .unit = "ms a light", .from = clearly, .to = {}},
-                          t.pass_ms(sunlit.front().prepass, "light"), each_of(t.pass_ms(sunlit.back().prepass, "light"), 8)));
+                           .unit = "ms a light",
+                           .from = clearly,
+                           .to = {}},
+                          t.pass_ms(sunlit.front().prepass, "light"),
+                          each_of(t.pass_ms(sunlit.back().prepass, "light"), 8)));
     return claims;
 }
 

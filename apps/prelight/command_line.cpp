@@ -71,8 +71,7 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     sub.add_option("SCENE", command.scene, "A .gltf or .glb file, or a built-in scene: see `make`")
         ->required()
         ->type_name("");
-    option("-o,--output", text.output, "IMAGE", "The picture: PNG, or EXR when the name ends so")
-        ->required();
+    option("-o,--output", text.output, "IMAGE", "The picture: PNG, or EXR when the name ends so")->required();
     option("--renderer", command.renderer, "NAME", "Architecture (default light-prepass)");
     option("--preset", command.options.preset, "NAME", "A source text's own configuration");
     option("--set", text.settings, "KEY=VALUE", "One setting of the renderer; repeatable");
@@ -82,8 +81,7 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--animation", command.animation, "NAME|INDEX",
            "Only this animation of the scene (default all), at --time or else at 0 s");
     option("--frames", text.frames, "N", "Frames to render and time (default 1)");
-    option("--lights", text.lights, "N",
-           "Light count of a built-in scene; adds N random point lights to any other");
+    option("--lights", text.lights, "N", "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
     option("--view", text.views, "BUFFER[=FILE]",
            "Write this buffer in place of the picture; with =FILE.png, beside it; repeatable");
@@ -95,15 +93,15 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
     option("--shading", text.shading, "MODEL", "ggx or phong (default: the preset's, else ggx)");
     option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
-    option("--exposure", text.exposure, "EV|auto", "Multiplies light by 2^EV (default 0); auto: what suits the picture");
+    option("--exposure", text.exposure, "EV|auto",
+           "Multiplies light by 2^EV (default 0); auto: what suits the picture");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
     option("--stats", text.stats, "FILE", "Write the run's figures as JSON");
     sub.add_flag("--count-pairs", command.options.count_pairs,
                  "Count light x pixel pairs for --stats (not for timing)");
     sub.add_flag("--pass-cpu", command.options.pass_cpu,
                  "Each pass's CPU time for --stats: as many frames more, each pass submitted alone");
-    sub.add_flag("--validate", command.validate,
-                 "Run with Vulkan validation; any message is a failure");
+    sub.add_flag("--validate", command.validate, "Run with Vulkan validation; any message is a failure");
     sub.add_flag("--watch", command.watch, "Render again whenever the scene or a material file changes");
 }
 
@@ -132,14 +130,13 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
     option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
     option("--animation", command.animation, "NAME|INDEX",
            "Only this animation of the scene (default all), at --time or else at 0 s");
-    option("--lights", text.lights, "N",
-           "Light count of a built-in scene; adds N random point lights to any other");
+    option("--lights", text.lights, "N", "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
     option("--shading", text.shading, "MODEL", "ggx or phong (default: the preset's, else ggx)");
-    option("--exposure", text.exposure, "EV|auto", "Multiplies light by 2^EV (default 0); auto: what suits the picture");
+    option("--exposure", text.exposure, "EV|auto",
+           "Multiplies light by 2^EV (default 0); auto: what suits the picture");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
-    sub.add_flag("--validate", command.validate,
-                 "Run with Vulkan validation; any message is a failure");
+    sub.add_flag("--validate", command.validate, "Run with Vulkan validation; any message is a failure");
 }
 
 void add_make(CLI::App& app, MakeCommand& command, MakeText& text) {
@@ -164,9 +161,9 @@ void finish(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
     if (!text.shading.empty())
         command.options.shading = parse_shading(text.shading);
-    command.options.tonemap = parse_word<Tonemap>(
-        "--tonemap", text.tonemap,
-        {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
+    command.options.tonemap =
+        parse_word<Tonemap>("--tonemap", text.tonemap,
+                            {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
     take_exposure(command, text.exposure);
     command.options.msaa = parse_count("--msaa", text.msaa, 1);
     command.frames = parse_count("--frames", text.frames, 1);

@@ -28,9 +28,9 @@ struct RenderCommand {
     std::vector<ViewFile> more_views;
     std::string renderer = "light-prepass";
     RenderOptions options;
-    std::string camera; ///< name or index; empty: the scene's first
+    std::string camera;           ///< name or index; empty: the scene's first
     std::optional<Moment> moment; ///< absent: the scene at rest
-    std::string animation; ///< name or index; empty: all
+    std::string animation;        ///< name or index; empty: all
     uint32_t frames = 1;
     std::optional<uint32_t> lights;
     uint64_t seed = 1;
@@ -48,21 +48,21 @@ struct RenderCommand {
 
 /// `prelight compare`
 struct CompareCommand {
-    std::string scene; ///< a file, or the name of a built-in scene
+    std::string scene;     ///< a file, or the name of a built-in scene
     std::string arguments; ///< the whole command line
     std::filesystem::path folder;
-    RenderOptions options; ///< what all variants share
-    std::string camera;    ///< name or index; empty: the scene's first
+    RenderOptions options;        ///< what all variants share
+    std::string camera;           ///< name or index; empty: the scene's first
     std::optional<Moment> moment; ///< absent: the scene at rest
-    std::string animation; ///< name or index; empty: all
-    uint32_t frames = 5;   ///< timed frames of each variant
+    std::string animation;        ///< name or index; empty: all
+    uint32_t frames = 5;          ///< timed frames of each variant
     std::optional<uint32_t> lights;
     uint64_t seed = 1;
     std::string device = "auto";
     bool validate = false;
     std::vector<Variant> variants;      ///< empty: the standard ones
     std::vector<uint32_t> light_counts; ///< rising; may be empty
-    double frame_limit = 1; ///< seconds; a slower frame ends a variant's series of light counts
+    double frame_limit = 1;             ///< seconds; a slower frame ends a variant's series of light counts
     EnvironmentChoice environment;
     SceneReading reading;
     std::optional<Framing> framing; ///< absent: the scene's camera
@@ -96,7 +96,7 @@ struct BenchCommand {
     Kind kind = Kind::table;
     std::string what; ///< table: one of bench_names()
     std::string scene = "spheres";
-    std::string camera; ///< name or index; empty: the scene's first
+    std::string camera;             ///< name or index; empty: the scene's first
     uint32_t width = 0, height = 0; ///< table: 0 is the bench's own
     std::optional<uint32_t> lights;
     std::optional<uint32_t> frames; ///< that are timed; absent: the bench's own
@@ -127,8 +127,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RenderCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand,
-                             RenderersCommand, MaterialsCommand, PrintCommand>;
+using Command = std::variant<RenderCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand, RenderersCommand,
+                             MaterialsCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);

@@ -100,9 +100,7 @@ const char* name_of(int signal) noexcept {
     }
 }
 
-extern "C" void on_crash(int signal) {
-    end_by_crash(name_of(signal));
-}
+extern "C" void on_crash(int signal) { end_by_crash(name_of(signal)); }
 
 [[noreturn]] void on_terminate() {
     if (const std::exception_ptr error = std::current_exception()) {
@@ -165,8 +163,6 @@ RemovedOnCrash::RemovedOnCrash(const std::filesystem::path& folder) {
     folder_is_set = true;
 }
 
-RemovedOnCrash::~RemovedOnCrash() {
-    folder_is_set = false;
-}
+RemovedOnCrash::~RemovedOnCrash() { folder_is_set = false; }
 
 } // namespace prelight::app

@@ -11,8 +11,7 @@ void run(const DevicesCommand&) {
     const std::vector<DeviceInfo> devices = Device::list();
     bool any = false;
     for (const DeviceInfo& device : devices) {
-        fmt::print("{} {}: {} ({})\n", device.chosen ? "*" : " ", device.index, device.name,
-                   device.type);
+        fmt::print("{} {}: {} ({})\n", device.chosen ? "*" : " ", device.index, device.name, device.type);
         fmt::print("     driver:   {}\n", device.driver);
         if (!device.usable)
             fmt::print("     unusable: {}\n", device.why_not);
@@ -25,9 +24,8 @@ void run(const DevicesCommand&) {
         any = any || device.chosen;
     }
     if (!any)
-        throw Error(
-            "devices: none of the Vulkan devices can be used (Debian's software driver is in "
-            "the package mesa-vulkan-drivers)");
+        throw Error("devices: none of the Vulkan devices can be used (Debian's software driver is in "
+                    "the package mesa-vulkan-drivers)");
     fmt::print("* is what --device auto takes.\n");
 }
 

@@ -41,7 +41,8 @@ std::string environment_name(const std::string& text) {
 }
 
 /// The environment that the scene is to have, before anything is changed about it; null: none.
-std::shared_ptr<const Environment> chosen(const EnvironmentChoice& choice, KeptEnvironment& kept, const Scene& scene, bool studio_where_dark) {
+std::shared_ptr<const Environment> chosen(const EnvironmentChoice& choice, KeptEnvironment& kept, const Scene& scene,
+                                          bool studio_where_dark) {
     if (!choice.file.empty())
         return std::make_shared<const Environment>(kept.get(choice.file));
     if (choice.name == "none")
@@ -56,7 +57,8 @@ std::shared_ptr<const Environment> chosen(const EnvironmentChoice& choice, KeptE
 } // namespace
 
 EnvironmentChoice parse_environment(const EnvironmentText& text) {
-    EnvironmentChoice choice{.name = environment_name(text.file), .file = {}, .intensity = {}, .rotation = {}, .background = {}};
+    EnvironmentChoice choice{
+        .name = environment_name(text.file), .file = {}, .intensity = {}, .rotation = {}, .background = {}};
     if (choice.name.empty())
         choice.file = text.file;
     if (!text.intensity.empty())
@@ -64,9 +66,10 @@ EnvironmentChoice parse_environment(const EnvironmentText& text) {
     if (!text.rotation.empty())
         choice.rotation = parse_number("--environment-rotation", text.rotation, -36000, 36000) * std::numbers::pi / 180;
     if (!text.background.empty())
-        choice.background = parse_word<Background>(
-            "--background", text.background,
-            {{"environment", Background::environment}, {"backdrop", Background::backdrop}, {"black", Background::black}});
+        choice.background = parse_word<Background>("--background", text.background,
+                                                   {{"environment", Background::environment},
+                                                    {"backdrop", Background::backdrop},
+                                                    {"black", Background::black}});
     return choice;
 }
 

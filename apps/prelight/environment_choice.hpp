@@ -18,8 +18,10 @@ void add_environment_options(const Option& option, EnvironmentText& text) {
     option("--environment", text.file, "NAME|FILE",
            "Light from all around: studio, none, or a picture twice as wide as high, .hdr, .exr or .png");
     option("--environment-intensity", text.intensity, "X", "Factor on the environment's light (default 1)");
-    option("--environment-rotation", text.rotation, "DEGREES", "Turns it, counter-clockwise seen from above (default 0)");
-    option("--background", text.background, "WHAT", "What is seen behind the scene: environment, a soft backdrop, or black (docs/environment.md)");
+    option("--environment-rotation", text.rotation, "DEGREES",
+           "Turns it, counter-clockwise seen from above (default 0)");
+    option("--background", text.background, "WHAT",
+           "What is seen behind the scene: environment, a soft backdrop, or black (docs/environment.md)");
 }
 
 enum class Background { environment, backdrop, black };
@@ -36,8 +38,9 @@ struct EnvironmentChoice {
 /// Throws UsageError.
 EnvironmentChoice parse_environment(const EnvironmentText& text);
 
-/// Gives a scene the environment. The file is read again when it has changed. `studio_where_dark`: a scene that is not is_lit() gets the
-/// studio when nothing was chosen. The edit throws Error for a file that is no environment, UsageError for a scene that has none to change.
+/// Gives a scene the environment. The file is read again when it has changed. `studio_where_dark`: a scene that is not
+/// is_lit() gets the studio when nothing was chosen. The edit throws Error for a file that is no environment,
+/// UsageError for a scene that has none to change.
 SceneEdit environment_edit(const EnvironmentChoice& choice, bool studio_where_dark = false);
 
 } // namespace prelight::app

@@ -40,8 +40,8 @@ struct Samples {
 
 } // namespace
 
-void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& camera,
-                        const Rounds& rounds, const std::function<void(const Contender&)>& before) {
+void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& camera, const Rounds& rounds,
+                        const std::function<void(const Contender&)>& before) {
     std::vector<Samples> samples(contenders.size());
     for (uint32_t round = 0; round < rounds.frames; ++round)
         for (size_t i = 0; i < contenders.size(); ++i) {
@@ -54,8 +54,8 @@ void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& 
                 for (uint32_t repeat = 0; repeat < contender.repeats; ++repeat) {
                     contender.renderer->render(camera, 1);
                     contender.stats = contender.renderer->stats();
-                    samples[i].add(contender.stats, rounds.cost_ms ? rounds.cost_ms(contender.stats)
-                                                                   : contender.stats.wall_ms.median);
+                    samples[i].add(contender.stats,
+                                   rounds.cost_ms ? rounds.cost_ms(contender.stats) : contender.stats.wall_ms.median);
                 }
             } catch (const Error& error) {
                 contender.error = error.what();

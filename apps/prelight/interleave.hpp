@@ -9,8 +9,8 @@ namespace prelight::app {
 /// A renderer that is timed against others; it has its world.
 struct Contender {
     Renderer* renderer = nullptr;
-    Stats stats;       ///< of the frames that were rendered: their spreads, and the rest of the last one
-    std::string error; ///< why it gave up; empty: it did not
+    Stats stats;          ///< of the frames that were rendered: their spreads, and the rest of the last one
+    std::string error;    ///< why it gave up; empty: it did not
     uint32_t repeats = 1; ///< frames each time that it is its turn: a short one is measured more often
 };
 
@@ -26,8 +26,7 @@ struct Rounds {
 /// Renders one frame of each contender in turn, A B C A B C …, so that what else the machine does
 /// meets all of them alike; each frame after a warm-up of its own. Fills `stats`, or `error` of one
 /// that throws Error. `before` is called before each frame.
-void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& camera,
-                        const Rounds& rounds,
+void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& camera, const Rounds& rounds,
                         const std::function<void(const Contender&)>& before = {});
 
 } // namespace prelight::app

@@ -60,18 +60,14 @@ void handle_interrupts() {
     }
 }
 
-WriteGuard::WriteGuard() {
-    ++writing;
-}
+WriteGuard::WriteGuard() { ++writing; }
 
 WriteGuard::~WriteGuard() {
     if (--writing == 0 && waiting != 0)
         die_by(waiting);
 }
 
-bool is_writing() {
-    return writing != 0;
-}
+bool is_writing() { return writing != 0; }
 
 RemovedOnInterrupt::RemovedOnInterrupt(std::filesystem::path folder) : folder_(std::move(folder)), crash_(folder_) {
     int ends[2] = {-1, -1};

@@ -41,7 +41,8 @@ void keep_standard_streams() {
 
 /// One line on stderr, whatever the reason holds, and the exit status.
 int fail(std::string_view reason, int status) {
-    std::fputs(fmt::format("prelight: {}\n", prelight::escaped(reason)).c_str(), stderr); // fmt::print would throw if it can't
+    std::fputs(fmt::format("prelight: {}\n", prelight::escaped(reason)).c_str(),
+               stderr); // fmt::print would throw if it can't
     return status;
 }
 
@@ -59,8 +60,7 @@ int main(int argc, char** argv) {
     try {
         app::handle_crashes();
         app::handle_interrupts();
-        std::visit([](const auto& command) { app::run(command); },
-                   app::parse_command_line(argc, argv));
+        std::visit([](const auto& command) { app::run(command); }, app::parse_command_line(argc, argv));
         return std::fflush(stdout) == 0 ? 0 : fail_to_print(errno);
     } catch (const UsageError& error) {
         return fail(error.what(), 2);

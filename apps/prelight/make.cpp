@@ -12,8 +12,8 @@ void run(const MakeCommand& command) {
     check_writable(command.output);
     const WriteGuard guard;
     save_glb(scene, command.output);
-    fmt::print("{}: {}, {} lights, seed {}\n", command.output.string(), command.scene,
-               scene.lights.size(), command.seed);
+    fmt::print("{}: {}, {} lights, seed {}\n", command.output.string(), command.scene, scene.lights.size(),
+               command.seed);
 }
 
 } // namespace prelight::app

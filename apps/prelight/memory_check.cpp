@@ -16,9 +16,7 @@ constexpr uint64_t driver_bytes = 90 * mebi, driver_reserves = 330 * mebi;
 /// Images of a frame with those that the host reads, a pixel and sample (1280x720 to 3840x2160).
 constexpr uint64_t bytes_per_sample = 48;
 
-std::string in_mebi(uint64_t bytes) {
-    return fmt::format("{} MiB", (bytes + mebi / 2) / mebi);
-}
+std::string in_mebi(uint64_t bytes) { return fmt::format("{} MiB", (bytes + mebi / 2) / mebi); }
 
 template <class T>
 uint64_t size_of(const std::vector<T>& values) {

@@ -17,7 +17,9 @@ constexpr double too_much = 0.25; ///< of a picture
 std::map<std::string, std::string> settings_of_light(const RendererInfo& info, const RenderOptions& options) {
     std::map<std::string, std::string> settings;
     for (const char* key : {"shadows", "ssao", "ssao-radius", "ambient-occlusion", "ambient-occlusion-radius"})
-        if (const auto given = options.settings.find(key); given != options.settings.end() && std::ranges::find(info.settings, key, &SettingInfo::key) != info.settings.end())
+        if (const auto given = options.settings.find(key);
+            given != options.settings.end() &&
+            std::ranges::find(info.settings, key, &SettingInfo::key) != info.settings.end())
             settings[key] = given->second;
     return settings;
 }
@@ -28,9 +30,14 @@ double meter_exposure(Device* device, const World& world, const PlacedCamera& ca
     const std::string name = device ? "light-prepass" : "reference";
     const double scale = std::min(1.0, double(longest_side) / std::max(options.width, options.height));
     const auto side = [&](uint32_t pixels) { return std::max(uint32_t(std::lround(pixels * scale)), 1u); };
-    RenderOptions small{.width = side(options.width), .height = side(options.height), .shading = options.shading, .preset = {},
-                        .settings = settings_of_light(find_renderer(name), options), .views = {"depth", "linear"}};
-    // A half float holds forty stops: what is far off is metered again, nearer to its middle, and what is black once more with more light.
+    RenderOptions small{.width = side(options.width),
+                        .height = side(options.height),
+                        .shading = options.shading,
+                        .preset = {},
+                        .settings = settings_of_light(find_renderer(name), options),
+                        .views = {"depth", "linear"}};
+    // A half float holds forty stops: what is far off is metered again, nearer to its middle, and what is black once
+    // more with more light.
     bool lit = false;
     for (int tries = 0; tries < 4; ++tries) {
         const auto renderer = create_renderer(name, device, small);
@@ -51,11 +58,10 @@ double meter_exposure(Device* device, const World& world, const PlacedCamera& ca
     return small.exposure;
 }
 
-void print_exposure(double ev) {
-    fmt::print("exposure: auto is --exposure {:.1f}\n", ev);
-}
+void print_exposure(double ev) { fmt::print("exposure: auto is --exposure {:.1f}\n", ev); }
 
-void warn_of_extremes(const Log& log, const Image& display, const std::string& file, const World& world, bool auto_exposure) {
+void warn_of_extremes(const Log& log, const Image& display, const std::string& file, const World& world,
+                      bool auto_exposure) {
     if (world.triangles == 0)
         return;
     const Extremes extremes = find_extremes(display);

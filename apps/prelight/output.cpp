@@ -50,19 +50,19 @@ void check_distinct(std::span<const fs::path> outputs, std::span<const fs::path>
             continue;
         const auto same = std::ranges::find(written, *identity, &decltype(written)::value_type::first);
         if (same != written.end())
-            throw UsageError(*same->second == output
-                                 ? fmt::format("{}: named for two outputs", output.string())
-                                 : fmt::format("{}: is the same file as {}: named for two outputs", output.string(),
-                                               same->second->string()));
+            throw UsageError(*same->second == output ? fmt::format("{}: named for two outputs", output.string())
+                                                     : fmt::format("{}: is the same file as {}: named for two outputs",
+                                                                   output.string(), same->second->string()));
         written.emplace_back(*identity, &output);
     }
     for (const fs::path& input : inputs) {
         const std::optional<Identity> identity = input.empty() ? std::nullopt : identity_of(input);
         for (const auto& [output, name] : written)
             if (identity && identity->name.empty() && identity == output)
-                throw UsageError(*name == input ? fmt::format("{}: is read by this run and cannot be its output", name->string())
-                                                : fmt::format("{}: is the same file as {}, which this run reads",
-                                                              name->string(), input.string()));
+                throw UsageError(*name == input
+                                     ? fmt::format("{}: is read by this run and cannot be its output", name->string())
+                                     : fmt::format("{}: is the same file as {}, which this run reads", name->string(),
+                                                   input.string()));
     }
 }
 

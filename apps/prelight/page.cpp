@@ -12,8 +12,7 @@ void put(std::string& page, std::string_view mark, std::string_view text) {
 /// JSON that stands inside <script>: no text in it can end the element or begin a comment.
 std::string inside_script(const nlohmann::ordered_json& json) {
     std::string safe;
-    for (const char c :
-         json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+    for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
         if (c == '<')
             safe += "\\u003c";
         else

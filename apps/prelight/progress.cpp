@@ -13,10 +13,7 @@ namespace {
 
 constexpr size_t bar_width = 24;
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Columns of the terminal: a longer line would wrap, and wrapped lines cannot be redrawn in place.
 size_t columns() {

@@ -23,9 +23,9 @@ private:
     void print_line(double share, std::string_view what);
 
     bool terminal_ = false;
-    double start_ = 0;       ///< seconds
-    double said_ = 0;        ///< when the last line was printed
-    double first_ = -1;      ///< share of the work that was there at the first step
+    double start_ = 0;  ///< seconds
+    double said_ = 0;   ///< when the last line was printed
+    double first_ = -1; ///< share of the work that was there at the first step
 };
 
 } // namespace prelight::app

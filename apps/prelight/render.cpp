@@ -47,10 +47,8 @@ std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
 
 void check_before_work(const RenderCommand& command, const RendererInfo& info) {
     for (const std::string& view : command.options.views)
-        if (view != "final" && view != "linear" &&
-            std::ranges::find(info.views, view) == info.views.end())
-            throw UsageError(
-                fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
+        if (view != "final" && view != "linear" && std::ranges::find(info.views, view) == info.views.end())
+            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
     if (command.watch && !names_file(command.scene) && command.materials.empty() && command.environment.file.empty())
         throw UsageError(fmt::format("--watch: {} is not a file that could change", command.scene));
     const std::vector<std::filesystem::path> outputs = outputs_of(command);
@@ -86,14 +84,15 @@ void warn_of_picture(const RenderCommand& command, const Picture& picture, const
     if (command.view != "final" && command.view != "linear")
         return;
     const bool linear = lower_extension(picture.file) == ".exr";
-    warn_of_extremes(Log(command.reading.log_level), linear ? tonemap(picture.image, command.options.tonemap) : picture.image, picture.file.string(), world,
-                     command.auto_exposure);
+    warn_of_extremes(Log(command.reading.log_level),
+                     linear ? tonemap(picture.image, command.options.tonemap) : picture.image, picture.file.string(),
+                     world, command.auto_exposure);
 }
 
 void render_once(Session& session, RenderCommand& command, const LoadedScene& loaded, StartUp& start_up) {
     Stopwatch watch;
-    const PlacedCamera& camera = command.camera.empty() ? loaded.world.cameras.at(0)
-                                                        : find_camera(loaded.world, command.camera);
+    const PlacedCamera& camera =
+        command.camera.empty() ? loaded.world.cameras.at(0) : find_camera(loaded.world, command.camera);
     if (command.auto_exposure) {
         command.options.exposure = meter_exposure(session.device.get(), loaded.world, camera, command.options);
         print_exposure(command.options.exposure);
@@ -119,9 +118,9 @@ void render_once(Session& session, RenderCommand& command, const LoadedScene& lo
     start_up.picture = watch.lap();
     if (!command.stats.empty())
         save_text(stats_json(command, stats, start_up, warnings_of(loaded.world)), command.stats);
-    fmt::print("{}: {}x{}, {}, {} lights, {} triangles, {:.1f} ms a frame on {}\n",
-               escaped(command.output.string()), command.options.width, command.options.height,
-               command.renderer, stats.lights, stats.triangles, stats.wall_ms.median, stats.device);
+    fmt::print("{}: {}x{}, {}, {} lights, {} triangles, {:.1f} ms a frame on {}\n", escaped(command.output.string()),
+               command.options.width, command.options.height, command.renderer, stats.lights, stats.triangles,
+               stats.wall_ms.median, stats.device);
     std::fflush(stdout);
 }
 
@@ -139,7 +138,8 @@ void run(const RenderCommand& given) {
     Stopwatch clock;
     std::future<Scene> built_in;
     if (names_builtin(command.scene))
-        built_in = std::async(std::launch::async, [&] { return make_builtin(command.scene, command.lights, command.seed); });
+        built_in =
+            std::async(std::launch::async, [&] { return make_builtin(command.scene, command.lights, command.seed); });
     OwnMaterials materials(command.materials);
     // Added lights are lights too: whoever wants the studio beside them says so.
     const bool studio_where_dark = names_file(command.scene) && !command.lights;
@@ -161,7 +161,8 @@ void run(const RenderCommand& given) {
     const SceneTime time{command.moment, command.animation, command.reading};
     const SceneView view{double(command.options.width) / command.options.height, command.framing};
     const auto load = [&] {
-        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit, view);
+        return load_scene(command.scene, command.lights, command.seed, session.renderer->max_lights(), time, edit,
+                          view);
     };
     std::unique_ptr<LoadedScene> loaded = built_in.valid() ? resolve_builtin(built_in.get(), time, edit, view) : load();
     start_up.scene = clock.lap();

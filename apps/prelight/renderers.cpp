@@ -14,11 +14,11 @@ void print_one(const RendererInfo& info) {
     if (!info.settings.empty())
         fmt::print("\nsettings (--set KEY=VALUE):\n");
     for (const SettingInfo& setting : info.settings) {
-        fmt::print("  {} = {}   (default {})\n      {}\n", setting.key,
-                   fmt::join(setting.values, " | "), setting.default_value, setting.description);
+        fmt::print("  {} = {}   (default {})\n      {}\n", setting.key, fmt::join(setting.values, " | "),
+                   setting.default_value, setting.description);
         for (const SettingNeed& need : setting.needs)
-            fmt::print("      needs {}{}{}\n", need.key == "shading" ? "--shading " : need.key + "=", fmt::join(need.values, " or "),
-                       need.or_view.empty() ? "" : " or --view " + need.or_view);
+            fmt::print("      needs {}{}{}\n", need.key == "shading" ? "--shading " : need.key + "=",
+                       fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view);
     }
     if (!info.views.empty())
         fmt::print("\nviews (--view): {}\n", fmt::join(info.views, ", "));
@@ -26,7 +26,10 @@ void print_one(const RendererInfo& info) {
         fmt::print("\npresets (--preset): {}\n", fmt::join(info.presets, ", "));
     for (const auto& [preset, settings] : info.preset_settings) {
         const auto shading = info.preset_shading.find(preset);
-        fmt::print("  {}:{}", preset, shading == info.preset_shading.end() ? "" : shading->second == Shading::phong ? " --shading phong" : " --shading ggx");
+        fmt::print("  {}:{}", preset,
+                   shading == info.preset_shading.end() ? ""
+                   : shading->second == Shading::phong  ? " --shading phong"
+                                                        : " --shading ggx");
         for (const auto& [key, value] : settings)
             fmt::print(" {}={}", key, value);
         fmt::print("\n");
@@ -53,8 +56,6 @@ void run(const RenderersCommand& command) {
         fmt::print("{:<14} {}\n", info.name, info.description);
 }
 
-void run(const PrintCommand& command) {
-    fmt::print("{}", command.text);
-}
+void run(const PrintCommand& command) { fmt::print("{}", command.text); }
 
 } // namespace prelight::app

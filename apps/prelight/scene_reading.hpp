@@ -14,7 +14,7 @@ struct SceneReadingText {
 
 /// How a scene's file is read, and what is told of it.
 struct SceneReading {
-    std::string scene; ///< name or index of the file's scene; empty: its default
+    std::string scene;   ///< name or index of the file's scene; empty: its default
     bool strict = false; ///< warnings about the file are errors
     LogLevel log_level = LogLevel::info;
     uint64_t memory_limit = 0; ///< LoadOptions::memory_limit

@@ -32,13 +32,10 @@ void resolve_at(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edi
 bool names_file(const std::string& name) {
     const std::string extension = lower_extension(name);
     std::error_code ignored;
-    return extension == ".gltf" || extension == ".glb" ||
-           std::filesystem::is_regular_file(name, ignored);
+    return extension == ".gltf" || extension == ".glb" || std::filesystem::is_regular_file(name, ignored);
 }
 
-bool names_builtin(const std::string& name) {
-    return !names_file(name) && find_builtin(builtin_scenes(), name);
-}
+bool names_builtin(const std::string& name) { return !names_file(name) && find_builtin(builtin_scenes(), name); }
 
 void check_scene_name(const std::string& name) {
     if (!names_file(name) && !find_builtin(builtin_scenes(), name))
@@ -61,9 +58,9 @@ std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time,
     return loaded;
 }
 
-std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
-                                        uint64_t seed, uint64_t max_lights, const SceneTime& time,
-                                        const SceneEdit& edit, const SceneView& view) {
+std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights, uint64_t seed,
+                                        uint64_t max_lights, const SceneTime& time, const SceneEdit& edit,
+                                        const SceneView& view) {
     auto loaded = std::make_unique<LoadedScene>();
     check_scene_name(name);
     const bool file = names_file(name);

@@ -48,12 +48,12 @@ struct SceneView {
 };
 
 /// Loads a file or makes a built-in scene, resolves it at that time, and adds lights to it as
-/// `--lights` says, `max_lights` at most. Where the scene has no camera, or `view` asks for another, cameras[0] is that of `view`.
-/// Warnings about the file go to stderr; read strictly, the first is an Error. Throws Error; UsageError for a
-/// scene or an animation that is not there.
-std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights,
-                                        uint64_t seed, uint64_t max_lights, const SceneTime& time = {},
-                                        const SceneEdit& edit = {}, const SceneView& view = {});
+/// `--lights` says, `max_lights` at most. Where the scene has no camera, or `view` asks for another, cameras[0] is that
+/// of `view`. Warnings about the file go to stderr; read strictly, the first is an Error. Throws Error; UsageError for
+/// a scene or an animation that is not there.
+std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<uint32_t> lights, uint64_t seed,
+                                        uint64_t max_lights, const SceneTime& time = {}, const SceneEdit& edit = {},
+                                        const SceneView& view = {});
 /// The same for a built-in scene that make_builtin() has made already.
 std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time, const SceneEdit& edit = {},
                                              const SceneView& view = {});

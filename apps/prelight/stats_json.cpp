@@ -7,9 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json spread_json(const Spread& spread) {
-    return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}};
-}
+Json spread_json(const Spread& spread) { return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}}; }
 
 Json host_json(const HostTimes& host) {
     return {{"lights", spread_json(host.lights)},
@@ -33,17 +31,16 @@ Json shadows_json(const ShadowStats& shadows) {
 
 } // namespace
 
-Json stats_entry(const std::string& scene, const std::string& renderer,
-                 const RenderOptions& options, const Stats& stats) {
+Json stats_entry(const std::string& scene, const std::string& renderer, const RenderOptions& options,
+                 const Stats& stats) {
     Json passes = Json::array();
     // A pass's own CPU time wants it submitted alone: without that no figure, rather than a wrong one.
     for (const PassStats& pass : stats.passes)
-        passes.push_back(
-            {{"name", pass.name},
-             {"gpu_ms", spread_json(pass.gpu_ms)},
-             {"cpu_ms", pass.cpu_ms ? spread_json(*pass.cpu_ms) : Json(nullptr)},
-             {"bytes_read", pass.bytes_read},
-             {"bytes_written", pass.bytes_written}});
+        passes.push_back({{"name", pass.name},
+                          {"gpu_ms", spread_json(pass.gpu_ms)},
+                          {"cpu_ms", pass.cpu_ms ? spread_json(*pass.cpu_ms) : Json(nullptr)},
+                          {"bytes_read", pass.bytes_read},
+                          {"bytes_written", pass.bytes_written}});
     Json entry{
         {"device", stats.device},
         {"driver", stats.driver},
@@ -77,8 +74,7 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
           {"buffers", stats.created.buffers},
           {"images", stats.created.images},
           {"descriptor_pools", stats.created.descriptor_pools}}},
-        {"light_pixel_pairs",
-         {{"evaluated", stats.pairs_evaluated}, {"contributing", stats.pairs_contributing}}},
+        {"light_pixel_pairs", {{"evaluated", stats.pairs_evaluated}, {"contributing", stats.pairs_contributing}}},
     };
     if (stats.shadows)
         entry["shadows"] = shadows_json(*stats.shadows);
@@ -90,16 +86,13 @@ Json stats_entry(const std::string& scene, const std::string& renderer,
     return entry;
 }
 
-std::string json_text(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::string stats_json(const RenderCommand& command, const Stats& stats, const StartUp& start_up,
                        const std::vector<std::string>& warnings) {
     Json entry = stats_entry(command.scene, command.renderer, command.options, stats);
-    entry["start_up_ms"] = {{"device", start_up.device}, {"scene", start_up.scene},
-                            {"world", start_up.world},   {"frames", start_up.frames},
-                            {"picture", start_up.picture}, {"total", start_up.total()}};
+    entry["start_up_ms"] = {{"device", start_up.device}, {"scene", start_up.scene},     {"world", start_up.world},
+                            {"frames", start_up.frames}, {"picture", start_up.picture}, {"total", start_up.total()}};
     entry["warnings"] = warnings;
     return json_text(entry);
 }

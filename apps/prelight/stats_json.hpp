@@ -9,8 +9,8 @@ namespace prelight::app {
 
 /// One run's figures as `--stats`, `compare` and `bench` write them; times in milliseconds, memory in
 /// bytes. `scene` and `renderer` are named as on the command line.
-nlohmann::ordered_json stats_entry(const std::string& scene, const std::string& renderer,
-                                   const RenderOptions& options, const Stats& stats);
+nlohmann::ordered_json stats_entry(const std::string& scene, const std::string& renderer, const RenderOptions& options,
+                                   const Stats& stats);
 
 /// JSON as a file's text. A file name may hold any bytes; JSON holds UTF-8 only, so that others are
 /// replaced.

@@ -42,21 +42,20 @@ void check_setting(std::string_view option, const RendererInfo& info, const std:
                    const std::string& value) {
     const auto setting = std::ranges::find(info.settings, key, &SettingInfo::key);
     if (setting == info.settings.end())
-        throw UsageError(fmt::format("{} {}@{}={}: {} has no setting {}", option, info.name, key,
-                                     value, info.name, key));
-    const bool takes_numbers =
-        std::ranges::any_of(setting->values, [](const std::string& one) { return one.find(" … ") != std::string::npos; });
+        throw UsageError(
+            fmt::format("{} {}@{}={}: {} has no setting {}", option, info.name, key, value, info.name, key));
+    const bool takes_numbers = std::ranges::any_of(
+        setting->values, [](const std::string& one) { return one.find(" … ") != std::string::npos; });
     if (!takes_numbers && std::ranges::find(setting->values, value) == setting->values.end())
-        throw UsageError(fmt::format("{} {}@{}={}: allowed is {}", option, info.name, key, value,
-                                     fmt::join(setting->values, ", ")));
+        throw UsageError(
+            fmt::format("{} {}@{}={}: allowed is {}", option, info.name, key, value, fmt::join(setting->values, ", ")));
 }
 
 Variant parse_variant(std::string_view option, const std::string& text) {
     const std::vector<std::string> parts = split(text, '@');
     Variant variant{.renderer = parts[0]};
     if (variant.renderer.empty())
-        throw UsageError(
-            fmt::format("{}: not a list of NAME or NAME@KEY=VALUE, separated by commas", option));
+        throw UsageError(fmt::format("{}: not a list of NAME or NAME@KEY=VALUE, separated by commas", option));
     const RendererInfo info = find_renderer(variant.renderer);
     for (size_t i = 1; i < parts.size(); ++i) {
         const auto [key, value] = parse_pair(option, parts[i]);

@@ -14,7 +14,8 @@ struct ViewText {
 template <class Option>
 void add_view_options(const Option& option, ViewText& text) {
     option("--view-from", text.from, "AZIMUTH,ELEVATION",
-           "Frame the scene from there, in degrees: 0,0 is the front (+Z), 90,0 the right (+X), 0,90 above (default 20,15, where there is no camera)");
+           "Frame the scene from there, in degrees: 0,0 is the front (+Z), 90,0 the right (+X), 0,90 above (default "
+           "20,15, where there is no camera)");
     option("--fit", text.fit, "FACTOR", "Share of the picture that it fills in the tighter direction (default 0.8)");
 }
 

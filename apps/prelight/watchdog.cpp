@@ -19,9 +19,7 @@ namespace {
 
 std::atomic<int> pauses = 0; // of the whole process, as what is watched is
 
-double seconds_of(const timeval& time) {
-    return double(time.tv_sec) + double(time.tv_usec) * 1e-6;
-}
+double seconds_of(const timeval& time) { return double(time.tv_sec) + double(time.tv_usec) * 1e-6; }
 
 /// What only a process that does something adds to.
 struct Work {
@@ -35,9 +33,7 @@ struct Work {
                 usage.ru_majflt + usage.ru_inblock + usage.ru_oublock};
     }
     /// The watchdog's own looks cost less than a hundredth of this in a minute.
-    bool more_than(const Work& before) const {
-        return cpu > before.cpu + 0.02 || transfers != before.transfers;
-    }
+    bool more_than(const Work& before) const { return cpu > before.cpu + 0.02 || transfers != before.transfers; }
 };
 
 /// The line of a /proc file that begins with `key`, without it.
@@ -57,7 +53,8 @@ bool is_traced() {
 /// A thread that waits for a disk or a file server cannot be blamed.
 bool waits_for_disk() {
     std::error_code error;
-    for (std::filesystem::directory_iterator at("/proc/self/task", error), end; !error && at != end; at.increment(error))
+    for (std::filesystem::directory_iterator at("/proc/self/task", error), end; !error && at != end;
+         at.increment(error))
         if (proc_line(at->path() / "status", "State:").find('D') == 1)
             return true;
     return false;
@@ -94,12 +91,8 @@ void start_watchdog(unsigned seconds) {
     }
 }
 
-WatchdogPause::WatchdogPause() {
-    ++pauses;
-}
+WatchdogPause::WatchdogPause() { ++pauses; }
 
-WatchdogPause::~WatchdogPause() {
-    --pauses;
-}
+WatchdogPause::~WatchdogPause() { --pauses; }
 
 } // namespace prelight::app

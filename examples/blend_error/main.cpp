@@ -56,8 +56,7 @@ double simulated(uint32_t count, bool nearest) {
     constexpr int samples = 64;
     double error = 0;
     for (int s = 0; s < samples; ++s) {
-        const double total = 1 + std::fmod(0.618034 * s, 1.0),
-                     albedo = 0.9 + 0.1 * std::fmod(0.754878 * s, 1.0);
+        const double total = 1 + std::fmod(0.618034 * s, 1.0), albedo = 0.9 + 0.1 * std::fmod(0.754878 * s, 1.0);
         double sum = 0;
         for (uint32_t i = 0; i < count; ++i)
             sum = to_half(sum + total / count, nearest);
@@ -71,13 +70,13 @@ struct Pair {
     ReferencePicture truth;
 };
 
-Pair render_both(Device& device, const World& world, const PlacedCamera& camera, uint32_t width,
-                 uint32_t height) {
+Pair render_both(Device& device, const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height) {
     RenderOptions options;
     options.width = width;
     options.height = height;
     options.views = {"linear"};
-    options.settings = {{"light-culling", "volumes"}, {"light-sums", "target"}}; // blended in half floats, however many lights
+    options.settings = {{"light-culling", "volumes"},
+                        {"light-sums", "target"}}; // blended in half floats, however many lights
     const auto renderer = create_renderer("light-prepass", &device, options);
     renderer->set_world(world);
     renderer->render(camera);
@@ -97,9 +96,8 @@ void equal_lights(Device& device) {
         lamp.position = {0, 2, 0};
         world.lights.assign(count, lamp);
         const Pair both = render_both(device, world, camera, 128, 128);
-        fmt::print("{:>6} {:>9.2f}% {:>14.2f}% {:>9.2f}%\n", count,
-                   mean_error(both.picture, both.truth) * 100, simulated(count, true) * 100,
-                   simulated(count, false) * 100);
+        fmt::print("{:>6} {:>9.2f}% {:>14.2f}% {:>9.2f}%\n", count, mean_error(both.picture, both.truth) * 100,
+                   simulated(count, true) * 100, simulated(count, false) * 100);
     }
 }
 
@@ -110,8 +108,8 @@ void yardstick(Device& device) {
         const World world = resolve(scene);
         const Pair both = render_both(device, world, world.cameras.at(0), 320, 180);
         const Comparison c = compare(both.picture, both.truth.linear, both.truth.left_out());
-        fmt::print("{:>6} {:>9.2f}% {:>8.1f} {:>6.2f}/255\n", count,
-                   mean_error(both.picture, both.truth) * 100, c.psnr, c.block);
+        fmt::print("{:>6} {:>9.2f}% {:>8.1f} {:>6.2f}/255\n", count, mean_error(both.picture, both.truth) * 100, c.psnr,
+                   c.block);
     }
 }
 

@@ -16,9 +16,8 @@ namespace {
 constexpr uint32_t width = 1280, height = 720;
 
 void print(const std::string& name, const Comparison& c) {
-    fmt::print(
-        "{:<34} {:>6.1f} dB {:>8.3f} % off, block {:>5.2f}/255, FLIP {:.4f}, {:.1f} % left out\n",
-        name, c.psnr, c.off_share * 100, c.block, c.flip, c.left_out_share * 100);
+    fmt::print("{:<34} {:>6.1f} dB {:>8.3f} % off, block {:>5.2f}/255, FLIP {:.4f}, {:.1f} % left out\n", name, c.psnr,
+               c.off_share * 100, c.block, c.flip, c.left_out_share * 100);
 }
 
 void show(Device& device, const std::string& name, const World& world) {
@@ -39,8 +38,7 @@ void show(Device& device, const std::string& name, const World& world) {
     };
 
     const ReferencePicture full = reference(Fresnel::full), weighted = reference(Fresnel::weighted);
-    print(name + ": light-prepass",
-          compare(renderer->read("linear"), weighted.linear, weighted.left_out()));
+    print(name + ": light-prepass", compare(renderer->read("linear"), weighted.linear, weighted.left_out()));
     print("    weighted against full", compare(weighted.linear, full.linear));
     print("    nv against full", compare(reference(Fresnel::nv).linear, full.linear));
     print("    mono against full", compare(reference(Fresnel::mono).linear, full.linear));

@@ -35,8 +35,7 @@ void run(int argc, char** argv) {
     options.width = 640;
     options.height = 360;
     options.settings = {{"normals", "oct32"}};
-    const std::unique_ptr<Renderer> renderer =
-        create_renderer("light-prepass", device.get(), options);
+    const std::unique_ptr<Renderer> renderer = create_renderer("light-prepass", device.get(), options);
     renderer->set_world(world);
 
     const std::filesystem::path folder = argc > 2 ? argv[2] : ".";

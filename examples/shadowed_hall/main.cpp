@@ -1,5 +1,5 @@
-// A scene of somebody else's under a sun and 64 spots, all with shadows: example_shadowed_hall FILE.glb PICTURE.png [RENDERER].
-// The lights stand where a hall of 25 × 12 m around the origin, such as Sponza's, has room for them.
+// A scene of somebody else's under a sun and 64 spots, all with shadows: example_shadowed_hall FILE.glb PICTURE.png
+// [RENDERER]. The lights stand where a hall of 25 × 12 m around the origin, such as Sponza's, has room for them.
 #include <cmath>
 #include <fmt/format.h>
 #include <prelight/device.hpp>
@@ -12,13 +12,17 @@ namespace {
 using namespace prelight;
 
 void add_lights(World& world) {
-    world.lights = {{{.kind = LightKind::directional, .colour = {1, 0.95f, 0.85f}, .intensity = 3}, glm::dvec3(0),
+    world.lights = {{{.kind = LightKind::directional, .colour = {1, 0.95f, 0.85f}, .intensity = 3},
+                     glm::dvec3(0),
                      glm::normalize(glm::dvec3(0.2, -1, 0.15))}};
     for (int i = 0; i < 64; ++i) {
         const float hue = 0.7f * static_cast<float>(i);
         const Light spot{.kind = LightKind::spot,
                          .colour = {0.6f + 0.4f * std::cos(hue), 0.7f, 0.6f - 0.4f * std::cos(hue)},
-                         .intensity = 12, .range = 8, .inner_cone = 0.3f, .outer_cone = 0.55f};
+                         .intensity = 12,
+                         .range = 8,
+                         .inner_cone = 0.3f,
+                         .outer_cone = 0.55f};
         world.lights.push_back({spot, glm::dvec3(-10.5 + 1.4 * (i % 16), 4 + 0.3 * (i % 3), -4.5 + 3.0 * (i / 16)),
                                 glm::normalize(glm::dvec3(0.3 * std::cos(2.4 * i), -1, 0.3 * std::sin(2.4 * i)))});
     }

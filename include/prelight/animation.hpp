@@ -35,7 +35,7 @@ enum class Interpolation {
 
 /// Keyframes. Before the first and after the last their values hold.
 struct AnimationSampler {
-    std::vector<float> times;  ///< seconds, finite, strictly increasing, at least one
+    std::vector<float> times; ///< seconds, finite, strictly increasing, at least one
     /// Keyframe after keyframe; with cubic_spline each is in-tangent, value, out-tangent.
     std::vector<float> values;
     Interpolation interpolation = Interpolation::linear;

@@ -12,15 +12,15 @@ namespace prelight {
 
 /// Figures of one encoding of normals: [L1].
 struct EncodingFigures {
-    std::string name;        ///< value of the setting `normals`
-    std::string target;      ///< format of the normal target on this device
-    uint32_t bits = 0;       ///< that hold the normal
-    uint32_t bytes = 0;      ///< a pixel, with the roughness target of those that need one
-    uint32_t directions = 0; ///< measured
+    std::string name;         ///< value of the setting `normals`
+    std::string target;       ///< format of the normal target on this device
+    uint32_t bits = 0;        ///< that hold the normal
+    uint32_t bytes = 0;       ///< a pixel, with the roughness target of those that need one
+    uint32_t directions = 0;  ///< measured
     double mean = 0;          ///< angle between a direction and what comes back, degrees
     double percentile_99 = 0; ///< 99 % of the directions are off by no more
     double max = 0;
-    Comparison picture;      ///< of the light pre-pass with this encoding, against its reference
+    Comparison picture; ///< of the light pre-pass with this encoding, against its reference
 };
 
 /// Figures of one place where view depth is read from: [L2].
@@ -43,11 +43,11 @@ struct EncodingBench {
 /// Sends directions through the real target of every normal encoding on `device`, and renders `world` with
 /// each ([ggx], otherwise default settings, textures bilinear on level 0) against the reference of
 /// the same form. The result does not depend on how often or when it runs. Throws Error.
-std::vector<EncodingFigures> bench_encodings(Device& device, const World& world,
-                                             const PlacedCamera& camera, const EncodingBench& options);
+std::vector<EncodingFigures> bench_encodings(Device& device, const World& world, const PlacedCamera& camera,
+                                             const EncodingBench& options);
 /// The same for each source of depth, with normals=oct32, whose own error is the smallest. Of `options`
 /// the picture's size is used.
-std::vector<DepthFigures> bench_depth_sources(Device& device, const World& world,
-                                              const PlacedCamera& camera, const EncodingBench& options);
+std::vector<DepthFigures> bench_depth_sources(Device& device, const World& world, const PlacedCamera& camera,
+                                              const EncodingBench& options);
 
 } // namespace prelight

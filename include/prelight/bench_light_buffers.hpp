@@ -17,14 +17,14 @@ struct LightSumError {
 /// Figures of one light buffer [L4] or one way to a material's own shininess [L5], with one number of
 /// lights on every pixel.
 struct LightBufferFigures {
-    std::string name;        ///< "RGBA8 packed, luminance"
+    std::string name;                               ///< "RGBA8 packed, luminance"
     std::string light_buffer, specular_way, writes; ///< values of the settings
-    double scale = 1;        ///< `light-scale` of the fixed-point buffers; the brightest sum is 0.95
-    uint32_t bytes = 0;      ///< a pixel, all targets
-    uint32_t overlap = 0;    ///< lights on every pixel
-    LightSumError diffuse;   ///< of Σ N·L·R in RGB
-    LightSumError specular;  ///< luminance, of what is asked for: Σ N·L·R·(N·H)^(n·mn)
-    LightSumError rounding;  ///< the same against the way's own formula: what storage alone costs
+    double scale = 1;       ///< `light-scale` of the fixed-point buffers; the brightest sum is 0.95
+    uint32_t bytes = 0;     ///< a pixel, all targets
+    uint32_t overlap = 0;   ///< lights on every pixel
+    LightSumError diffuse;  ///< of Σ N·L·R in RGB
+    LightSumError specular; ///< luminance, of what is asked for: Σ N·L·R·(N·H)^(n·mn)
+    LightSumError rounding; ///< the same against the way's own formula: what storage alone costs
 };
 
 struct LightBufferBench {

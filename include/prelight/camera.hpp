@@ -14,9 +14,9 @@ enum class ProjectionKind { perspective, orthographic };
 struct Camera {
     std::string name;
     ProjectionKind kind = ProjectionKind::perspective;
-    double yfov = 0.87;  ///< radians, full vertical angle, 0 … π (perspective)
-    double ymag = 1;     ///< metres, half the height of the view (orthographic)
-    double znear = 0.1;  ///< metres, > 0 for perspective, ≥ 0 for orthographic
+    double yfov = 0.87;                                    ///< radians, full vertical angle, 0 … π (perspective)
+    double ymag = 1;                                       ///< metres, half the height of the view (orthographic)
+    double znear = 0.1;                                    ///< metres, > 0 for perspective, ≥ 0 for orthographic
     double zfar = std::numeric_limits<double>::infinity(); ///< metres; infinite: perspective only
 };
 
@@ -29,13 +29,12 @@ struct CameraPose {
 /// A camera placed in the world.
 struct PlacedCamera {
     Camera camera;
-    glm::dvec3 position{0}; ///< world, metres
-    glm::dmat3 axes{1};     ///< columns: right, up, backwards (+Z); orthonormal, world space
+    glm::dvec3 position{0};               ///< world, metres
+    glm::dmat3 axes{1};                   ///< columns: right, up, backwards (+Z); orthonormal, world space
     std::optional<CameraPose> previous{}; ///< at the moment's previous state; absent: did not move
 };
 
 /// Camera at `eye` looking at `target`; `up` need not be orthogonal.
-PlacedCamera look_at(const Camera& camera, glm::dvec3 eye, glm::dvec3 target,
-                     glm::dvec3 up = {0, 1, 0});
+PlacedCamera look_at(const Camera& camera, glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up = {0, 1, 0});
 
 } // namespace prelight

@@ -13,15 +13,15 @@ namespace prelight {
 /// normalize(mix(n, m, c)), where m is the normal map's vector in the frame of n and the box's X and Y axes.
 /// Where decals overlap, the later one is mixed over the earlier; each m stands on the surface's own n.
 struct Decal {
-    uint32_t material = 0;  ///< index into Scene::materials, one without a shader of its own
-    float opacity = 1;      ///< 0 … 1
-    int32_t order = 0;      ///< higher ones lie over lower ones; among equals the later node
+    uint32_t material = 0; ///< index into Scene::materials, one without a shader of its own
+    float opacity = 1;     ///< 0 … 1
+    int32_t order = 0;     ///< higher ones lie over lower ones; among equals the later node
     /// Angle between the surface's normal and the box's +Z, radians, 0 ≤ from ≤ to ≤ π/2: whole up to the first,
     /// gone from the second on, smoothstep of the cosine between them.
     float fade_from = 1.04719755f, fade_to = 1.39626340f;
-    bool colour = true;     ///< changes base colour and metallic
-    bool normal = true;     ///< changes the normal, where the material has a normal map
-    bool roughness = true;  ///< changes roughness
+    bool colour = true;    ///< changes base colour and metallic
+    bool normal = true;    ///< changes the normal, where the material has a normal map
+    bool roughness = true; ///< changes roughness
 };
 
 struct PlacedDecal {

@@ -11,10 +11,10 @@ struct DeviceInfo {
     uint32_t index = 0;
     std::string name, driver, type; ///< type: discrete, integrated, virtual, software, other
     bool usable = false;
-    std::string why_not;            ///< empty when usable
+    std::string why_not;               ///< empty when usable
     std::vector<std::string> features; ///< optional features that are there
     std::vector<std::string> missing;  ///< optional features that are not
-    bool chosen = false;            ///< `auto` takes this one
+    bool chosen = false;               ///< `auto` takes this one
     std::string why_chosen;
 };
 

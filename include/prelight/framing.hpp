@@ -10,10 +10,10 @@ struct Framing {
     double fit = 0.8;      ///< of the picture's width or height, whichever is reached first: > 0
 };
 
-/// The camera that sees the world's triangles from there: what is drawn of their vertices spans `fit` of the picture in the tighter of its
-/// dimensions, less in the other, and lies in the middle. Named "framed", 30° high. `aspect`: the picture's width / height. Straight
-/// above and below, the picture's up is where the camera would come to with a smaller elevation. A world without extent is taken for a
-/// metre wide.
+/// The camera that sees the world's triangles from there: what is drawn of their vertices spans `fit` of the picture in
+/// the tighter of its dimensions, less in the other, and lies in the middle. Named "framed", 30° high. `aspect`: the
+/// picture's width / height. Straight above and below, the picture's up is where the camera would come to with a
+/// smaller elevation. A world without extent is taken for a metre wide.
 PlacedCamera frame(const World& world, double aspect, const Framing& framing = {});
 
 } // namespace prelight

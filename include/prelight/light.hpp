@@ -24,19 +24,19 @@ enum class Falloff {
 struct Light {
     std::string name;
     LightKind kind = LightKind::point;
-    glm::vec3 colour{1}; ///< linear RGB, each ≥ 0
-    float intensity = 1; ///< candela (point, spot) or lux (directional)
+    glm::vec3 colour{1};                                  ///< linear RGB, each ≥ 0
+    float intensity = 1;                                  ///< candela (point, spot) or lux (directional)
     float range = std::numeric_limits<float>::infinity(); ///< metres; infinite: reaches everything
-    float inner_cone = 0;            ///< radians from the axis, 0 … outer_cone; spot only
-    float outer_cone = 0.785398163f; ///< radians from the axis, … π/2; spot only
-    float shininess = 1; ///< [phong] light shininess n: multiplies the material's exponent (8.5.4)
+    float inner_cone = 0;                                 ///< radians from the axis, 0 … outer_cone; spot only
+    float outer_cone = 0.785398163f;                      ///< radians from the axis, … π/2; spot only
+    float shininess = 1;             ///< [phong] light shininess n: multiplies the material's exponent (8.5.4)
     Falloff falloff = Falloff::gltf; ///< linear and quadratic need a finite range
-    bool casts_shadow = true; ///< where a renderer draws shadows at all (setting `shadows`)
+    bool casts_shadow = true;        ///< where a renderer draws shadows at all (setting `shadows`)
     /// What it sends in which direction; light_distribution.hpp says how. Points and spots only.
-    uint32_t cookie = no_cookie; ///< index into Scene::images, or no_cookie
+    uint32_t cookie = no_cookie;                   ///< index into Scene::images, or no_cookie
     std::shared_ptr<const LightProfile> profile{}; ///< measured; null: the same everywhere
     bool profile_candela = false; ///< `intensity` is a factor on the profile's candela, not its maximum
-    float size = 0.03f; ///< metres: radius of the sphere that soft shadows take it for; not directional
+    float size = 0.03f;           ///< metres: radius of the sphere that soft shadows take it for; not directional
 };
 
 } // namespace prelight

@@ -30,10 +30,10 @@ struct LightProfile {
     double largest = 0; ///< of `candela`, > 0
 };
 
-/// Reads LM-63-1986, -1991, -1995, -2002 and -2019. TILT=INCLUDE is checked and otherwise passed over: its factors are for
-/// a lamp that hangs askew. `name` stands in messages. Throws Error "NAME: line N: REASON": not such a file, types A and B,
-/// TILT in another file, several lamps in one file, angles that do not ascend or that no symmetry is known for,
-/// numbers that are missing, too many, negative or not finite.
+/// Reads LM-63-1986, -1991, -1995, -2002 and -2019. TILT=INCLUDE is checked and otherwise passed over: its factors are
+/// for a lamp that hangs askew. `name` stands in messages. Throws Error "NAME: line N: REASON": not such a file, types
+/// A and B, TILT in another file, several lamps in one file, angles that do not ascend or that no symmetry is known
+/// for, numbers that are missing, too many, negative or not finite.
 LightProfile parse_profile(std::string_view text, const std::string& name);
 /// The same of a file of at most 16 MiB. Throws Error.
 LightProfile load_profile(const std::filesystem::path& path);
@@ -42,8 +42,10 @@ LightProfile load_profile(const std::filesystem::path& path);
 enum class CookieKind {
     none,
     spot,   ///< the picture fills the square around the outer cone, as the light sees it
-    sphere, ///< point, 2 : 1: equirectangular; the middle lies along −Z, the top row towards +Y, what is left of the middle towards −X
-    cube    ///< point, 6 : 1: faces +X −X +Y −Y +Z −Z side by side, each as the light sees it, +Y up; +Y and −Y as it tilts up and down from −Z
+    sphere, ///< point, 2 : 1: equirectangular; the middle lies along −Z, the top row towards +Y, what is left of the
+            ///< middle towards −X
+    cube ///< point, 6 : 1: faces +X −X +Y −Y +Z −Z side by side, each as the light sees it, +Y up; +Y and −Y as it
+         ///< tilts up and down from −Z
 };
 CookieKind cookie_kind(const Scene& scene, const Light& light);
 

@@ -1,9 +1,9 @@
 #pragma once
+#include <cstdint>
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -27,10 +27,10 @@ struct Sampler {
 
 /// A use of an image by a material.
 struct TextureRef {
-    uint32_t image = no_image;   ///< index into Scene::images, or no_image
+    uint32_t image = no_image; ///< index into Scene::images, or no_image
     Sampler sampler;
-    uint32_t texcoord = 0;       ///< texture-coordinate set, 0 or 1
-    glm::mat2 uv_linear{1};      ///< KHR_texture_transform: uv' = uv_linear · uv + uv_offset
+    uint32_t texcoord = 0;  ///< texture-coordinate set, 0 or 1
+    glm::mat2 uv_linear{1}; ///< KHR_texture_transform: uv' = uv_linear · uv + uv_offset
     glm::vec2 uv_offset{0};
     explicit operator bool() const { return image != no_image; }
 };
@@ -43,17 +43,17 @@ enum class AlphaMode { opaque, mask, blend };
 /// images are sRGB-encoded, the others linear.
 struct Material {
     std::string name;
-    glm::vec4 base_colour{1};      ///< linear RGBA factor
-    float metallic = 1;            ///< 0 … 1
-    float roughness = 1;           ///< perceptual, 0 … 1; shading uses max(roughness, 0.089)
-    glm::vec3 emissive{0};         ///< linear, factor × KHR_materials_emissive_strength
+    glm::vec4 base_colour{1}; ///< linear RGBA factor
+    float metallic = 1;       ///< 0 … 1
+    float roughness = 1;      ///< perceptual, 0 … 1; shading uses max(roughness, 0.089)
+    glm::vec3 emissive{0};    ///< linear, factor × KHR_materials_emissive_strength
     float normal_scale = 1;
-    float occlusion_strength = 1;  ///< 0 … 1, on ambient light only
+    float occlusion_strength = 1; ///< 0 … 1, on ambient light only
     AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha_cutoff = 0.5f;     ///< mask: a surface with alpha < cutoff is not there
+    float alpha_cutoff = 0.5f; ///< mask: a surface with alpha < cutoff is not there
     bool double_sided = false;
-    bool unlit = false;            ///< KHR_materials_unlit: colour = base colour, no light
-    bool receives_decals = true;   ///< decals (decal.hpp) lie on it
+    bool unlit = false;          ///< KHR_materials_unlit: colour = base colour, no light
+    bool receives_decals = true; ///< decals (decal.hpp) lie on it
     TextureRef base_colour_texture;
     TextureRef metallic_roughness_texture; ///< G roughness, B metallic
     TextureRef normal_texture;             ///< tangent space, +Y up

@@ -25,8 +25,8 @@ struct MaterialParameter {
 struct MaterialTexture {
     enum class StandIn { white, black, flat, required };
     std::string name;
-    uint32_t slot = 0;   ///< 0 … 5
-    bool colour = false; ///< sRGB-encoded in the file
+    uint32_t slot = 0;                 ///< 0 … 5
+    bool colour = false;               ///< sRGB-encoded in the file
     StandIn stand_in = StandIn::white; ///< what is read where a material has none
     std::string description;
 };

@@ -24,9 +24,9 @@ struct RenderOptions {
     uint32_t height = 720;
     std::optional<Shading> shading; ///< absent: the preset's own, without one ggx; see shading_in_force()
     Tonemap tonemap = Tonemap::pbr_neutral;
-    double exposure = 0;           ///< EV: scene-linear values are multiplied by 2^exposure
+    double exposure = 0; ///< EV: scene-linear values are multiplied by 2^exposure
     uint32_t msaa = 1;
-    bool count_pairs = false;      ///< fill Stats::pairs (slower)
+    bool count_pairs = false; ///< fill Stats::pairs (slower)
     /// Fill PassStats::cpu_ms: after the timed frames as many more, each pass submitted alone.
     bool pass_cpu = false;
     std::string preset;
@@ -107,9 +107,9 @@ struct ShadowStats {
     uint64_t lights_reduced = 0; ///< of these, with less than a texel for eight pixels across: the budget was short
     uint64_t lights_without = 0; ///< that should have a shadow, and not even one texel a tile was left
     uint32_t smallest = 0, largest = 0; ///< side of a tile, texels
-    uint64_t tiles_drawn = 0;    ///< in the last frame
-    uint64_t tiles_reused = 0;   ///< as they were: neither their light nor a caster moved
-    uint64_t casters_drawn = 0;  ///< objects in the tiles that were drawn
+    uint64_t tiles_drawn = 0;           ///< in the last frame
+    uint64_t tiles_reused = 0;          ///< as they were: neither their light nor a caster moved
+    uint64_t casters_drawn = 0;         ///< objects in the tiles that were drawn
 };
 
 /// What a light buffer in fixed point made of the last frame's light: codes are 0 … 1 times a scale.
@@ -121,10 +121,10 @@ struct LightBufferStats {
 struct Stats {
     std::string device, driver;
     std::map<std::string, std::string> settings; ///< every setting with the value in force
-    Shading shading = Shading::ggx; ///< in force
-    std::vector<std::string> notes; ///< what the device could not give as asked for, one line each
+    Shading shading = Shading::ggx;              ///< in force
+    std::vector<std::string> notes;              ///< what the device could not give as asked for, one line each
     uint64_t lights = 0, triangles = 0, draws = 0;
-    uint64_t triangles_drawn = 0;   ///< of them, what the first pass over all geometry sends to the device
+    uint64_t triangles_drawn = 0; ///< of them, what the first pass over all geometry sends to the device
     /// What of that is not drawn again by later passes, because no pixel of it was left: draws by occlusion queries,
     /// triangles by the depth buffer. Without them nothing is known of it.
     std::optional<uint64_t> draws_skipped = {}, triangles_skipped = {};
@@ -134,12 +134,12 @@ struct Stats {
     Spread wall_ms, cpu_ms, gpu_ms;
     std::vector<PassStats> passes;
     uint64_t attachment_bytes = 0, device_bytes = 0;
-    uint64_t device_bytes_peak = 0; ///< the most device memory held at once since the device was made
-    CreatedObjects created;         ///< during the last frame: nothing, once all has been drawn
-    std::optional<HostTimes> host_ms = {}; ///< renderers on a device
+    uint64_t device_bytes_peak = 0;          ///< the most device memory held at once since the device was made
+    CreatedObjects created;                  ///< during the last frame: nothing, once all has been drawn
+    std::optional<HostTimes> host_ms = {};   ///< renderers on a device
     std::optional<ShadowStats> shadows = {}; ///< with shadows=on
     std::optional<LightBufferStats> light_buffer = {}; ///< of a target in fixed point
-    uint64_t attachment_bytes_unshared = 0; ///< the same images, if none shared memory with another
+    uint64_t attachment_bytes_unshared = 0;            ///< the same images, if none shared memory with another
     uint64_t pairs_evaluated = 0, pairs_contributing = 0;
     bool pairs_counted = false;
 };
@@ -175,7 +175,6 @@ public:
 std::vector<RendererInfo> renderer_infos();
 /// `device` may be null for renderers that need none. Throws UsageError for an unknown name, setting
 /// or combination; Error when the device cannot do it.
-std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
-                                          const RenderOptions& options);
+std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device, const RenderOptions& options);
 
 } // namespace prelight

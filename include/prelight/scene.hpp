@@ -36,8 +36,8 @@ struct Environment {
     float intensity = 1;    ///< factor on the image's radiance, ≥ 0 and finite
     double rotation = 0;    ///< radians about +Y, counter-clockwise seen from above: π/2 puts the middle along −X
     bool background = true; ///< seen where nothing is drawn
-    /// What is seen there in place of `image`, as wide as high twice over too, with the same intensity and rotation. It lights
-    /// nothing. Empty: `image`.
+    /// What is seen there in place of `image`, as wide as high twice over too, with the same intensity and rotation. It
+    /// lights nothing. Empty: `image`.
     Image backdrop{};
 };
 
@@ -45,7 +45,7 @@ struct Environment {
 /// joint matrix × position; its weights sum up to 1.
 struct JointSet {
     std::vector<glm::vec<4, uint16_t>> joints; ///< indices into Skin::joints
-    std::vector<glm::vec4> weights;   ///< ≥ 0
+    std::vector<glm::vec4> weights;            ///< ≥ 0
 };
 
 /// What a morph target adds to each vertex at weight 1. Each list is empty (nothing) or as long as
@@ -60,16 +60,16 @@ struct MorphTarget {
 /// After loading every primitive has normals and tangents (flat / MikkTSpace where the file had none;
 /// tangents stay empty when the material has no normal map).
 struct Primitive {
-    std::vector<glm::vec3> positions;                 ///< object space, metres
-    std::vector<glm::vec3> normals;                   ///< unit length
-    std::vector<glm::vec4> tangents;                  ///< xyz unit, w = ±1: bitangent = w·(N × T)
-    std::array<std::vector<glm::vec2>, 2> texcoords;  ///< (0, 0) is the image's top left
-    std::vector<glm::vec4> colours;                   ///< linear RGBA 0 … 1; empty: white
-    std::vector<uint32_t> indices;                    ///< triangle list, counter-clockwise front
-    uint32_t material = 0;                            ///< index into Scene::materials
-    std::vector<JointSet> joint_sets{};               ///< for nodes with a skin
-    std::vector<MorphTarget> morph_targets{};         ///< each primitive of a mesh has as many
-    bool flat_normals = false; ///< the triangles' own: made anew when the primitive is deformed
+    std::vector<glm::vec3> positions;                ///< object space, metres
+    std::vector<glm::vec3> normals;                  ///< unit length
+    std::vector<glm::vec4> tangents;                 ///< xyz unit, w = ±1: bitangent = w·(N × T)
+    std::array<std::vector<glm::vec2>, 2> texcoords; ///< (0, 0) is the image's top left
+    std::vector<glm::vec4> colours;                  ///< linear RGBA 0 … 1; empty: white
+    std::vector<uint32_t> indices;                   ///< triangle list, counter-clockwise front
+    uint32_t material = 0;                           ///< index into Scene::materials
+    std::vector<JointSet> joint_sets{};              ///< for nodes with a skin
+    std::vector<MorphTarget> morph_targets{};        ///< each primitive of a mesh has as many
+    bool flat_normals = false;                       ///< the triangles' own: made anew when the primitive is deformed
     /// Only in World::deformed: where each vertex was at the moment's previous state, in the space of
     /// `positions`. Empty: there too.
     std::vector<glm::vec3> previous_positions{};
@@ -84,19 +84,19 @@ struct Mesh {
 /// Double precision: a scene 10 km from the origin keeps its millimetres.
 struct Node {
     std::string name;
-    glm::dmat4 local{1};                  ///< to the parent's space; last row 0 0 0 1, finite
-    std::vector<uint32_t> children;       ///< a forest: each node has at most one parent, no cycle
+    glm::dmat4 local{1};            ///< to the parent's space; last row 0 0 0 1, finite
+    std::vector<uint32_t> children; ///< a forest: each node has at most one parent, no cycle
     std::optional<uint32_t> mesh;
     std::optional<uint32_t> camera;
     std::optional<uint32_t> light;
-    std::vector<glm::dmat4> instances;    ///< EXT_mesh_gpu_instancing; empty: one, identity
+    std::vector<glm::dmat4> instances; ///< EXT_mesh_gpu_instancing; empty: one, identity
     /// What `local` is made of; absent when the file gives a matrix. Animation needs it.
     std::optional<Trs> trs{};
-    std::optional<uint32_t> skin{};       ///< the mesh follows these joints and not this node
-    std::vector<float> weights{};         ///< of the mesh's morph targets; empty: Mesh::weights
-    std::optional<uint32_t> decal{};      ///< index into Scene::decals; the node is its box
-    std::optional<uint32_t> emitter{};    ///< index into Scene::emitters
-    bool receives_decals = true;          ///< decals lie on its mesh
+    std::optional<uint32_t> skin{};    ///< the mesh follows these joints and not this node
+    std::vector<float> weights{};      ///< of the mesh's morph targets; empty: Mesh::weights
+    std::optional<uint32_t> decal{};   ///< index into Scene::decals; the node is its box
+    std::optional<uint32_t> emitter{}; ///< index into Scene::emitters
+    bool receives_decals = true;       ///< decals lie on its mesh
     /// KHR_node_visibility: false hides mesh, light, decal and emitter of the node and of all below it.
     /// Joints still move and cameras still see.
     bool visible = true;
@@ -109,30 +109,30 @@ struct SceneRoot {
 };
 
 struct Scene {
-    std::string name;                     ///< file or built-in name, for messages
+    std::string name; ///< file or built-in name, for messages
     std::vector<TextureImage> images;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<Light> lights;
     std::vector<Camera> cameras;
     std::vector<Node> nodes;
-    std::vector<SceneRoot> scenes;        ///< at least one
+    std::vector<SceneRoot> scenes; ///< at least one
     uint32_t default_scene = 0;
     std::vector<Animation> animations{};
     std::vector<Skin> skins{};
     std::vector<Decal> decals{};
     std::vector<Emitter> emitters{};
-    glm::vec3 ambient{0};                 ///< uniform environment radiance, linear RGB
+    glm::vec3 ambient{0}; ///< uniform environment radiance, linear RGB
     /// Light from all around, in place of `ambient`, which it makes unused; null: `ambient`.
     std::shared_ptr<const Environment> environment{};
-    std::vector<std::string> warnings;    ///< what the loader repaired or left out: "FILE: OBJECT: REASON", one line each
+    std::vector<std::string> warnings; ///< what the loader repaired or left out: "FILE: OBJECT: REASON", one line each
 };
 
 /// One drawn object: a mesh at a place.
 struct Instance {
     uint32_t mesh = 0;
-    glm::dmat4 transform{1};   ///< object → world
-    bool mirrored = false;     ///< negative determinant: front faces are clockwise
+    glm::dmat4 transform{1}; ///< object → world
+    bool mirrored = false;   ///< negative determinant: front faces are clockwise
     uint32_t node = 0;
     /// Index into World::deformed: morph targets or a skin move its vertices. See World::mesh_of.
     std::optional<uint32_t> deformed{};
@@ -153,15 +153,15 @@ struct PlacedLight {
 /// What one frame shows: the node tree resolved to world space, in the order of a depth-first walk.
 /// May be copied and moved.
 struct World {
-    const Scene* scene = nullptr;   ///< meshes, materials, images; must outlive the World
+    const Scene* scene = nullptr; ///< meshes, materials, images; must outlive the World
     std::vector<Instance> instances;
-    std::vector<Mesh> deformed{};   ///< meshes as morph targets and skins shape them at the moment, and particles
-    std::vector<PlacedLight> lights; ///< of the nodes, then of the emitters' particles
+    std::vector<Mesh> deformed{};      ///< meshes as morph targets and skins shape them at the moment, and particles
+    std::vector<PlacedLight> lights;   ///< of the nodes, then of the emitters' particles
     std::vector<PlacedDecal> decals{}; ///< by Decal::order: later ones lie over earlier ones
     std::vector<PlacedCamera> cameras;
-    bool framed = false;            ///< cameras[0] is resolve()'s own frame(): the scene has none
-    glm::vec3 ambient{0};           ///< uniform environment radiance; unused where the scene has an environment
-    glm::dvec3 bounds_min{0};       ///< of all triangles' vertices
+    bool framed = false;      ///< cameras[0] is resolve()'s own frame(): the scene has none
+    glm::vec3 ambient{0};     ///< uniform environment radiance; unused where the scene has an environment
+    glm::dvec3 bounds_min{0}; ///< of all triangles' vertices
     glm::dvec3 bounds_max{0};
     uint64_t triangles = 0;
 
@@ -171,25 +171,24 @@ struct World {
     }
 };
 
-/// Whether anything shines in one of the scene's trees: a node with a light or an emitter, ambient light, an environment.
+/// Whether anything shines in one of the scene's trees: a node with a light or an emitter, ambient light, an
+/// environment.
 bool is_lit(const Scene& scene, std::optional<uint32_t> scene_index = {});
 
 /// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
 /// camera gets one named "framed" (frame() in framing.hpp, for a square picture) or, when the
 /// world is a room or a courtyard, one named "inside" (see scene/enclosure.hpp). One that is not is_lit()
 /// gets the documented key light (directional, 3 lux, from the upper left behind
-/// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25. Whoever would rather have the studio gives the scene
-/// make_environment("studio") (scene_io.hpp) before.
-/// Without a `moment` nodes and morph weights are as the file gives them (skins are in the pose of
-/// their joints) and nothing has moved. With one they are as the animations put them at its time, and
-/// the "previous" members of instances, vertices and cameras tell where things were one interval
-/// earlier. `animation`: only this one of Scene::animations; absent: all, and where several change
-/// the same property of a node, the first in the file's order.
-/// Particles of emitters are as they are at the moment's time, without one at time 0.
-/// A tree without triangles is an empty picture; warnings_of() says what there was instead.
+/// the camera: direction (−0.4, −0.8, −0.45) normalised) and ambient 0.25. Whoever would rather have the studio gives
+/// the scene make_environment("studio") (scene_io.hpp) before. Without a `moment` nodes and morph weights are as the
+/// file gives them (skins are in the pose of their joints) and nothing has moved. With one they are as the animations
+/// put them at its time, and the "previous" members of instances, vertices and cameras tell where things were one
+/// interval earlier. `animation`: only this one of Scene::animations; absent: all, and where several change the same
+/// property of a node, the first in the file's order. Particles of emitters are as they are at the moment's time,
+/// without one at time 0. A tree without triangles is an empty picture; warnings_of() says what there was instead.
 /// Throws Error: a world transform that is not finite, an animation or skin that does not fit its node.
-World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {},
-              const std::optional<Moment>& moment = {}, std::optional<uint32_t> animation = {});
+World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {}, const std::optional<Moment>& moment = {},
+              std::optional<uint32_t> animation = {});
 
 /// Scene::warnings, and what of the tree that the world was made of cannot be shown, one line each.
 std::vector<std::string> warnings_of(const World& world);

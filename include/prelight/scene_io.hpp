@@ -10,8 +10,8 @@ namespace prelight {
 
 struct LoadOptions {
     bool strict = false; ///< what would be a warning about the file is an Error with the same line
-    /// Bytes that reading may plan with: a quarter for the pictures as they are when decoded (textures that do not fit are scaled
-    /// down, with a warning), a quarter for geometry. 0: what the machine can spare now.
+    /// Bytes that reading may plan with: a quarter for the pictures as they are when decoded (textures that do not fit
+    /// are scaled down, with a warning), a quarter for geometry. 0: what the machine can spare now.
     uint64_t memory_limit = 0;
 };
 
@@ -36,10 +36,12 @@ struct BuiltinEnvironment {
 /// studio.
 std::vector<BuiltinEnvironment> builtin_environments();
 
-/// A built-in environment, with soft_backdrop() behind it; the same name gives the same map. Throws UsageError for an unknown one.
+/// A built-in environment, with soft_backdrop() behind it; the same name gives the same map. Throws UsageError for an
+/// unknown one.
 Environment make_environment(std::string_view name);
 
-/// A backdrop that does not compete with what stands before it: grey, lighter around the horizon. For Environment::backdrop.
+/// A backdrop that does not compete with what stands before it: grey, lighter around the horizon. For
+/// Environment::backdrop.
 Image soft_backdrop();
 
 struct BuiltinScene {

@@ -27,8 +27,8 @@ EncodingFigures angular_error(const gpu::Context& context, const passes::NormalE
     return {.name = encoding.name,
             .target = graph::format_name(through.format),
             .bits = encoding.bits,
-            .bytes = graph::texel_bytes(through.format) +
-                     (holds_roughness ? 0 : graph::texel_bytes(VK_FORMAT_R16_SFLOAT)),
+            .bytes =
+                graph::texel_bytes(through.format) + (holds_roughness ? 0 : graph::texel_bytes(VK_FORMAT_R16_SFLOAT)),
             .directions = static_cast<uint32_t>(angles.size()),
             .mean = sum / static_cast<double>(angles.size()),
             .percentile_99 = *percentile,
@@ -76,8 +76,8 @@ double largest_relative_error(const gpu::Context& context, const passes::DepthSo
 
 } // namespace
 
-std::vector<EncodingFigures> bench_encodings(Device& device, const World& world,
-                                             const PlacedCamera& camera, const EncodingBench& options) {
+std::vector<EncodingFigures> bench_encodings(Device& device, const World& world, const PlacedCamera& camera,
+                                             const EncodingBench& options) {
     const auto& context = dynamic_cast<const gpu::Context&>(device);
     const std::vector<glm::vec4> directions = bench::directions(options.directions);
     const PictureError picture(device, world, camera, options);
@@ -92,8 +92,8 @@ std::vector<EncodingFigures> bench_encodings(Device& device, const World& world,
     return all;
 }
 
-std::vector<DepthFigures> bench_depth_sources(Device& device, const World& world,
-                                              const PlacedCamera& camera, const EncodingBench& options) {
+std::vector<DepthFigures> bench_depth_sources(Device& device, const World& world, const PlacedCamera& camera,
+                                              const EncodingBench& options) {
     const auto& context = dynamic_cast<const gpu::Context&>(device);
     const PictureError picture(device, world, camera, options);
     std::vector<DepthFigures> all;

@@ -74,21 +74,17 @@ LightSumError luminance_error(const Image& picture, const Image& reference) {
 
 LightBufferFigures measure(Device& device, const bench::LightWall& wall, const Row& row, const char* writes,
                            const LightBufferBench& options) {
-    std::map<std::string, std::string> settings{{"normals", "oct32"},
-                                                {"light-culling", "fullscreen"},
-                                                {"light-buffer", row.light_buffer},
-                                                {"light-writes", writes},
-                                                {"light-sums", "target"},
-                                                {"specular", row.specular}};
+    std::map<std::string, std::string> settings{
+        {"normals", "oct32"},     {"light-culling", "fullscreen"}, {"light-buffer", row.light_buffer},
+        {"light-writes", writes}, {"light-sums", "target"},        {"specular", row.specular}};
     if (!settings["light-buffer"].ends_with('f')) // floats need no scale
         settings["light-scale"] = fmt::format("{}", row.scale);
-    const auto renderer = create_renderer(
-        "light-prepass", &device,
-        {.width = options.width,
-         .height = options.height,
-         .shading = Shading::phong,
-         .settings = std::move(settings),
-         .views = {"diffuse-sum", "specular-sum"}});
+    const auto renderer = create_renderer("light-prepass", &device,
+                                          {.width = options.width,
+                                           .height = options.height,
+                                           .shading = Shading::phong,
+                                           .settings = std::move(settings),
+                                           .views = {"diffuse-sum", "specular-sum"}});
     renderer->set_world(wall.world());
     renderer->render(wall.camera());
     const Image specular = renderer->read("specular-sum");

@@ -44,7 +44,8 @@ LightWall::LightWall(uint32_t lights, uint32_t width, uint32_t height) {
     const float factor = static_cast<float>(peak) / brightest(buffers.diffuse_light);
     for (PlacedLight& light : world_.lights)
         light.light.intensity *= factor;
-    for (const Specular way : {Specular::stored, Specular::luv, Specular::fifth_channel, Specular::luminance, Specular::bent})
+    for (const Specular way :
+         {Specular::stored, Specular::luv, Specular::fifth_channel, Specular::luminance, Specular::bent})
         specular_[way] = trace(way, &buffers); // of white metal: the specular sum itself
     diffuse_ = std::move(buffers.diffuse_light);
 }
@@ -69,7 +70,8 @@ void LightWall::add_lights(uint32_t count) {
         const auto part = [&](double step) { return std::fmod(0.5 + step * i, 1.0); };
         const double hue = 2.0943951 * i;
         Light light{.kind = LightKind::point, .intensity = 1.0f / static_cast<float>(count)};
-        light.colour = glm::vec3(0.7 + 0.3 * std::cos(hue), 0.7 + 0.3 * std::cos(hue - 2.1), 0.7 + 0.3 * std::cos(hue + 2.1));
+        light.colour =
+            glm::vec3(0.7 + 0.3 * std::cos(hue), 0.7 + 0.3 * std::cos(hue - 2.1), 0.7 + 0.3 * std::cos(hue + 2.1));
         const glm::dvec3 place(3.0 * part(0.7548776662466927) - 1.5, 1.6 * part(0.5698402909980532) - 0.8,
                                1.2 + part(0.37));
         world_.lights.push_back({light, place});

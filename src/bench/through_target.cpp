@@ -28,12 +28,12 @@ void draw_everywhere(graph::Pass& pass, const gpu::Context& context, const char*
     });
 }
 
-Stored through_target(const gpu::Context& context, std::span<const VkFormat> formats,
-                      const gpu::Constants& constants, std::span<const glm::vec4> values) {
+Stored through_target(const gpu::Context& context, std::span<const VkFormat> formats, const gpu::Constants& constants,
+                      std::span<const glm::vec4> values) {
     if (values.empty() || values.size() % BENCH_WIDTH)
         throw Error("bench: the number of values is no multiple of a row's");
-    const gpu::Buffer source(context, "values", values.size_bytes(),
-                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::upload);
+    const gpu::Buffer source(context, "values", values.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                             gpu::BufferPlace::upload);
     std::copy(values.begin(), values.end(), source.mapped<glm::vec4>());
     const VkExtent2D extent{BENCH_WIDTH, static_cast<uint32_t>(values.size() / BENCH_WIDTH)};
 

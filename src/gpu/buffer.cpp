@@ -20,16 +20,15 @@ Buffer::Buffer(const Context& context, std::string_view name, uint64_t size, VkB
     VkMemoryRequirements requirements{};
     vkGetBufferMemoryRequirements(context.device(), handle, &requirements);
     const bool host = place != BufferPlace::device;
-    const VkMemoryPropertyFlags flags =
-        host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
-             : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
-    allocation_ = Allocation(context, requirements.size,
-                             context.memory_type(requirements.memoryTypeBits, flags), host);
+    const VkMemoryPropertyFlags flags = host
+                                            ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
+                                            : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    allocation_ = Allocation(context, requirements.size, context.memory_type(requirements.memoryTypeBits, flags), host);
     check(vkBindBufferMemory(context.device(), handle, allocation_.memory(), 0), name);
 }
 
-Buffer make_device_buffer(const Context& context, std::string_view name,
-                          std::span<const std::byte> bytes, VkBufferUsageFlags usage) {
+Buffer make_device_buffer(const Context& context, std::string_view name, std::span<const std::byte> bytes,
+                          VkBufferUsageFlags usage) {
     const uint64_t size = std::max<uint64_t>(bytes.size(), 4);
     Buffer staging(context, "staging", size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::upload);
     std::memset(staging.mapped<std::byte>(), 0, 4);

@@ -15,8 +15,7 @@ class Buffer {
 public:
     Buffer() = default;
     /// `size` ≥ 1 bytes. Throws Error.
-    Buffer(const Context& context, std::string_view name, uint64_t size, VkBufferUsageFlags usage,
-           BufferPlace place);
+    Buffer(const Context& context, std::string_view name, uint64_t size, VkBufferUsageFlags usage, BufferPlace place);
 
     VkBuffer handle() const { return buffer_; }
     uint64_t size() const { return size_; }
@@ -32,7 +31,7 @@ private:
 };
 
 /// A device buffer holding `bytes` (one zero byte when empty), copied through staging; waits.
-Buffer make_device_buffer(const Context& context, std::string_view name,
-                          std::span<const std::byte> bytes, VkBufferUsageFlags usage);
+Buffer make_device_buffer(const Context& context, std::string_view name, std::span<const std::byte> bytes,
+                          VkBufferUsageFlags usage);
 
 } // namespace prelight::gpu

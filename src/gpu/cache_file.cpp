@@ -55,9 +55,7 @@ void CacheKey::add(std::string_view bytes) {
     }
 }
 
-std::string CacheKey::text() const {
-    return fmt::format("{:016x}{:016x}", a_, b_);
-}
+std::string CacheKey::text() const { return fmt::format("{:016x}{:016x}", a_, b_); }
 
 std::vector<std::byte> seal_cache(std::span<const std::byte> payload) {
     Frame frame;
@@ -77,8 +75,8 @@ std::span<const std::byte> open_cache(std::span<const std::byte> file) {
         return {};
     std::memcpy(&frame, file.data(), sizeof frame);
     const auto payload = file.subspan(sizeof frame);
-    if (std::memcmp(frame.magic, expected.magic, sizeof frame.magic) != 0 ||
-        frame.length != payload.size() || frame.checksum != fnv1a(payload))
+    if (std::memcmp(frame.magic, expected.magic, sizeof frame.magic) != 0 || frame.length != payload.size() ||
+        frame.checksum != fnv1a(payload))
         return {};
     return payload;
 }

@@ -5,9 +5,8 @@ namespace prelight::gpu {
 
 std::string_view result_name(VkResult result) {
     switch (result) {
-#define NAMED(name, words) \
-    case name:             \
-        return words " (" #name ")";
+#define NAMED(name, words)                                                                                             \
+    case name: return words " (" #name ")";
         NAMED(VK_ERROR_OUT_OF_HOST_MEMORY, "out of host memory")
         NAMED(VK_ERROR_OUT_OF_DEVICE_MEMORY, "out of device memory")
         NAMED(VK_ERROR_INITIALIZATION_FAILED, "initialization failed")
@@ -35,8 +34,7 @@ std::string_view result_name(VkResult result) {
         NAMED(VK_INCOMPLETE, "incomplete")
         NAMED(VK_PIPELINE_COMPILE_REQUIRED, "a pipeline would have to be compiled")
 #undef NAMED
-    default:
-        return "";
+    default: return "";
     }
 }
 
@@ -44,8 +42,9 @@ void check(VkResult result, std::string_view what) {
     if (result == VK_SUCCESS)
         return;
     const std::string_view name = result_name(result);
-    throw Error(name.empty() ? fmt::format("{}: VkResult {}, which Vulkan 1.3 has no name for", what, static_cast<int>(result))
-                             : fmt::format("{}: {}", what, name));
+    throw Error(name.empty()
+                    ? fmt::format("{}: VkResult {}, which Vulkan 1.3 has no name for", what, static_cast<int>(result))
+                    : fmt::format("{}: {}", what, name));
 }
 
 } // namespace prelight::gpu

@@ -1,7 +1,7 @@
 // A user's material, compiled at run time: `#include "material.glsl"` means the user's file, everything else
 // is what this build was made of. What comes out is kept on disk, for the compiler takes a third of a second a stage.
-#include "cache_file.hpp"
 #include "compile_material.hpp"
+#include "cache_file.hpp"
 #include "glsl_sources.hpp"
 #include <cstring>
 #include <fmt/format.h>
@@ -148,9 +148,10 @@ const std::string& hash_of_own_sources() {
 
 /// All that decides what comes out: the compiler, its options, every source. The file's name does not.
 std::string key_of(const MaterialShader& shader, const Stage& stage, Aim aim) {
-    return fmt::format("glslang {}.{}.{}, {}, vulkan1.3 {}\n{}\n{} {} {}\n{}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR,
-                       GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString(), aim == Aim::draw ? "-O" : "-O0",
-                       hash_of_own_sources(), stage.name, stage.source, stage.defines, shader.source);
+    return fmt::format("glslang {}.{}.{}, {}, vulkan1.3 {}\n{}\n{} {} {}\n{}", GLSLANG_VERSION_MAJOR,
+                       GLSLANG_VERSION_MINOR, GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString(),
+                       aim == Aim::draw ? "-O" : "-O0", hash_of_own_sources(), stage.name, stage.source, stage.defines,
+                       shader.source);
 }
 
 /// A file holds the length of its key, the key, and then SPIR-V: two keys of one hash don't meet.

@@ -14,8 +14,7 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Compute
     info.stage = stage.info();
     info.layout = out->layout;
     VkPipeline handle = VK_NULL_HANDLE;
-    check(vkCreateComputePipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle),
-          desc.name);
+    check(vkCreateComputePipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle), desc.name);
     out->pipeline = {context.device(), handle};
     context.count_created(Context::Kind::pipeline);
     context.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(handle), desc.name);

@@ -10,7 +10,7 @@ struct ComputePipelineDesc {
     std::string shader;
     Constants constants;
     std::vector<VkDescriptorSetLayout> sets;
-    uint32_t push_bytes = 0; ///< push constants; at most 128
+    uint32_t push_bytes = 0;                                      ///< push constants; at most 128
     auto operator<=>(const ComputePipelineDesc&) const = default; ///< what is equal is one pipeline
 };
 

@@ -19,9 +19,7 @@ std::vector<DeviceInfo> Device::list() {
     return infos;
 }
 
-std::unique_ptr<Device> Device::create(const DeviceOptions& options) {
-    return std::make_unique<gpu::Context>(options);
-}
+std::unique_ptr<Device> Device::create(const DeviceOptions& options) { return std::make_unique<gpu::Context>(options); }
 
 namespace gpu {
 namespace {
@@ -129,13 +127,9 @@ void Context::load_functions() {
     }
     if (!instance_.debug_utils())
         return;
-    const auto load = [&](const char* function) {
-        return vkGetInstanceProcAddr(instance_.handle(), function);
-    };
-    set_object_name_ =
-        reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(load("vkSetDebugUtilsObjectNameEXT"));
-    begin_label_ =
-        reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(load("vkCmdBeginDebugUtilsLabelEXT"));
+    const auto load = [&](const char* function) { return vkGetInstanceProcAddr(instance_.handle(), function); };
+    set_object_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(load("vkSetDebugUtilsObjectNameEXT"));
+    begin_label_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(load("vkCmdBeginDebugUtilsLabelEXT"));
     end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(load("vkCmdEndDebugUtilsLabelEXT"));
 }
 

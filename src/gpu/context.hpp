@@ -35,8 +35,8 @@ public:
     /// The device is this machine's processor.
     bool is_software() const { return chosen_.info.type == "software"; }
     const OptionalFeatures& features() const { return chosen_.optional; }
-    /// Takes the device for one that ends loops earlier (OptionalFeatures::loop_turns), for renderers that are made later: shows
-    /// with few lights what others get with many.
+    /// Takes the device for one that ends loops earlier (OptionalFeatures::loop_turns), for renderers that are made
+    /// later: shows with few lights what others get with many.
     void end_loops_after(uint32_t turns) { chosen_.optional.loop_turns = turns; }
     const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
 

@@ -83,8 +83,7 @@ VkDescriptorSetLayout make_set_layout(const Context& context, std::string_view n
     });
 }
 
-DescriptorSets::DescriptorSets(const Context& context, std::string_view name,
-                               VkDescriptorSetLayout layout,
+DescriptorSets::DescriptorSets(const Context& context, std::string_view name, VkDescriptorSetLayout layout,
                                std::span<const std::vector<Binding>> sets) {
     std::map<VkDescriptorType, uint32_t> counts;
     for (const auto& bindings : sets)

@@ -17,8 +17,7 @@ struct Binding {
     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     VkSampler sampler = VK_NULL_HANDLE;
 
-    static Binding uniform(uint32_t index, VkBuffer buffer, uint64_t offset = 0,
-                           uint64_t range = VK_WHOLE_SIZE);
+    static Binding uniform(uint32_t index, VkBuffer buffer, uint64_t offset = 0, uint64_t range = VK_WHOLE_SIZE);
     static Binding storage(uint32_t index, VkBuffer buffer);
     static Binding sampled(uint32_t index, VkImageView view, VkImageLayout layout);
     static Binding storage_image(uint32_t index, VkImageView view);
@@ -26,9 +25,9 @@ struct Binding {
     static Binding texture(uint32_t index, VkImageView view, VkSampler sampler);
 };
 
-/// A layout, visible to all graphics stages and compute, for bindings of these types. It is the device's, which has one for all equals.
-VkDescriptorSetLayout make_set_layout(const Context& context, std::string_view name,
-                                std::span<const Binding> bindings);
+/// A layout, visible to all graphics stages and compute, for bindings of these types. It is the device's, which has one
+/// for all equals.
+VkDescriptorSetLayout make_set_layout(const Context& context, std::string_view name, std::span<const Binding> bindings);
 
 /// Descriptor sets that live together: a pool of exactly the size needed.
 class DescriptorSets {

@@ -2,8 +2,8 @@
 #include "check.hpp"
 #include <algorithm>
 #include <fmt/format.h>
-#include <prelight/error.hpp>
 #include <optional>
+#include <prelight/error.hpp>
 
 namespace prelight::gpu {
 namespace {
@@ -35,8 +35,7 @@ std::vector<VkQueueFamilyProperties> queue_families(VkPhysicalDevice physical) {
 std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice physical) {
     const std::vector<VkQueueFamilyProperties> families = queue_families(physical);
     for (uint32_t i = 0; i < families.size(); ++i)
-        if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) &&
-            (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT))
+        if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) && (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT))
             return i;
     return {};
 }
@@ -89,8 +88,8 @@ uint32_t shuffle_lanes(const VkPhysicalDeviceSubgroupProperties& subgroups) {
     return shuffles && subgroups.subgroupSize <= 64 ? subgroups.subgroupSize : 0;
 }
 
-/// gallivm, which compiles llvmpipe's and lavapipe's shaders, counts the turns of all loops of an invocation and ends each
-/// loop at its next turn when they are used up (LP_MAX_TGSI_LOOP_ITERATIONS in lp_bld_limits.h).
+/// gallivm, which compiles llvmpipe's and lavapipe's shaders, counts the turns of all loops of an invocation and ends
+/// each loop at its next turn when they are used up (LP_MAX_TGSI_LOOP_ITERATIONS in lp_bld_limits.h).
 uint32_t loop_turns(VkDriverId driver) { return driver == VK_DRIVER_ID_MESA_LLVMPIPE ? 65535 : 0; }
 
 Candidate examine(VkPhysicalDevice physical, uint32_t index) {
@@ -109,8 +108,8 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
 
     const uint32_t api = properties.properties.apiVersion;
     if (api < VK_API_VERSION_1_3) {
-        info.why_not = fmt::format("Vulkan {}.{}, and 1.3 is needed", VK_API_VERSION_MAJOR(api),
-                                   VK_API_VERSION_MINOR(api));
+        info.why_not =
+            fmt::format("Vulkan {}.{}, and 1.3 is needed", VK_API_VERSION_MAJOR(api), VK_API_VERSION_MINOR(api));
         return candidate;
     }
     VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
@@ -143,8 +142,8 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
 }
 
 std::vector<Candidate>::iterator find_named(std::vector<Candidate>& all, const std::string& select) {
-    const bool index = !select.empty() && std::all_of(select.begin(), select.end(),
-                                                      [](char c) { return c >= '0' && c <= '9'; });
+    const bool index =
+        !select.empty() && std::all_of(select.begin(), select.end(), [](char c) { return c >= '0' && c <= '9'; });
     return std::find_if(all.begin(), all.end(), [&](const Candidate& c) {
         if (select == "cpu")
             return c.info.type == "software" && c.info.usable;
@@ -166,15 +165,15 @@ std::vector<Candidate> choose(std::vector<Candidate> all, const std::string& sel
     auto chosen = all.end();
     if (select == "auto") {
         chosen = std::min_element(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
-            return std::pair(!a.info.usable, rank(a.info.type)) <
-                   std::pair(!b.info.usable, rank(b.info.type));
+            return std::pair(!a.info.usable, rank(a.info.type)) < std::pair(!b.info.usable, rank(b.info.type));
         });
         if (chosen == all.end() || !chosen->info.usable)
-            throw Error(all.empty() ? std::string("Vulkan: no device")
-                                    : fmt::format("Vulkan: no usable device: {}: {}", chosen->info.name,
-                                                  chosen->info.why_not));
+            throw Error(all.empty()
+                            ? std::string("Vulkan: no device")
+                            : fmt::format("Vulkan: no usable device: {}: {}", chosen->info.name, chosen->info.why_not));
         chosen->info.why_chosen = fmt::format("auto prefers discrete, integrated, virtual, software: "
-                                              "this is the first {} device", chosen->info.type);
+                                              "this is the first {} device",
+                                              chosen->info.type);
     } else {
         chosen = find_named(all, select);
         if (chosen == all.end())

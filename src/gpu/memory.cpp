@@ -33,8 +33,7 @@ void Allocation::swap(Allocation& other) {
 
 MemoryPool::Slice MemoryPool::take(const VkMemoryRequirements& requirements) {
     constexpr uint64_t block_size = 16u << 20;
-    const uint32_t type =
-        context_.memory_type(requirements.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    const uint32_t type = context_.memory_type(requirements.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     // Images and buffers are never mixed in one pool, so that bufferImageGranularity does not matter.
     const auto aligned = [&](uint64_t offset) {
         return (offset + requirements.alignment - 1) / requirements.alignment * requirements.alignment;
@@ -45,8 +44,8 @@ MemoryPool::Slice MemoryPool::take(const VkMemoryRequirements& requirements) {
             block.used = offset + requirements.size;
             return {block.allocation.memory(), offset};
         }
-    blocks_.push_back({Allocation(context_, std::max(block_size, requirements.size), type, false), type,
-                       requirements.size});
+    blocks_.push_back(
+        {Allocation(context_, std::max(block_size, requirements.size), type, false), type, requirements.size});
     return {blocks_.back().allocation.memory(), 0};
 }
 

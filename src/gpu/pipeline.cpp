@@ -34,8 +34,7 @@ void set_stencil(VkPipelineDepthStencilStateCreateInfo& state, Stencil stencil) 
 }
 
 VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
-    VkPipelineDepthStencilStateCreateInfo state{
-        VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    VkPipelineDepthStencilStateCreateInfo state{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     state.depthTestEnable = test != DepthTest::none;
     state.depthWriteEnable = test == DepthTest::write_nearer || test == DepthTest::overwrite;
     switch (test) {
@@ -78,8 +77,9 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     std::vector<VkVertexInputBindingDescription> bindings;
     for (const uint32_t stride : desc.vertex_strides) {
         const auto binding = static_cast<uint32_t>(bindings.size());
-        bindings.push_back({binding, stride, binding == desc.instance_binding ? VK_VERTEX_INPUT_RATE_INSTANCE
-                                                                              : VK_VERTEX_INPUT_RATE_VERTEX});
+        bindings.push_back(
+            {binding, stride,
+             binding == desc.instance_binding ? VK_VERTEX_INPUT_RATE_INSTANCE : VK_VERTEX_INPUT_RATE_VERTEX});
     }
     std::vector<VkVertexInputAttributeDescription> attributes;
     for (const VertexAttribute& a : desc.attributes)
@@ -90,19 +90,16 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     input.vertexAttributeDescriptionCount = static_cast<uint32_t>(attributes.size());
     input.pVertexAttributeDescriptions = attributes.data();
 
-    VkPipelineInputAssemblyStateCreateInfo assembly{
-        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
     viewport.viewportCount = viewport.scissorCount = 1;
-    VkPipelineRasterizationStateCreateInfo raster{
-        VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.lineWidth = 1;
     raster.depthBiasEnable = desc.slope_bias > 0;
     raster.depthBiasSlopeFactor = -desc.slope_bias; // reversed depth
     raster.depthClampEnable = desc.depth_clamp && context.features().depth_clamp;
-    VkPipelineMultisampleStateCreateInfo samples{
-        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
     samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
     VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc.depth);
     depth.depthBoundsTestEnable = desc.depth_bounds;
@@ -138,8 +135,7 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     info.pDynamicState = &dynamic;
     info.layout = out->layout;
     VkPipeline handle = VK_NULL_HANDLE;
-    check(vkCreateGraphicsPipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle),
-          desc.name);
+    check(vkCreateGraphicsPipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle), desc.name);
     out->pipeline = {context.device(), handle};
     context.count_created(Context::Kind::pipeline);
     context.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(handle), desc.name);
@@ -162,8 +158,7 @@ void GraphicsPipeline::bind_set(VkCommandBuffer commands, uint32_t index, VkDesc
 }
 
 void GraphicsPipeline::push(VkCommandBuffer commands, std::span<const std::byte> bytes) const {
-    vkCmdPushConstants(commands, built_->layout, push_stage_, 0,
-                       static_cast<uint32_t>(bytes.size()), bytes.data());
+    vkCmdPushConstants(commands, built_->layout, push_stage_, 0, static_cast<uint32_t>(bytes.size()), bytes.data());
 }
 
 } // namespace prelight::gpu

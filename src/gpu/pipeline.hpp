@@ -26,10 +26,10 @@ enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, su
 /// wrapping; with `depth` as `behind_or_at`, a face "passes" where the surface lies behind it.
 enum class Stencil {
     none,
-    mark_passing,  ///< camera outside: front faces that pass +1, back faces that pass −1
-    mark_failing,  ///< camera inside: back faces that fail +1, front faces that fail −1
+    mark_passing,   ///< camera outside: front faces that pass +1, back faces that pass −1
+    mark_failing,   ///< camera inside: back faces that fail +1, front faces that fail −1
     marked_to_zero, ///< draws where the stencil is not 0, and zeroes it
-    exported       ///< holds what the fragment shader says: OptionalFeatures::stencil_export
+    exported        ///< holds what the fragment shader says: OptionalFeatures::stencil_export
 };
 
 /// Everything of a graphics pipeline that Prelight varies. Depth is reversed: nearer is greater, so
@@ -39,23 +39,23 @@ enum class Stencil {
 /// Cull mode and front face are dynamic state.
 struct GraphicsPipelineDesc {
     std::string name;
-    std::string vertex;                     ///< shader names
-    std::string fragment;                   ///< may be empty: depth and stencil only
-    std::vector<uint32_t> fragment_code;    ///< SPIR-V that is in no file of shaders/
-    Constants constants;                    ///< for both stages
-    std::vector<uint32_t> vertex_strides;   ///< one per vertex buffer binding
-    uint32_t instance_binding = ~0u;        ///< the one that steps once an instance
+    std::string vertex;                   ///< shader names
+    std::string fragment;                 ///< may be empty: depth and stencil only
+    std::vector<uint32_t> fragment_code;  ///< SPIR-V that is in no file of shaders/
+    Constants constants;                  ///< for both stages
+    std::vector<uint32_t> vertex_strides; ///< one per vertex buffer binding
+    uint32_t instance_binding = ~0u;      ///< the one that steps once an instance
     std::vector<VertexAttribute> attributes;
     std::vector<VkFormat> colour_formats;
     VkFormat depth_format = VK_FORMAT_UNDEFINED;
     VkFormat stencil_format = VK_FORMAT_UNDEFINED;
     Blend blend = Blend::none;
     DepthTest depth = DepthTest::none;
-    bool depth_bounds = false;              ///< vkCmdSetDepthBounds comes before each draw
+    bool depth_bounds = false; ///< vkCmdSetDepthBounds comes before each draw
     Stencil stencil = Stencil::none;
-    bool depth_clamp = false;               ///< where the device has it
+    bool depth_clamp = false; ///< where the device has it
     std::vector<VkDescriptorSetLayout> sets;
-    uint32_t push_bytes = 0;                ///< push constants; at most 128
+    uint32_t push_bytes = 0;                                      ///< push constants; at most 128
     VkShaderStageFlags push_stage = VK_SHADER_STAGE_FRAGMENT_BIT; ///< the one that reads them
     /// Depth moves away from the viewer by this many times what it changes within a pixel.
     float slope_bias = 0;

@@ -7,8 +7,8 @@
 
 namespace prelight::gpu {
 
-/// What has been built for one device, shared by all renderers on it: a second renderer that draws as the first one takes no time to
-/// compile. Objects are found by all that they are built from. Calls may come from several threads.
+/// What has been built for one device, shared by all renderers on it: a second renderer that draws as the first one
+/// takes no time to compile. Objects are found by all that they are built from. Calls may come from several threads.
 class PipelineLibrary {
 public:
     /// Of the description, or what `make()` builds of it. What nobody uses any more is kept, up to `most_kept` in all.

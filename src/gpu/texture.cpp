@@ -43,8 +43,8 @@ void submit(VkCommandBuffer commands, const VkImageMemoryBarrier2& barrier) {
 }
 
 VkOffset3D corner(uint32_t size_x, uint32_t size_y, uint32_t level) {
-    return {static_cast<int32_t>(std::max(1u, size_x >> level)),
-            static_cast<int32_t>(std::max(1u, size_y >> level)), 1};
+    return {static_cast<int32_t>(std::max(1u, size_x >> level)), static_cast<int32_t>(std::max(1u, size_y >> level)),
+            1};
 }
 
 std::string name_of(const TextureImage& image) { return image.name.empty() ? "texture" : image.name; }
@@ -103,13 +103,16 @@ Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, c
     check_size(context, levels[0]);
     make(context, pool, name_of(levels[0]), format_of(encoding), levels[0].width, levels[0].height, count);
     for (uint32_t level = 0; level < count; ++level)
-        copy_level(uploader, stage_texels(uploader, levels[level], encoding), level, {levels[level].width, levels[level].height});
+        copy_level(uploader, stage_texels(uploader, levels[level], encoding), level,
+                   {levels[level].width, levels[level].height});
     finish(uploader.commands(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, count);
 }
 
-void Texture::copy_level(const Uploader& uploader, const Uploader::Staging& staging, uint32_t level, VkExtent2D size) const {
+void Texture::copy_level(const Uploader& uploader, const Uploader::Staging& staging, uint32_t level,
+                         VkExtent2D size) const {
     constexpr auto write = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    submit(uploader.commands(), level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0, VK_ACCESS_2_TRANSFER_WRITE_BIT));
+    submit(uploader.commands(),
+           level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0, VK_ACCESS_2_TRANSFER_WRITE_BIT));
     VkBufferImageCopy copy{};
     copy.bufferOffset = staging.offset;
     copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
@@ -128,8 +131,7 @@ void Texture::make(const Context& context, MemoryPool& pool, const std::string& 
     info.mipLevels = levels;
     info.arrayLayers = 1;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
-    info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     VkImage handle = VK_NULL_HANDLE;
     check(vkCreateImage(context.device(), &info, nullptr, &handle), name);
     image_ = {context.device(), handle};
@@ -157,8 +159,8 @@ void Texture::fill(Uploader& uploader, const TextureImage& image, TextureEncodin
     constexpr auto write = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
     constexpr auto read = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     for (uint32_t level = 1; level < levels; ++level) {
-        submit(commands, level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0,
-                                       VK_ACCESS_2_TRANSFER_WRITE_BIT));
+        submit(commands,
+               level_barrier(image_, level, VK_IMAGE_LAYOUT_UNDEFINED, write, 0, VK_ACCESS_2_TRANSFER_WRITE_BIT));
         VkImageBlit blit{};
         blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level - 1, 0, 1};
         blit.srcOffsets[1] = corner(image.width, image.height, level - 1);
@@ -172,9 +174,8 @@ void Texture::fill(Uploader& uploader, const TextureImage& image, TextureEncodin
 }
 
 void Texture::finish(VkCommandBuffer commands, VkImageLayout from, uint32_t levels) const {
-    VkImageMemoryBarrier2 done =
-        level_barrier(image_, 0, from, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-                      VK_ACCESS_2_TRANSFER_READ_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+    VkImageMemoryBarrier2 done = level_barrier(image_, 0, from, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                                               VK_ACCESS_2_TRANSFER_READ_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
     done.subresourceRange.levelCount = levels;
     done.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
     submit(commands, done);
@@ -200,9 +201,7 @@ UniqueSampler make_sampler(const Context& context, const Sampler& sampler, Textu
                : wrap == Wrap::mirrored_repeat ? VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT
                                                : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     };
-    const auto mode = [](Filter f) {
-        return f == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
-    };
+    const auto mode = [](Filter f) { return f == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; };
     VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     info.addressModeU = address(sampler.wrap_s);
     info.addressModeV = address(sampler.wrap_t);
@@ -213,13 +212,14 @@ UniqueSampler make_sampler(const Context& context, const Sampler& sampler, Textu
     } else {
         info.magFilter = mode(sampler.mag);
         info.minFilter = mode(sampler.min);
-        info.mipmapMode = sampler.mip == MipFilter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR
-                                                           : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+        info.mipmapMode =
+            sampler.mip == MipFilter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
         // Without mip maps a lod of 0.25 keeps minification apart from magnification (Vulkan spec).
         info.maxLod = sampler.mip == MipFilter::none ? 0.25f : VK_LOD_CLAMP_NONE;
         // Only where everything is linear anyway: with anisotropy drivers choose filters themselves.
         info.anisotropyEnable = filter == TextureFilter::anisotropic && context.features().anisotropy &&
-                                sampler.mag == Filter::linear && sampler.min == Filter::linear && sampler.mip == MipFilter::linear;
+                                sampler.mag == Filter::linear && sampler.min == Filter::linear &&
+                                sampler.mip == MipFilter::linear;
         info.maxAnisotropy = std::min(8.0f, context.limits().maxSamplerAnisotropy);
     }
     VkSampler handle = VK_NULL_HANDLE;

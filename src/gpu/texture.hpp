@@ -6,10 +6,10 @@
 namespace prelight::gpu {
 
 enum class TextureEncoding {
-    srgb8,  ///< colours
+    srgb8, ///< colours
     linear8,
-    half,   ///< linear values as half floats: lavapipe filters 8-bit linear textures in 8-bit fixed
-            ///< point, too coarse for normals that are compared with the reference
+    half, ///< linear values as half floats: lavapipe filters 8-bit linear textures in 8-bit fixed
+          ///< point, too coarse for normals that are compared with the reference
 };
 
 /// A sampled RGBA picture with its full chain of mip maps.

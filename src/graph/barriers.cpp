@@ -5,9 +5,9 @@
 namespace prelight::graph {
 namespace {
 
-constexpr VkAccessFlags2 write_bits =
-    VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT |
-    VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
+constexpr VkAccessFlags2 write_bits = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+                                      VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT |
+                                      VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
 
 struct Group {
     uint32_t pass = 0;
@@ -103,8 +103,7 @@ void FrameGraph::derive_buffer_barriers(uint32_t index) {
     // The first use waits for the frame before, the host for all of this one.
     Access before = everything;
     for (const Group& group : group_uses(uses)) {
-        passes_[group.pass]->buffer_barriers_.push_back(
-            barrier(before, group.access.stages, group.access.access));
+        passes_[group.pass]->buffer_barriers_.push_back(barrier(before, group.access.stages, group.access.access));
         before = group.access;
     }
     host_barriers_.push_back(barrier(everything, VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT));

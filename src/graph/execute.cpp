@@ -48,7 +48,7 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
         info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
         info.loadOp = load_op(again ? Load::keep : attachment.load);
         info.storeOp = pass.between_ || needed_after(attachment.image, index) ? VK_ATTACHMENT_STORE_OP_STORE
-                                                             : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+                                                                              : VK_ATTACHMENT_STORE_OP_DONT_CARE;
         std::memcpy(info.clearValue.color.float32, attachment.clear.data(), sizeof attachment.clear);
     }
     VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
@@ -56,9 +56,10 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
         depth.imageView = images_[pass.depth_->image.index].view;
         depth.imageLayout = (pass.depth_writes_ ? Access::depth_write()
                              : pass.stencil_    ? Access::stencil_write()
-                                                : Access::depth_test()).layout;
+                                                : Access::depth_test())
+                                .layout;
         depth.loadOp = load_op(pass.depth_->load);
-        depth.storeOp = !pass.depth_writes_                         ? VK_ATTACHMENT_STORE_OP_NONE
+        depth.storeOp = !pass.depth_writes_                       ? VK_ATTACHMENT_STORE_OP_NONE
                         : needed_after(pass.depth_->image, index) ? VK_ATTACHMENT_STORE_OP_STORE
                                                                   : VK_ATTACHMENT_STORE_OP_DONT_CARE;
     }
@@ -92,9 +93,11 @@ void FrameGraph::draw_between(VkCommandBuffer commands, uint32_t index, VkExtent
         turn.newLayout = after.layout;
         // The pass's own attachments come back as they were.
         VkMemoryBarrier2 own{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-        own.srcStageMask = own.dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | Access::depth_write().stages;
+        own.srcStageMask = own.dstStageMask =
+            VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | Access::depth_write().stages;
         own.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
-        own.dstAccessMask = own.srcAccessMask | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
+        own.dstAccessMask =
+            own.srcAccessMask | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
         VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
         info.memoryBarrierCount = info.imageMemoryBarrierCount = 1;
         info.pMemoryBarriers = &own;
@@ -131,9 +134,8 @@ void FrameGraph::record_begin(const gpu::FrameTurn& turn) {
     for (const BufferId id : std::exchange(stale_[turn.slot], {}))
         bind_anew(id, turn.slot);
     // A slot's frame is done before the slot's next one begins: two frames on, nobody has it.
-    std::erase_if(retired_, [&](const Retired& old) {
-        return turn.alone || old.frame + gpu::frames_in_flight - 1 <= frame_;
-    });
+    std::erase_if(retired_,
+                  [&](const Retired& old) { return turn.alone || old.frame + gpu::frames_in_flight - 1 <= frame_; });
 }
 
 void FrameGraph::barrier(VkCommandBuffer commands, const std::vector<VkImageMemoryBarrier2>& images,
@@ -196,13 +198,15 @@ std::vector<std::pair<std::string, double>> FrameGraph::pass_times(uint32_t slot
     if (passes_.empty())
         return {};
     std::vector<uint64_t> ticks(2 * passes_.size());
-    gpu::check(vkGetQueryPoolResults(context_.device(), queries_, first_query(slot), static_cast<uint32_t>(ticks.size()),
-                                     ticks.size() * 8, ticks.data(), 8,
-                                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT), "timestamps");
+    gpu::check(vkGetQueryPoolResults(context_.device(), queries_, first_query(slot),
+                                     static_cast<uint32_t>(ticks.size()), ticks.size() * 8, ticks.data(), 8,
+                                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+               "timestamps");
     std::vector<std::pair<std::string, double>> times;
     for (size_t p = 0; p < passes_.size(); ++p)
-        times.emplace_back(passes_[p]->name_, static_cast<double>((ticks[2 * p + 1] - ticks[2 * p]) & context_.timestamp_mask()) *
-                                                  static_cast<double>(context_.limits().timestampPeriod) * 1e-6);
+        times.emplace_back(passes_[p]->name_,
+                           static_cast<double>((ticks[2 * p + 1] - ticks[2 * p]) & context_.timestamp_mask()) *
+                               static_cast<double>(context_.limits().timestampPeriod) * 1e-6);
     return times;
 }
 
@@ -239,8 +243,7 @@ std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
     const VkExtent2D extent = image.desc.extent;
     const bool depth = is_depth(image.desc.format); // copied alone, in 4 bytes
     const uint64_t size = uint64_t(extent.width) * extent.height * (depth ? 4 : texel_bytes(image.desc.format));
-    const gpu::Buffer target(context_, "readback", size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                             gpu::BufferPlace::readback);
+    const gpu::Buffer target(context_, "readback", size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferPlace::readback);
     const VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     context_.run("read back " + image.name, [&](VkCommandBuffer commands) {
         VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
@@ -257,8 +260,8 @@ std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
         VkBufferImageCopy region{};
         region.imageSubresource = {aspect, 0, 0, 1};
         region.imageExtent = {extent.width, extent.height, 1};
-        vkCmdCopyImageToBuffer(commands, image.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               target.handle(), 1, &region);
+        vkCmdCopyImageToBuffer(commands, image.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.handle(), 1,
+                               &region);
         // The image goes back to the layout that the next read_back() or frame expects.
         std::swap(barrier.oldLayout, barrier.newLayout);
         barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;

@@ -8,8 +8,8 @@
 namespace prelight::graph {
 
 void Pass::use(ImageId image, const Access& access) {
-    const auto same = std::find_if(images_.begin(), images_.end(),
-                                   [&](const ImageUse& use) { return use.image == image; });
+    const auto same =
+        std::find_if(images_.begin(), images_.end(), [&](const ImageUse& use) { return use.image == image; });
     if (same == images_.end())
         images_.push_back({image, access});
     else
@@ -134,8 +134,8 @@ ImageId FrameGraph::image(std::string name, const ImageDesc& desc) {
 
 ImageId FrameGraph::image(std::string name, VkExtent2D extent, std::span<const VkFormat> formats) {
     for (const VkFormat format : formats) {
-        const VkFormatFeatureFlags target = is_depth(format) ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT
-                                                             : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
+        const VkFormatFeatureFlags target =
+            is_depth(format) ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
         if (!context_.supports(format, target | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT))
             continue;
         if (format != formats.front())
@@ -191,9 +191,7 @@ void FrameGraph::bind_anew(BufferId id, uint32_t slot) {
     }
 }
 
-Pass& FrameGraph::pass(std::string name) {
-    return *passes_.emplace_back(std::make_unique<Pass>(std::move(name)));
-}
+Pass& FrameGraph::pass(std::string name) { return *passes_.emplace_back(std::make_unique<Pass>(std::move(name))); }
 
 void FrameGraph::persist(ImageId image) { images_[image.index].persistent = true; }
 
@@ -240,10 +238,10 @@ void FrameGraph::cull_passes() {
     for (auto it = passes_.rbegin(); it != passes_.rend(); ++it) {
         Pass& pass = **it;
         pass.alive_ =
-            std::any_of(pass.images_.begin(), pass.images_.end(), [&](const Pass::ImageUse& use) {
-                return use.access.writes && needed[use.image.index];
-            }) || std::any_of(pass.buffers_.begin(), pass.buffers_.end(),
-                              [](const Pass::BufferUse& use) { return use.access.writes; });
+            std::any_of(pass.images_.begin(), pass.images_.end(),
+                        [&](const Pass::ImageUse& use) { return use.access.writes && needed[use.image.index]; }) ||
+            std::any_of(pass.buffers_.begin(), pass.buffers_.end(),
+                        [](const Pass::BufferUse& use) { return use.access.writes; });
         if (pass.alive_)
             for (const Pass::ImageUse& use : pass.images_)
                 needed[use.image.index] = true;
@@ -255,8 +253,8 @@ std::vector<gpu::Binding> FrameGraph::bindings(const Pass& pass, uint32_t slot) 
     std::vector<gpu::Binding> bindings;
     for (const auto& [binding, image] : pass.sampled_) {
         const GraphImage& source = images_[image.index];
-        bindings.push_back(gpu::Binding::sampled(
-            binding, sampled_view(pass, binding, source), sampled_access(pass, image).layout));
+        bindings.push_back(
+            gpu::Binding::sampled(binding, sampled_view(pass, binding, source), sampled_access(pass, image).layout));
     }
     for (const auto& [binding, image] : pass.stored_)
         bindings.push_back(gpu::Binding::storage_image(binding, images_[image.index].view));
@@ -281,7 +279,9 @@ void FrameGraph::prepare_passes() {
         pass->layout_ = gpu::make_set_layout(context_, pass->name_, sets[0]);
         pass->sets_ = gpu::DescriptorSets(context_, pass->name_, pass->layout_, sets);
 
-        PassInterface interface{.inputs = pass->layout_, .colour_formats = {}};
+        PassInterface interface {
+            .inputs = pass->layout_, .colour_formats = {}
+        };
         for (const Pass::Attachment& attachment : pass->colours_)
             interface.colour_formats.push_back(images_[attachment.image.index].desc.format);
         if (pass->depth_)

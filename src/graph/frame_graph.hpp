@@ -28,7 +28,7 @@ struct PassContext {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkDescriptorSet inputs = VK_NULL_HANDLE;
     VkExtent2D extent{};
-    uint32_t slot = 0; ///< gpu::FrameTurn::slot
+    uint32_t slot = 0;      ///< gpu::FrameTurn::slot
     bool one_pixel = false; ///< a warm-up: a dispatch whose result only the picture needs may be one group
     /// Draws into the image of Pass::draws_between(): the pass's own attachments are left and come back after it, and
     /// what is drawn is seen by all later draws. State that is bound is lost.
@@ -113,7 +113,7 @@ private:
     std::vector<ImageUse> images_;
     std::vector<BufferUse> buffers_;
     std::vector<std::pair<uint32_t, ImageId>> sampled_, stored_;
-    std::vector<uint32_t> bits_; ///< bindings of `sampled_` that sample_bits() made
+    std::vector<uint32_t> bits_;     ///< bindings of `sampled_` that sample_bits() made
     std::vector<uint32_t> stencils_; ///< and sample_stencil()
     std::vector<std::pair<uint32_t, BufferId>> storages_;
     std::function<void(const PassInterface&)> prepare_;
@@ -215,14 +215,15 @@ private:
         bool persistent = false;
         bool as_bits = false; ///< some pass reads it by sample_bits()
         VkImageUsageFlags usage = 0;
-        uint32_t first = 0xffffffffu, last = 0; ///< living passes; last is huge when kept, and so are both ends when it persists
+        uint32_t first = 0xffffffffu,
+                 last = 0; ///< living passes; last is huge when kept, and so are both ends when it persists
         VkMemoryRequirements requirements{};
         uint64_t offset = 0;
         gpu::UniqueImage image;
         gpu::UniqueImageView view;            ///< as an attachment
         gpu::UniqueImageView depth_only_view; ///< for shaders, where the format has stencil too
         gpu::UniqueImageView stencil_only_view;
-        gpu::UniqueImageView bits_view;       ///< for sample_bits()
+        gpu::UniqueImageView bits_view; ///< for sample_bits()
         Access final_access;
     };
     struct GraphBuffer {
@@ -256,7 +257,8 @@ private:
     void barrier(VkCommandBuffer commands, const std::vector<VkImageMemoryBarrier2>& images,
                  const std::vector<Pass::BufferBarrier>& buffers) const;
     void begin_rendering(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D extent, bool again = false) const;
-    void draw_between(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D drawn, const std::function<void()>& draw) const;
+    void draw_between(VkCommandBuffer commands, uint32_t pass_index, VkExtent2D drawn,
+                      const std::function<void()>& draw) const;
     Access sampled_access(const Pass& pass, ImageId image) const;
     uint64_t texels_bytes(ImageId image) const;
     bool needed_after(ImageId image, uint32_t pass_index) const;
@@ -268,8 +270,8 @@ private:
     std::vector<std::unique_ptr<Pass>> passes_;
     std::vector<Pass::BufferBarrier> host_barriers_; ///< at the frame's end
     std::vector<std::function<void(const gpu::FrameTurn&)>> before_frame_;
-    gpu::FrameTurn turn_;                       ///< of the frame that is recorded
-    uint64_t frame_ = 0;                        ///< its number, from 1
+    gpu::FrameTurn turn_;                        ///< of the frame that is recorded
+    uint64_t frame_ = 0;                         ///< its number, from 1
     gpu::PerFrame<std::vector<BufferId>> stale_; ///< rebound, and not yet in the slot's sets
     std::vector<Retired> retired_;
     gpu::Allocation memory_;

@@ -27,7 +27,8 @@ void FrameGraph::find_lifetimes() {
             images_[pass.depth_->image.index].usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         for (const auto& [binding, image] : pass.sampled_) {
             images_[image.index].usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
-            images_[image.index].as_bits |= std::find(pass.bits_.begin(), pass.bits_.end(), binding) != pass.bits_.end();
+            images_[image.index].as_bits |=
+                std::find(pass.bits_.begin(), pass.bits_.end(), binding) != pass.bits_.end();
         }
         for (const auto& [binding, image] : pass.stored_)
             images_[image.index].usage |= VK_IMAGE_USAGE_STORAGE_BIT;
@@ -107,11 +108,10 @@ void FrameGraph::place_images() {
         total = std::max(total, offset + image.requirements.size);
         placed.push_back(i);
     }
-    memory_ = gpu::Allocation(
-        context_, total, context_.memory_type(types, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), false);
+    memory_ = gpu::Allocation(context_, total, context_.memory_type(types, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), false);
     for (const uint32_t i : order)
-        gpu::check(vkBindImageMemory(context_.device(), images_[i].image, memory_.memory(),
-                                     images_[i].offset), images_[i].name);
+        gpu::check(vkBindImageMemory(context_.device(), images_[i].image, memory_.memory(), images_[i].offset),
+                   images_[i].name);
 }
 
 void FrameGraph::create_views() {

@@ -5,8 +5,8 @@
 namespace prelight::graph {
 namespace {
 
-constexpr VkPipelineStageFlags2 depth_stages = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
-                                               VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+constexpr VkPipelineStageFlags2 depth_stages =
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
 constexpr VkPipelineStageFlags2 shader_stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
                                                 VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
                                                 VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
@@ -71,14 +71,11 @@ Access Access::stencil_write() {
 Access Access::sampled(bool depth) {
     return {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
             VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
-            depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
-                  : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-            false};
+            depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
 }
 
 Access Access::storage(bool writes) {
-    return {shader_stages,
-            VK_ACCESS_2_SHADER_STORAGE_READ_BIT | (writes ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : 0),
+    return {shader_stages, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | (writes ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : 0),
             VK_IMAGE_LAYOUT_GENERAL, writes};
 }
 
@@ -88,7 +85,8 @@ Access Access::storage_image() {
 }
 
 Access Access::indirect() {
-    return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, false};
+    return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, VK_IMAGE_LAYOUT_GENERAL,
+            false};
 }
 
 Access Access::indices() {

@@ -19,9 +19,7 @@ namespace fs = std::filesystem;
     throw Error(fmt::format("{}: {}", file.string(), reason));
 }
 
-std::string cannot_be_written(int error) {
-    return fmt::format("cannot be written ({})", std::strerror(error));
-}
+std::string cannot_be_written(int error) { return fmt::format("cannot be written ({})", std::strerror(error)); }
 
 /// Names of temporary files, where a signal handler finds them: in static storage, and without a lock. More files
 /// at once than there are places are not cleaned up after a crash.
@@ -143,9 +141,7 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
     }
 }
 
-void AtomicFile::write(const void* data, size_t size) {
-    write({static_cast<const std::byte*>(data), size});
-}
+void AtomicFile::write(const void* data, size_t size) { write({static_cast<const std::byte*>(data), size}); }
 
 void AtomicFile::commit() {
     // close() is where some file systems report a full disk.

@@ -7,7 +7,7 @@ namespace prelight {
 namespace {
 
 constexpr double middle_grey = 0.18, white = 1, largest = 65504;
-constexpr double darker_at_most = 2;      ///< EV
+constexpr double darker_at_most = 2; ///< EV
 constexpr double brightest_share = 0.02;
 constexpr double far_below = 1.0 / 65536; ///< of the brightest: in no light at all, and in no mean of logarithms
 

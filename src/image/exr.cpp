@@ -64,8 +64,8 @@ private:
 void save_exr(const Image& linear, const std::filesystem::path& path) {
     AtomicFile file(path);
     if (linear.width == 0 || linear.height == 0)
-        throw Error(fmt::format("{}: a picture of {}x{} pixels cannot be written", path.string(),
-                                linear.width, linear.height));
+        throw Error(
+            fmt::format("{}: a picture of {}x{} pixels cannot be written", path.string(), linear.width, linear.height));
     std::vector<Imath::half> halves;
     halves.reserve(linear.pixels.size() * 3);
     for (const glm::vec3& pixel : linear.pixels)
@@ -80,15 +80,13 @@ void save_exr(const Image& linear, const std::filesystem::path& path) {
             header.channels().insert(channel_names[channel], Imf::Channel(Imf::HALF));
             buffer.insert(channel_names[channel],
                           Imf::Slice(Imf::HALF, reinterpret_cast<char*>(halves.data() + channel),
-                                     3 * sizeof(Imath::half),
-                                     3 * sizeof(Imath::half) * linear.width));
+                                     3 * sizeof(Imath::half), 3 * sizeof(Imath::half) * linear.width));
         }
         Imf::OutputFile output(stream, header, 0);
         output.setFrameBuffer(buffer);
         output.writePixels(static_cast<int>(linear.height));
     } catch (const std::exception& error) {
-        throw Error(
-            fmt::format("{}: cannot be written as OpenEXR ({})", path.string(), error.what()));
+        throw Error(fmt::format("{}: cannot be written as OpenEXR ({})", path.string(), error.what()));
     }
     file.write(stream.bytes().data(), stream.bytes().size());
     file.commit();
@@ -100,25 +98,20 @@ Image load_exr(const std::filesystem::path& path) try {
     const Imath::Box2i window = input.header().dataWindow();
     const int64_t width = int64_t(window.max.x) - window.min.x + 1;
     const int64_t height = int64_t(window.max.y) - window.min.y + 1;
-    if (width < 1 || height < 1 || width > 65536 || height > 65536 ||
-        width * height > (int64_t(1) << 28))
-        throw Error(
-            fmt::format("{}: a picture of {}x{} pixels is not read", path.string(), width, height));
+    if (width < 1 || height < 1 || width > 65536 || height > 65536 || width * height > (int64_t(1) << 28))
+        throw Error(fmt::format("{}: a picture of {}x{} pixels is not read", path.string(), width, height));
     if (static_cast<uint64_t>(width * height) * sizeof(glm::vec3) > spare_memory())
         throw Error(fmt::format("{}: {}x{} pixels need more memory than there is", path.string(), width, height));
     Image image(static_cast<uint32_t>(width), static_cast<uint32_t>(height));
     // OpenEXR addresses pixel (x, y) from the frame buffer's base, whatever the window's origin is.
     const int64_t origin = window.min.x + window.min.y * width;
-    auto* base = reinterpret_cast<char*>(image.pixels.data()) -
-                 origin * static_cast<int64_t>(sizeof(glm::vec3));
+    auto* base = reinterpret_cast<char*>(image.pixels.data()) - origin * static_cast<int64_t>(sizeof(glm::vec3));
     Imf::FrameBuffer buffer;
     for (size_t channel = 0; channel < 3; ++channel) {
         if (!input.header().channels().findChannel(channel_names[channel]))
-            throw Error(
-                fmt::format("{}: channel {} is missing", path.string(), channel_names[channel]));
-        buffer.insert(channel_names[channel],
-                      Imf::Slice(Imf::FLOAT, base + channel * sizeof(float), sizeof(glm::vec3),
-                                 sizeof(glm::vec3) * image.width));
+            throw Error(fmt::format("{}: channel {} is missing", path.string(), channel_names[channel]));
+        buffer.insert(channel_names[channel], Imf::Slice(Imf::FLOAT, base + channel * sizeof(float), sizeof(glm::vec3),
+                                                         sizeof(glm::vec3) * image.width));
     }
     input.setFrameBuffer(buffer);
     input.readPixels(window.min.y, window.max.y);

@@ -34,14 +34,12 @@ constexpr double w = 0.082, qf = 0.5;
 
 /// Columns for R, G, B; sRGB primaries and D65 white (IEC 61966-2-1).
 const glm::dmat3& rgb_to_xyz() {
-    static const glm::dmat3 matrix(0.4124564, 0.2126729, 0.0193339, 0.3575761, 0.7151522, 0.1191920,
-                                   0.1804375, 0.0721750, 0.9503041);
+    static const glm::dmat3 matrix(0.4124564, 0.2126729, 0.0193339, 0.3575761, 0.7151522, 0.1191920, 0.1804375,
+                                   0.0721750, 0.9503041);
     return matrix;
 }
 
-glm::dvec3 white_xyz() {
-    return rgb_to_xyz() * glm::dvec3(1);
-}
+glm::dvec3 white_xyz() { return rgb_to_xyz() * glm::dvec3(1); }
 
 glm::dvec3 to_ycxcz(glm::dvec3 linear_rgb) {
     const glm::dvec3 xyz = rgb_to_xyz() * linear_rgb / white_xyz();
@@ -130,8 +128,7 @@ Opponent opponent_planes(const Image& srgb) {
 std::vector<glm::dvec3> perceived(const Opponent& planes, double pixels_per_degree) {
     // Three standard deviations of the widest Gaussian, σ = √(b/2)/π degrees.
     const double b_max = std::max({csf_y.b1, csf_cx.b1, csf_cz.b1, csf_cz.b2});
-    const int radius =
-        static_cast<int>(std::ceil(3 * std::sqrt(b_max / 2) / pi * pixels_per_degree));
+    const int radius = static_cast<int>(std::ceil(3 * std::sqrt(b_max / 2) / pi * pixels_per_degree));
     const Plane y = csf_filtered(planes.y, csf_y, radius, pixels_per_degree);
     const Plane cx = csf_filtered(planes.cx, csf_cx, radius, pixels_per_degree);
     const Plane cz = csf_filtered(planes.cz, csf_cz, radius, pixels_per_degree);
@@ -154,8 +151,7 @@ Features features(const Opponent& planes, double pixels_per_degree) {
     const auto gauss = [&](int x) { return std::exp(-x * x / (2 * sigma * sigma)); };
     Kernel smooth = make_kernel(radius, gauss);
     Kernel first = make_kernel(radius, [&](int x) { return -x * gauss(x); });
-    Kernel second =
-        make_kernel(radius, [&](int x) { return (x * x / (sigma * sigma) - 1) * gauss(x); });
+    Kernel second = make_kernel(radius, [&](int x) { return (x * x / (sigma * sigma) - 1) * gauss(x); });
     // Positive weights sum to 1 and negative ones to −1, in two dimensions as in one.
     for (Kernel* kernel : {&smooth, &first, &second})
         normalise_signs(*kernel);
@@ -178,9 +174,8 @@ Features features(const Opponent& planes, double pixels_per_degree) {
 
 Image flip_map(const Image& picture_srgb, const Image& reference_srgb, double pixels_per_degree) {
     if (picture_srgb.width != reference_srgb.width || picture_srgb.height != reference_srgb.height)
-        throw Error(fmt::format("flip: picture: {}x{} pixels, the reference has {}x{}",
-                                picture_srgb.width, picture_srgb.height, reference_srgb.width,
-                                reference_srgb.height));
+        throw Error(fmt::format("flip: picture: {}x{} pixels, the reference has {}x{}", picture_srgb.width,
+                                picture_srgb.height, reference_srgb.width, reference_srgb.height));
     const Opponent picture = opponent_planes(picture_srgb);
     const Opponent reference = opponent_planes(reference_srgb);
     const auto picture_lab = perceived(picture, pixels_per_degree);
@@ -191,9 +186,8 @@ Image flip_map(const Image& picture_srgb, const Image& reference_srgb, double pi
     Image map(picture_srgb.width, picture_srgb.height);
     for (size_t i = 0; i < map.pixels.size(); ++i) {
         const double colour = redistributed(colour_distance(picture_lab[i], reference_lab[i]));
-        const double feature =
-            std::max(std::abs(picture_features.edge[i] - reference_features.edge[i]),
-                     std::abs(picture_features.point[i] - reference_features.point[i]));
+        const double feature = std::max(std::abs(picture_features.edge[i] - reference_features.edge[i]),
+                                        std::abs(picture_features.point[i] - reference_features.point[i]));
         const double feature_difference = std::pow(feature / std::numbers::sqrt2, qf);
         // Section 4.3: features strengthen the colour difference.
         map.pixels[i] = glm::vec3(static_cast<float>(std::pow(colour, 1 - feature_difference)));

@@ -86,8 +86,9 @@ private:
             const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
             return read.ec == std::errc() && read.ptr == digits.data() + digits.size() && value >= 1 && value <= most;
         };
-        if (!text.starts_with("-Y ") || middle == std::string_view::npos || !number(text.substr(3, middle - 3), height) ||
-            !number(text.substr(middle + 4), width) || uint64_t(width) * height > uint64_t(1) << 28)
+        if (!text.starts_with("-Y ") || middle == std::string_view::npos ||
+            !number(text.substr(3, middle - 3), height) || !number(text.substr(middle + 4), width) ||
+            uint64_t(width) * height > uint64_t(1) << 28)
             fail("a size as this is not read (expected: -Y HEIGHT +X WIDTH)");
         return {width, height};
     }

@@ -13,19 +13,19 @@ constexpr uint32_t block_size = 16;
 
 void check(const Image& picture, const Image& reference, std::span<const uint8_t> left_out) {
     if (picture.width != reference.width || picture.height != reference.height)
-        throw Error(fmt::format("compare: picture: {}x{} pixels, the reference has {}x{}",
-                                picture.width, picture.height, reference.width, reference.height));
+        throw Error(fmt::format("compare: picture: {}x{} pixels, the reference has {}x{}", picture.width,
+                                picture.height, reference.width, reference.height));
     if (picture.pixels.empty())
         throw Error("compare: picture: it has no pixels");
     if (!left_out.empty() && left_out.size() != picture.pixels.size())
-        throw Error(fmt::format("compare: left-out mask: {} values for {} pixels", left_out.size(),
-                                picture.pixels.size()));
+        throw Error(
+            fmt::format("compare: left-out mask: {} values for {} pixels", left_out.size(), picture.pixels.size()));
     for (const auto& [image, name] : {std::pair(&picture, "picture"), {&reference, "reference"}})
         for (size_t i = 0; i < image->pixels.size(); ++i)
             for (int channel = 0; channel < 3; ++channel)
                 if (std::isnan(image->pixels[i][channel]))
-                    throw Error(fmt::format("compare: {}: pixel ({}, {}): NaN", name,
-                                            i % image->width, i / image->width));
+                    throw Error(
+                        fmt::format("compare: {}: pixel ({}, {}): NaN", name, i % image->width, i / image->width));
 }
 
 /// 1 ÷ the 99th percentile (nearest rank) of all channel values that count. A picture that is dark
@@ -52,8 +52,7 @@ double exposure_factor(const Image& reference, std::span<const uint8_t> left_out
 
 glm::vec3 exposed(glm::vec3 linear, double factor) {
     for (int channel = 0; channel < 3; ++channel)
-        linear[channel] =
-            static_cast<float>(std::clamp(static_cast<double>(linear[channel]) * factor, 0.0, 1.0));
+        linear[channel] = static_cast<float>(std::clamp(static_cast<double>(linear[channel]) * factor, 0.0, 1.0));
     return linear;
 }
 
@@ -66,8 +65,8 @@ Image encoded(const Image& linear) {
 }
 
 /// Largest difference of the means of a block, in 1/255; −1 where too few pixels count.
-double block_difference(const Image& picture, const Image& reference,
-                        std::span<const uint8_t> left_out, uint32_t left, uint32_t top) {
+double block_difference(const Image& picture, const Image& reference, std::span<const uint8_t> left_out, uint32_t left,
+                        uint32_t top) {
     const uint32_t right = std::min(left + block_size, picture.width);
     const uint32_t bottom = std::min(top + block_size, picture.height);
     glm::dvec3 sum(0);
@@ -89,8 +88,7 @@ double block_difference(const Image& picture, const Image& reference,
 
 } // namespace
 
-Comparison compare(const Image& picture, const Image& reference,
-                   std::span<const uint8_t> left_out, Image* map) {
+Comparison compare(const Image& picture, const Image& reference, std::span<const uint8_t> left_out, Image* map) {
     check(picture, reference, left_out);
     const double factor = exposure_factor(reference, left_out);
     Image shown = picture, wanted = reference;

@@ -33,8 +33,7 @@ Plane separable(const Plane& plane, const Kernel& along_x, const Kernel& along_y
     for (ptrdiff_t y = 0; y < height; ++y) {
         double* out = result.values.data() + y * width;
         for (size_t k = 0; k < along_y.size(); ++k) {
-            const ptrdiff_t row =
-                std::clamp<ptrdiff_t>(y + static_cast<ptrdiff_t>(k) - radius_y, 0, height - 1);
+            const ptrdiff_t row = std::clamp<ptrdiff_t>(y + static_cast<ptrdiff_t>(k) - radius_y, 0, height - 1);
             const double* in = rows.values.data() + row * width;
             for (ptrdiff_t x = 0; x < width; ++x)
                 out[x] += along_y[k] * in[x];

@@ -23,7 +23,8 @@ Image decode(std::span<const uint8_t> bytes) {
         throw DecodeError("16 bits a channel, 8 are wanted");
     const uint64_t pixels = uint64_t(reader.width()) * reader.height();
     if (pixels * (sizeof(glm::vec3) + (reader.interlaced() ? 4 : 0)) > spare_memory())
-        throw DecodeError(fmt::format("{} × {} pixels need more memory than there is", reader.width(), reader.height()));
+        throw DecodeError(
+            fmt::format("{} × {} pixels need more memory than there is", reader.width(), reader.height()));
     Image image(reader.width(), reader.height());
     const size_t row_bytes = size_t(reader.width()) * 4;
     std::vector<uint8_t> rows(row_bytes * (reader.interlaced() ? reader.height() : 1));
@@ -45,8 +46,8 @@ Image decode(std::span<const uint8_t> bytes) {
 void save_png(const Image& display, const std::filesystem::path& path) {
     AtomicFile file(path);
     if (display.width == 0 || display.height == 0)
-        throw Error(fmt::format("{}: a picture of {}x{} pixels cannot be written", path.string(),
-                                display.width, display.height));
+        throw Error(fmt::format("{}: a picture of {}x{} pixels cannot be written", path.string(), display.width,
+                                display.height));
     std::vector<uint8_t> bytes;
     bytes.reserve(display.pixels.size() * 3);
     for (const glm::vec3& pixel : display.pixels)

@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t signature_size = 8, chunk_overhead = 12;
 constexpr size_t header_at = 12, width_at = 16, height_at = 20, colour_type_at = 25; ///< in the file
-constexpr auto working_constant = uint64_t(1) << 20; ///< zlib's window, libspng's rows
+constexpr auto working_constant = uint64_t(1) << 20;                                 ///< zlib's window, libspng's rows
 
 uint32_t big_endian(const uint8_t* bytes) {
     return uint32_t(bytes[0]) << 24 | uint32_t(bytes[1]) << 16 | uint32_t(bytes[2]) << 8 | bytes[3];

@@ -20,13 +20,13 @@ inline constexpr uint64_t max_picture_pixels = uint64_t(1) << 30;
 /// Throws DecodeError when the picture is larger, or empty.
 void check_picture_size(uint64_t width, uint64_t height);
 
-/// Decodes PNG by libspng to 8-bit RGBA as stored: gamma and colour profiles are not applied, transparent colours (tRNS) are.
-/// 16 bits a channel are rounded to 8. A palette's missing entries are opaque black. libspng sees the chunks that
-/// matter alone, never texts, profiles or anything else that could unpack to any size.
+/// Decodes PNG by libspng to 8-bit RGBA as stored: gamma and colour profiles are not applied, transparent colours
+/// (tRNS) are. 16 bits a channel are rounded to 8. A palette's missing entries are opaque black. libspng sees the
+/// chunks that matter alone, never texts, profiles or anything else that could unpack to any size.
 class PngReader {
 public:
-    /// `bytes` outlive it. Throws DecodeError when header or chunks are damaged, when the picture is beyond the limits above, or when
-    /// the file is too short for it.
+    /// `bytes` outlive it. Throws DecodeError when header or chunks are damaged, when the picture is beyond the limits
+    /// above, or when the file is too short for it.
     explicit PngReader(std::span<const uint8_t> bytes);
     PngReader(const PngReader&) = delete; // libspng knows where it is
     PngReader& operator=(const PngReader&) = delete;

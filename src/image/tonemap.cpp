@@ -22,9 +22,7 @@ glm::vec3 pbr_neutral(glm::vec3 colour) {
 }
 
 // K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2015: a rational fit, per channel.
-glm::vec3 aces(glm::vec3 x) {
-    return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
-}
+glm::vec3 aces(glm::vec3 x) { return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f); }
 
 } // namespace
 

@@ -11,7 +11,7 @@ namespace {
 
 using materials::Scanner;
 
-constexpr uint32_t own_textures = 6;      // MATERIAL_OWN_TEXTURES of bindings.h
+constexpr uint32_t own_textures = 6; // MATERIAL_OWN_TEXTURES of bindings.h
 constexpr uint32_t most_parameter_bytes = 1024;
 
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -198,8 +198,8 @@ const MaterialParameter* MaterialShader::find_parameter(std::string_view paramet
 }
 
 const MaterialTexture* MaterialShader::find_texture(std::string_view texture) const {
-    const auto found = std::find_if(textures.begin(), textures.end(),
-                                    [&](const MaterialTexture& t) { return t.name == texture; });
+    const auto found =
+        std::find_if(textures.begin(), textures.end(), [&](const MaterialTexture& t) { return t.name == texture; });
     return found == textures.end() ? nullptr : &*found;
 }
 

@@ -7,8 +7,10 @@ namespace {
 
 class Occlusion {
 public:
-    Occlusion(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceBuffers& surface, const OcclusionOptions& options)
-        : graph_(graph), frame_(frame), surface_(surface), extent_(frame.extent()), constants_(surface.format.constants()) {
+    Occlusion(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceBuffers& surface,
+              const OcclusionOptions& options)
+        : graph_(graph), frame_(frame), surface_(surface), extent_(frame.extent()),
+          constants_(surface.format.constants()) {
         if (options.half)
             extent_ = {(extent_.width + 1) / 2, (extent_.height + 1) / 2};
         constants_.insert(constants_.end(), {{CONSTANT_OCCLUSION_RADIUS, std::bit_cast<uint32_t>(options.radius)},
@@ -19,7 +21,9 @@ public:
     graph::ImageId search() {
         const graph::ImageId out = image("occlusion");
         graph::Pass& pass = graph_.pass("occlusion search");
-        pass.colour(out, graph::Load::discard).sample(INPUT_DEPTH, surface_.depth_source).sample(INPUT_NORMAL, surface_.normal);
+        pass.colour(out, graph::Load::discard)
+            .sample(INPUT_DEPTH, surface_.depth_source)
+            .sample(INPUT_NORMAL, surface_.normal);
         draw_fullscreen(pass, frame_, "occlusion_search.frag", constants_);
         return out;
     }
@@ -57,8 +61,8 @@ private:
 
 } // namespace
 
-graph::ImageId ambient_occlusion_passes(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceBuffers& surface,
-                                        const OcclusionOptions& options) {
+graph::ImageId ambient_occlusion_passes(graph::FrameGraph& graph, const resident::Frame& frame,
+                                        const SurfaceBuffers& surface, const OcclusionOptions& options) {
     Occlusion occlusion(graph, frame, surface, options);
     const graph::ImageId visibility = occlusion.blur(occlusion.blur(occlusion.search(), 0), 1);
     return options.half ? occlusion.upsample(visibility) : visibility;

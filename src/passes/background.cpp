@@ -3,8 +3,8 @@
 
 namespace prelight::passes {
 
-void background_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId target, graph::ImageId depth,
-                     Display display) {
+void background_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId target,
+                     graph::ImageId depth, Display display) {
     if (!frame.environment() || !frame.environment()->background)
         return;
     graph::Pass& pass = graph.pass("background");

@@ -79,8 +79,9 @@ DecalBuffer decal_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     if (frame.decals().empty())
         return {};
     const auto target = [&](const char* name, VkFormat format) { return graph.image(name, {format, frame.extent()}); };
-    const DecalBuffer out{target("decal colour", VK_FORMAT_R16G16B16A16_SFLOAT), target("decal normal", VK_FORMAT_R16G16B16A16_SFLOAT),
-                          target("decal roughness", VK_FORMAT_R16G16_SFLOAT), target("decal metallic", VK_FORMAT_R16_SFLOAT)};
+    const DecalBuffer out{
+        target("decal colour", VK_FORMAT_R16G16B16A16_SFLOAT), target("decal normal", VK_FORMAT_R16G16B16A16_SFLOAT),
+        target("decal roughness", VK_FORMAT_R16G16_SFLOAT), target("decal metallic", VK_FORMAT_R16_SFLOAT)};
     graph::Pass& pass = graph.pass("decals");
     pass.colour(out.colour, graph::Load::clear, {0, 0, 0, 1})
         .colour(out.normal, graph::Load::clear, {0, 0, 0, 1})
@@ -123,7 +124,9 @@ void decal_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     declare_decals(pass, decals);
     draw_surfaces(graph, pass, frame,
                   {.name = pass.name(),
-                   .fragment = stencil ? "depth_normal+stencil.frag" : apart ? "depth_normal+roughness.frag" : "depth_normal.frag",
+                   .fragment = stencil ? "depth_normal+stencil.frag"
+                               : apart ? "depth_normal+roughness.frag"
+                                       : "depth_normal.frag",
                    .constants = surface.format.constants(),
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,

@@ -28,14 +28,15 @@ const Info& find_named(std::span<const Info> all, const char* key, std::string_v
 /// taken.
 graph::ImageId linear_depth_target(graph::FrameGraph& graph, VkExtent2D extent, DepthSource& source) {
     const std::span<const DepthSourceInfo> chain = depth_sources();
-    const auto first = std::find_if(chain.begin(), chain.end(),
-                                    [&](const DepthSourceInfo& info) { return info.source == source; });
+    const auto first =
+        std::find_if(chain.begin(), chain.end(), [&](const DepthSourceInfo& info) { return info.source == source; });
     std::vector<VkFormat> formats;
     for (auto info = first; info != chain.end(); ++info)
         formats.push_back(info->format);
     const graph::ImageId image = graph.image("linear depth", extent, formats);
     const VkFormat taken = graph.desc(image).format;
-    source = std::find_if(first, chain.end(), [&](const DepthSourceInfo& info) { return info.format == taken; })->source;
+    source =
+        std::find_if(first, chain.end(), [&](const DepthSourceInfo& info) { return info.format == taken; })->source;
     return image;
 }
 
@@ -49,8 +50,9 @@ void depth_pass(graph::FrameGraph& graph, const resident::Frame& frame, SurfaceB
     out.depth_source = linear_depth_target(graph, frame.extent(), out.format.depth);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(out.depth).colour(out.depth_source, graph::Load::clear);
-    draw_surfaces(graph, pass, frame,
-                  {.name = "depth", .fragment = "linear_depth.frag", .constants = out.format.constants(), .normal = false});
+    draw_surfaces(
+        graph, pass, frame,
+        {.name = "depth", .fragment = "linear_depth.frag", .constants = out.format.constants(), .normal = false});
     hidden_geometry_passes(graph, frame, out.depth);
 }
 
@@ -61,7 +63,8 @@ std::span<const NormalEncodingInfo> normal_encodings() {
     static const std::array all{
         NormalEncodingInfo{Encoding::oct24, "oct24", 24, {VK_FORMAT_R8G8B8A8_UNORM}},
         NormalEncodingInfo{Encoding::oct32, "oct32", 32, {VK_FORMAT_R16G16_UNORM, VK_FORMAT_R32G32_SFLOAT}},
-        NormalEncodingInfo{Encoding::rgb10a2, "rgb10a2", 30, {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM}},
+        NormalEncodingInfo{
+            Encoding::rgb10a2, "rgb10a2", 30, {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM}},
         NormalEncodingInfo{Encoding::rgb8, "rgb8", 24, {VK_FORMAT_R8G8B8A8_UNORM}},
         NormalEncodingInfo{Encoding::spherical, "spherical", 24, {VK_FORMAT_R8G8B8A8_UNORM}},
         NormalEncodingInfo{Encoding::oct16, "oct16", 16, {VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8A8_UNORM}},
@@ -70,11 +73,10 @@ std::span<const NormalEncodingInfo> normal_encodings() {
 }
 
 std::span<const DepthSourceInfo> depth_sources() {
-    static constexpr std::array all{
-        DepthSourceInfo{DepthSource::attachment, "attachment", VK_FORMAT_D32_SFLOAT},
-        DepthSourceInfo{DepthSource::r32f, "r32f", VK_FORMAT_R32_SFLOAT},
-        DepthSourceInfo{DepthSource::r16f, "r16f", VK_FORMAT_R16_SFLOAT},
-        DepthSourceInfo{DepthSource::rgba8, "rgba8", VK_FORMAT_R8G8B8A8_UNORM}};
+    static constexpr std::array all{DepthSourceInfo{DepthSource::attachment, "attachment", VK_FORMAT_D32_SFLOAT},
+                                    DepthSourceInfo{DepthSource::r32f, "r32f", VK_FORMAT_R32_SFLOAT},
+                                    DepthSourceInfo{DepthSource::r16f, "r16f", VK_FORMAT_R16_SFLOAT},
+                                    DepthSourceInfo{DepthSource::rgba8, "rgba8", VK_FORMAT_R8G8B8A8_UNORM}};
     return all;
 }
 
@@ -82,9 +84,7 @@ const NormalEncodingInfo& find_normal_encoding(std::string_view name) {
     return find_named(normal_encodings(), "normals", name);
 }
 
-const DepthSourceInfo& find_depth_source(std::string_view name) {
-    return find_named(depth_sources(), "depth", name);
-}
+const DepthSourceInfo& find_depth_source(std::string_view name) { return find_named(depth_sources(), "depth", name); }
 
 gpu::Constants SurfaceFormat::constants() const {
     return {{CONSTANT_NORMAL_ENCODING, static_cast<uint32_t>(normals)},
@@ -100,8 +100,7 @@ graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool sten
                    : graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
 }
 
-SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                                 const SurfaceFormat& format) {
+SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceFormat& format) {
     const VkExtent2D extent = frame.extent();
     SurfaceBuffers out{format};
     if (format.two_passes)

@@ -56,12 +56,12 @@ enum class GBufferLayout : uint32_t { none = GBUFFER_NONE, wide = GBUFFER_WIDE, 
 /// How depth and normals are stored and read back: [L1] [L2] [L3] [L9].
 struct SurfaceFormat {
     NormalEncoding normals = NormalEncoding::oct24;
-    bool view_space = false;         ///< normals in view space instead of world space
+    bool view_space = false; ///< normals in view space instead of world space
     DepthSource depth = DepthSource::attachment;
-    bool stencil = false;            ///< the depth attachment has stencil beside it
+    bool stencil = false;              ///< the depth attachment has stencil beside it
     bool roughness_in_stencil = false; ///< where it is stored, instead of beside the normal
-    bool position_from_ray = true;   ///< frustum ray, or the inverse view-projection matrix
-    bool two_passes = false;         ///< geometry once for depth and once for normals, instead of MRT
+    bool position_from_ray = true;     ///< frustum ray, or the inverse view-projection matrix
+    bool two_passes = false;           ///< geometry once for depth and once for normals, instead of MRT
     GBufferLayout gbuffer = GBufferLayout::none;
     bool specular_antialiasing = false; ///< stored roughness grows with the spread of normals under a pixel
     /// Specialisation constants of every shader that writes or reads these buffers.
@@ -74,7 +74,7 @@ struct SurfaceBuffers {
     graph::ImageId depth;        ///< D32F attachment, or one with stencil; reversed
     graph::ImageId depth_source; ///< what later passes read: the attachment, or a colour target
     graph::ImageId normal;
-    graph::ImageId roughness;    ///< the normal target itself when it holds roughness, or stencil does
+    graph::ImageId roughness; ///< the normal target itself when it holds roughness, or stencil does
 };
 
 /// The depth attachment of a renderer: D32F, with `stencil` D32F_S8 or what the device has instead.
@@ -83,7 +83,6 @@ graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool sten
 /// Depth, shading normals and roughness of the nearest surface. At once, with MRT; or depth [and
 /// linear depth] first, then normals [and roughness, where the encoding has no room for it] with depth
 /// test EQUAL. Both give the same bytes.
-SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                                 const SurfaceFormat& format);
+SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceFormat& format);
 
 } // namespace prelight::passes

@@ -9,7 +9,8 @@ graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::Frame& 
     const graph::ImageId depth = make_depth(graph, frame.extent(), stencil);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(depth);
-    draw_surfaces(graph, pass, frame, {.name = "depth", .fragment = "depth_mask.frag", .constants = {}, .depth_only = true});
+    draw_surfaces(graph, pass, frame,
+                  {.name = "depth", .fragment = "depth_mask.frag", .constants = {}, .depth_only = true});
     hidden_geometry_passes(graph, frame, depth);
     return depth;
 }

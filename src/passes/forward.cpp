@@ -21,7 +21,8 @@ SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs
                             .fragment = "forward" + shadow_variant(inputs.shadows) + ".frag",
                             .constants = inputs.model.constants(),
                             .depth = inputs.lights_test,
-                            .keeps_alpha_mask = inputs.lights_test != gpu::DepthTest::equal}; // holes let others through
+                            .keeps_alpha_mask =
+                                inputs.lights_test != gpu::DepthTest::equal}; // holes let others through
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},

@@ -4,8 +4,8 @@
 #include "light_model.hpp"
 #include "shadow_maps.hpp"
 #include "tonemap.hpp"
-#include <graph/frame_graph.hpp>
 #include <functional>
+#include <graph/frame_graph.hpp>
 #include <resident/frame.hpp>
 
 namespace prelight::passes {
@@ -14,16 +14,16 @@ namespace prelight::passes {
 struct ForwardInputs {
     std::string name;
     graph::ImageId depth;
-    graph::ImageId colour;              ///< picture_image(): scene-linear and exposed, or finished
-    Display display = {};               ///< forward_grid_pass(): how `colour` was made
+    graph::ImageId colour; ///< picture_image(): scene-linear and exposed, or finished
+    Display display = {};  ///< forward_grid_pass(): how `colour` was made
     graph::Load load = graph::Load::clear;
     /// Of lights: `equal`, exact because vertex_position() is invariant, or `behind_or_at`, LESS_OR_EQUAL.
     gpu::DepthTest lights_test = gpu::DepthTest::equal;
-    std::vector<StepKind> kinds;        ///< what the plan has; with base among them depth is written
+    std::vector<StepKind> kinds; ///< what the plan has; with base among them depth is written
     /// The draws of a frame, made anew for each from the lights of its objects.
     std::function<ForwardPlan(const resident::LightReach&)> plan;
     LightModel model;
-    Shadows shadows;                    ///< not of passes that count lights
+    Shadows shadows; ///< not of passes that count lights
     DecalBuffer decals = {};
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; bound with lights
     bool count_pairs = false;

@@ -7,7 +7,9 @@
 namespace prelight::passes {
 namespace {
 
-LightRounds grid_rounds(const resident::Frame& frame, bool counts) { return light_rounds(frame, LightWalk::fragment, counts); }
+LightRounds grid_rounds(const resident::Frame& frame, bool counts) {
+    return light_rounds(frame, LightWalk::fragment, counts);
+}
 
 /// The lights of one round; each but the first adds.
 void forward_grid_round(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs,

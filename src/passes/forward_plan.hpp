@@ -17,8 +17,8 @@ struct ForwardStep {
 };
 using ForwardPlan = std::vector<ForwardStep>;
 
-/// Where half floats add up: half of the largest one is for an object's base, half for its lights, so that the blended sum
-/// of its steps never reaches infinity. `most_adds`: of an object's steps that may add to one pixel.
+/// Where half floats add up: half of the largest one is for an object's base, half for its lights, so that the blended
+/// sum of its steps never reaches infinity. `most_adds`: of an object's steps that may add to one pixel.
 void limit_steps(ForwardPlan& plan, uint32_t most_adds);
 
 // All plans: no light that reaches nothing costs a step, and none that reaches an object is left out.

@@ -1,6 +1,6 @@
 #pragma once
-#include <graph/frame_graph.hpp>
 #include <gpu/pipeline.hpp>
+#include <graph/frame_graph.hpp>
 #include <resident/frame.hpp>
 
 namespace prelight::passes {

@@ -23,8 +23,9 @@ void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, bool, GBu
 
 /// Some material dims what it reflects.
 bool has_gloss(const Scene& scene) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [](const Material& material) { return material.shader && material.textures.contains("gloss_map"); });
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+        return material.shader && material.textures.contains("gloss_map");
+    });
 }
 
 /// What the lighting model needs to be exact.
@@ -64,8 +65,8 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     out.ambient_apart = format.ambient_apart;
     if (format.ambient_apart) {
         if (frame.context().limits().maxColorAttachments < 6)
-            throw Error(fmt::format("{}: ambient light apart needs 6 colour attachments, and the device has {}", frame.context().name(),
-                                    frame.context().limits().maxColorAttachments));
+            throw Error(fmt::format("{}: ambient light apart needs 6 colour attachments, and the device has {}",
+                                    frame.context().name(), frame.context().limits().maxColorAttachments));
         out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
         out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
     }
@@ -73,15 +74,14 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     pass.depth_write(out.surface.depth);
     for (const graph::ImageId target : out.targets())
         pass.colour(target, graph::Load::clear);
-    draw_surfaces(graph, pass, frame,
-                  {.name = pass.name(),
-                   .fragment = out.fragment(),
-                   .constants = out.surface.format.constants(),
-                   .motion = true});
+    draw_surfaces(
+        graph, pass, frame,
+        {.name = pass.name(), .fragment = out.fragment(), .constants = out.surface.format.constants(), .motion = true});
     return out;
 }
 
-void ambient_light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer, graph::ImageId visibility) {
+void ambient_light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+                        graph::ImageId visibility) {
     graph::Pass& pass = graph.pass("ambient light");
     pass.colour(gbuffer.light, graph::Load::keep)
         .blends()

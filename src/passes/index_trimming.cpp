@@ -9,7 +9,8 @@ namespace prelight::passes {
 namespace {
 
 /// Makes the pass run a shader with a workgroup for each group of triangles.
-void dispatch_groups(graph::Pass& pass, const resident::Frame& frame, const std::string& shader, const gpu::Constants& constants) {
+void dispatch_groups(graph::Pass& pass, const resident::Frame& frame, const std::string& shader,
+                     const gpu::Constants& constants) {
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
     pass.prepare([=, &frame, name = pass.name()](const graph::PassInterface& interface) {
         *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
@@ -84,9 +85,7 @@ void depth_trimming_passes(graph::FrameGraph& graph, const resident::Frame& fram
     const resident::DeviceTrimming& trimming = *frame.device_trimming();
     Source source;
     switch (frame.draw_options().trimming) {
-    case resident::IndexTrimming::off:
-        source.indices = graph.buffer("indices", frame.geometry().indices);
-        break;
+    case resident::IndexTrimming::off: source.indices = graph.buffer("indices", frame.geometry().indices); break;
     case resident::IndexTrimming::host:
         source.indices = graph.buffer("trimmed indices", frame.trimmed_buffers());
         break;

@@ -3,7 +3,8 @@
 
 namespace prelight::passes {
 
-void bind_lighting(const graph::PassContext& pass, const resident::Frame& frame, const gpu::GraphicsPipeline& pipeline) {
+void bind_lighting(const graph::PassContext& pass, const resident::Frame& frame,
+                   const gpu::GraphicsPipeline& pipeline) {
     pipeline.bind(pass.commands);
     pipeline.bind_set(pass.commands, SET_FRAME, frame.set());
     pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);

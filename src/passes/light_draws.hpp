@@ -49,8 +49,8 @@ public:
     void bind(const graph::PassContext& pass, const gpu::GraphicsPipeline& pipeline) const {
         bind_lighting(pass, frame_, pipeline);
     }
-    /// Calls draw(first, count) for lights of the frame's order: all at once, or one by one, each after its shadow maps.
-    /// `draw` binds all that it needs.
+    /// Calls draw(first, count) for lights of the frame's order: all at once, or one by one, each after its shadow
+    /// maps. `draw` binds all that it needs.
     template <class Draw>
     void each(const graph::PassContext& pass, uint32_t first, uint32_t count, Draw&& draw) const {
         if (count == 0)

@@ -59,7 +59,8 @@ uint64_t ListBuffers::first_guess() const {
     const double overlap = grid_.cells.x > 0 ? grid_overlap(grid_, frame_.placed_lights())
                                              : 1.5 * frame_.lights().listed_pictures * constants_->cells.w;
     constexpr double most_guessed = 1 << 24; // 64 MiB; what is really needed is known a frame later
-    return static_cast<uint64_t>(std::min(overlap, most_guessed)) + 2 * uint64_t(constants_->cells.w) + 16 * all_lights();
+    return static_cast<uint64_t>(std::min(overlap, most_guessed)) + 2 * uint64_t(constants_->cells.w) +
+           16 * all_lights();
 }
 
 void ListBuffers::make_entries(uint64_t count) {

@@ -30,9 +30,9 @@ std::string obstacle(const graph::FrameGraph& graph, const resident::Frame& fram
 /// A list of blocks of pixels that the device writes and dispatches over.
 struct BlockList {
     BlockList(graph::FrameGraph& graph, const resident::Frame& frame, const char* name, uint64_t room)
-        : buffer(std::make_shared<gpu::Buffer>(frame.context(), name, sizeof(shared::LitBlocks) + room * sizeof(uint32_t),
-                                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-                                               gpu::BufferPlace::device)),
+        : buffer(std::make_shared<gpu::Buffer>(
+              frame.context(), name, sizeof(shared::LitBlocks) + room * sizeof(uint32_t),
+              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, gpu::BufferPlace::device)),
           id(graph.buffer(name, *buffer)) {}
     void dispatch(const graph::PassContext& context) const {
         vkCmdDispatchIndirect(context.commands, buffer->handle(), 0);
@@ -41,7 +41,8 @@ struct BlockList {
     graph::BufferId id;
 };
 
-/// Rows of pixels of an invocation: as many as leave a subgroup full. `lanes`: 1 … 64, light_list_passes() has seen to it.
+/// Rows of pixels of an invocation: as many as leave a subgroup full. `lanes`: 1 … 64, light_list_passes() has seen to
+/// it.
 uint32_t rows_of(uint32_t lanes) { return std::clamp<uint32_t>(LIT_BLOCK * LIT_BLOCK / lanes, 1, LIT_BLOCK); }
 
 } // namespace
@@ -64,7 +65,8 @@ ListShading list_shading_of(graph::FrameGraph& graph, const resident::Frame& fra
 }
 
 void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-                             const LightingInputs& inputs, const LightLists& lists, bool everywhere, const std::string& ending) {
+                             const LightingInputs& inputs, const LightLists& lists, bool everywhere,
+                             const std::string& ending) {
     const std::vector<graph::ImageId>& images = inputs.target.images;
     const bool keeps = inputs.target.load == graph::Load::keep;
     // With ambient light as a light every surface is lit.
@@ -77,8 +79,9 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& fr
 
     const uint64_t blocks = uint64_t(lists.constants->blocks.x) * lists.constants->blocks.y, words = (blocks + 31) / 32;
     const BlockList lit(graph, frame, "lit blocks", blocks), stale(graph, frame, "stale blocks", blocks + words);
-    const auto before = std::make_shared<gpu::Buffer>(gpu::make_device_buffer(
-        frame.context(), "blocks lit before", std::vector<std::byte>(words * sizeof(uint32_t)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    const auto before = std::make_shared<gpu::Buffer>(
+        gpu::make_device_buffer(frame.context(), "blocks lit before", std::vector<std::byte>(words * sizeof(uint32_t)),
+                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
     graph::Pass& find = graph.pass(name + "-lists lit" + ending);
     find.storage(INPUT_LIGHT_CELLS, lists.tiles, false)
         .storage(INPUT_LIT_BLOCKS, lit.id, true)

@@ -16,6 +16,7 @@ bool light_pair_pays(const resident::Frame& frame, const LightModel& model, List
 /// invocation of a subgroup loads another light and hands it to its neighbours. Ambient light, if it is
 /// one, is summed with the others. `everywhere`: pixels without light are written too. `ending`: of the passes' names.
 void light_list_compute_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-                             const LightingInputs& inputs, const LightLists& lists, bool everywhere, const std::string& ending);
+                             const LightingInputs& inputs, const LightLists& lists, bool everywhere,
+                             const std::string& ending);
 
 } // namespace prelight::passes

@@ -41,8 +41,8 @@ private:
 };
 
 /// The lights of one round; each but the first adds to the target.
-void light_list_round(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name, LightingInputs inputs,
-                      ListShading shading, const LightRounds& rounds, uint32_t round) {
+void light_list_round(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+                      LightingInputs inputs, ListShading shading, const LightRounds& rounds, uint32_t round) {
     if (round > 0) {
         inputs.target.added = shading == ListShading::compute && inputs.target.load != graph::Load::keep;
         inputs.target.load = graph::Load::keep;
@@ -71,7 +71,8 @@ void light_list_round(graph::FrameGraph& graph, const resident::Frame& frame, co
     if (inputs.target.load == graph::Load::keep || AmbientDraw::needed(inputs))
         pass.blends();
     auto draws = std::make_shared<std::optional<ListDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs, lists); });
+    pass.prepare(
+        [=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs, lists); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
 }
 

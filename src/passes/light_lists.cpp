@@ -21,7 +21,8 @@ public:
     Builder(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
             const LightListInputs& inputs, const LightListConstants& layout, const LightGrid& grid)
         : graph_(graph), frame_(frame), name_(name), inputs_(inputs),
-          buffers_(std::make_shared<ListBuffers>(frame, layout, grid, inputs.first_room, *inputs.rounds, inputs.round)) {
+          buffers_(
+              std::make_shared<ListBuffers>(frame, layout, grid, inputs.first_room, *inputs.rounds, inputs.round)) {
         cells_ = graph.buffer("light cells", buffers_->cells);
         coarse_ = graph.buffer("coarse light cells", buffers_->coarse);
         masks_ = graph.buffer("light masks", buffers_->masks);
@@ -43,13 +44,16 @@ public:
 
     LightLists build() {
         const auto whole = [](const LightListConstants& c) { return VkExtent3D{c.coarse.x, c.coarse.y, c.coarse.z}; };
-        const auto each_coarse = [](const LightListConstants& c) { return VkExtent3D{groups_of(c.coarse.w, LIST_GROUP), 1, 1}; };
+        const auto each_coarse = [](const LightListConstants& c) {
+            return VkExtent3D{groups_of(c.coarse.w, LIST_GROUP), 1, 1};
+        };
         const auto each_light = [](const LightListConstants& c) {
             return VkExtent3D{groups_of(c.lights.x + c.lights.y, LIST_GROUP), 1, 1};
         };
         const std::string kind = inputs_.surface ? ".comp" : "+grid.comp";
         if (inputs_.surface) {
-            graph::Pass& range = add("depth-range", "depth_range.comp", whole, {{CONSTANT_AMBIENT_TOO, inputs_.ambient}});
+            graph::Pass& range =
+                add("depth-range", "depth_range.comp", whole, {{CONSTANT_AMBIENT_TOO, inputs_.ambient}});
             range.storage(INPUT_LIGHT_CELLS, cells_, true);
             read_depth(range);
         }
@@ -75,8 +79,14 @@ public:
             .storage(INPUT_LIGHT_MASKS, masks_, false)
             .storage(INPUT_LIGHT_ENTRIES, entries_, true);
 
-        LightLists lists{.cells = coarse_, .tiles = cells_, .entries = entries_, .slices = slices_, .constants = buffers_->constants(),
-                         .tile_size = inputs_.tile_size, .sliced = inputs_.sliced, .masked = inputs_.masked};
+        LightLists lists{.cells = coarse_,
+                         .tiles = cells_,
+                         .entries = entries_,
+                         .slices = slices_,
+                         .constants = buffers_->constants(),
+                         .tile_size = inputs_.tile_size,
+                         .sliced = inputs_.sliced,
+                         .masked = inputs_.masked};
         if (lists.masked) {
             add(name_ + "-lists masks", "light_lists_masks.comp", whole,
                 {{CONSTANT_LIST_LANES, frame_.context().features().shuffle_lanes}})
@@ -87,8 +97,8 @@ public:
             return lists;
         }
         for (const bool fill : {false, true}) {
-            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), "light_lists_cells" + kind,
-                                     whole, {{CONSTANT_LIST_FILL, fill}});
+            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), "light_lists_cells" + kind, whole,
+                                    {{CONSTANT_LIST_FILL, fill}});
             // Counting writes the cells and filling the entries; both stand in the one shader.
             pass.storage(INPUT_LIGHT_CELLS, cells_, true)
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
@@ -117,7 +127,8 @@ private:
         return pass;
     }
     void add_offsets(const char* what, graph::BufferId cells, bool coarse) {
-        add(name_ + what, "light_lists_offsets.comp", once, {{CONSTANT_LIST_COARSE, coarse}, {CONSTANT_LIST_MASKED, inputs_.masked}})
+        add(name_ + what, "light_lists_offsets.comp", once,
+            {{CONSTANT_LIST_COARSE, coarse}, {CONSTANT_LIST_MASKED, inputs_.masked}})
             .storage(INPUT_LIGHT_CELLS, cells, true)
             .storage(INPUT_LIST_TOTAL, total_, true);
     }
@@ -144,7 +155,8 @@ uint32_t mask_words(uint64_t lights) {
 LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                              const LightListInputs& inputs) {
     if (frame.context().features().shuffle_lanes == 0)
-        throw Error(frame.context().name() + ": light lists need compute shaders that shuffle within subgroups of at most 64");
+        throw Error(frame.context().name() +
+                    ": light lists need compute shaders that shuffle within subgroups of at most 64");
     LightListConstants layout{};
     layout.lights.w = mask_words(std::min<uint64_t>(frame.light_capacity(), inputs.rounds->lights));
     LightGrid grid;
@@ -180,15 +192,16 @@ void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,
                                                            .sets = {frame.layout(), interface.inputs},
                                                            .push_bytes = sizeof(LightListConstants)});
     });
-    pass.record([pipeline, dispatch = std::move(dispatch), push = std::move(push), &frame](const graph::PassContext& context) {
-        if (is_idle(*push, context))
-            return;
-        pipeline->bind(context.commands);
-        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
-        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
-        pipeline->push(context.commands, std::as_bytes(std::span(push.get(), 1)));
-        dispatch(context);
-    });
+    pass.record(
+        [pipeline, dispatch = std::move(dispatch), push = std::move(push), &frame](const graph::PassContext& context) {
+            if (is_idle(*push, context))
+                return;
+            pipeline->bind(context.commands);
+            pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+            pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
+            pipeline->push(context.commands, std::as_bytes(std::span(push.get(), 1)));
+            dispatch(context);
+        });
 }
 
 void declare_light_lists(graph::Pass& pass, const LightLists& lists, bool writes) {
@@ -201,7 +214,8 @@ gpu::Constants light_list_constants(const LightLists& lists) {
     return {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_LIST_SLICED, lists.sliced}};
 }
 
-gpu::Constants list_lighting_constants(const resident::Frame& frame, const LightingInputs& inputs, const LightLists& lists) {
+gpu::Constants list_lighting_constants(const resident::Frame& frame, const LightingInputs& inputs,
+                                       const LightLists& lists) {
     gpu::Constants constants = lighting_constants(frame, inputs);
     const gpu::Constants own = light_list_constants(lists);
     constants.insert(constants.end(), own.begin(), own.end());

@@ -28,8 +28,8 @@ struct LightListInputs {
     bool ambient = false;                    ///< who walks them lights surfaces that no list's light reaches
     /// Room for lists in the first frame, in lights; 0: a guess. It grows by itself.
     uint64_t first_room = 0;
-    const LightRounds* rounds = nullptr;     ///< read at once
-    uint32_t round = 0;                      ///< whose lights are listed
+    const LightRounds* rounds = nullptr; ///< read at once
+    uint32_t round = 0;                  ///< whose lights are listed
 };
 
 /// Builds lists of the lights that may reach each cell, in the order of Frame::lights(), on the device:
@@ -55,6 +55,7 @@ void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,
 void declare_light_lists(graph::Pass& pass, const LightLists& lists, bool writes = false);
 gpu::Constants light_list_constants(const LightLists& lists);
 /// These and lighting_constants(): of shaders that walk lists and evaluate lights.
-gpu::Constants list_lighting_constants(const resident::Frame& frame, const LightingInputs& inputs, const LightLists& lists);
+gpu::Constants list_lighting_constants(const resident::Frame& frame, const LightingInputs& inputs,
+                                       const LightLists& lists);
 
 } // namespace prelight::passes

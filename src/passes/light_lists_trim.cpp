@@ -6,8 +6,8 @@
 namespace prelight::passes {
 namespace {
 
-/// How many lights of a tile an invocation looks at: loops over its pixels for each of them may take many turns, and some
-/// drivers end loops in silence (LightRounds).
+/// How many lights of a tile an invocation looks at: loops over its pixels for each of them may take many turns, and
+/// some drivers end loops in silence (LightRounds).
 uint32_t lights_a_turn(uint32_t tile_size) {
     constexpr uint32_t most_turns = 32768, on_a_pixel = 16; // with a cookie
     return std::max(most_turns / (on_a_pixel * tile_size * tile_size), 1u);

@@ -15,10 +15,12 @@ void light_loop_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     const LightRounds rounds = light_rounds(frame, LightWalk::fragment, inputs.target.variant == "+count");
     const bool adds = rounds.count > 1;
     if (inputs.model.specular == SpecularWay::luv && inputs.target.variant == "+packed")
-        expect_one_round(frame, rounds, "specular=luv in a draw (light-culling=tiles with list-shading=compute has no such limit)");
+        expect_one_round(frame, rounds,
+                         "specular=luv in a draw (light-culling=tiles with list-shading=compute has no such limit)");
     if (adds)
         pass.blends();
-    auto pipelines = std::make_shared<std::array<gpu::GraphicsPipeline, 2>>(); // the first round replaces, the others add
+    auto pipelines =
+        std::make_shared<std::array<gpu::GraphicsPipeline, 2>>(); // the first round replaces, the others add
     pass.prepare([=, &frame](const graph::PassInterface& interface) {
         gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light_loop");
         desc.name = "all lights";

@@ -19,7 +19,8 @@ struct LightModel {
     bool step_gate = false;         ///< [phong] specular-gate=step
     bool reflection_vector = false; ///< [phong] R·V instead of N·H
     bool ambient_as_light = false;
-    bool specular_antialiasing = false; ///< forward passes; elsewhere it is done where the surface is stored (SurfaceFormat)
+    bool specular_antialiasing =
+        false; ///< forward passes; elsewhere it is done where the surface is stored (SurfaceFormat)
     bool packed() const {
         return buffer == LightBufferFormat::packed_rgba16f || buffer == LightBufferFormat::packed_rgba8;
     }
@@ -29,9 +30,7 @@ struct LightModel {
                buffer == LightBufferFormat::packed_rgba8;
     }
     /// Alpha can hold the weighted Fresnel term of a pair.
-    bool has_alpha() const {
-        return buffer != LightBufferFormat::r11g11b10f && buffer != LightBufferFormat::rgb10a2;
-    }
+    bool has_alpha() const { return buffer != LightBufferFormat::r11g11b10f && buffer != LightBufferFormat::rgb10a2; }
     /// Ambient light is a draw of its own, blended; LUV takes it in when it is written.
     bool ambient_blended() const { return ambient_as_light && specular != SpecularWay::luv; }
     gpu::Constants constants() const;

@@ -17,7 +17,8 @@ public:
     void add(glm::uvec3 low, glm::uvec3 high) {
         for (uint32_t corner = 0; corner < 8; ++corner) {
             const bool x = corner & 1, y = corner & 2, z = corner & 4;
-            counts_[index({x ? high.x : low.x, y ? high.y : low.y, z ? high.z : low.z})] += (x + y + z) % 2 == 0 ? 1 : -1;
+            counts_[index({x ? high.x : low.x, y ? high.y : low.y, z ? high.z : low.z})] +=
+                (x + y + z) % 2 == 0 ? 1 : -1;
         }
     }
     uint32_t most() {
@@ -55,7 +56,8 @@ uint32_t light_overlap(std::span<const resident::Draw> draws, std::span<const Pl
         }
         // Shaders work in single precision: a little more than the range.
         const glm::dvec3 reach(double(light.range) * 1.001), centre = placed.position - grid.low;
-        const glm::dvec3 low = glm::floor((centre - reach) / grid.cell), high = glm::floor((centre + reach) / grid.cell) + 1.0;
+        const glm::dvec3 low = glm::floor((centre - reach) / grid.cell),
+                         high = glm::floor((centre + reach) / grid.cell) + 1.0;
         if (low.x >= cells.x || low.y >= cells.y || low.z >= cells.z || high.x <= 0 || high.y <= 0 || high.z <= 0)
             continue;
         counts.add(glm::uvec3(glm::max(low, glm::dvec3(0))), glm::uvec3(glm::min(high, cells)));

@@ -40,7 +40,9 @@ uint32_t light_adds(const resident::Frame& frame, bool one_by_one) {
 }
 
 SettingInfo light_culling_setting() {
-    return {"light-culling", {"auto", "volumes", "fullscreen", "rectangles", "stencil", "tiles", "clusters"}, "auto",
+    return {"light-culling",
+            {"auto", "volumes", "fullscreen", "rectangles", "stencil", "tiles", "clusters"},
+            "auto",
             "how a light finds its pixels; auto: tiles where the device can build lists, else volumes"};
 }
 
@@ -59,7 +61,9 @@ SettingInfo tile_size_setting() {
 }
 
 SettingInfo list_shading_setting() {
-    return {"list-shading", {"auto", "fragment", "compute"}, "auto",
+    return {"list-shading",
+            {"auto", "fragment", "compute"},
+            "auto",
             "tiles: walk lists in a full-screen draw, or in a compute pass; auto: compute on software devices"};
 }
 
@@ -70,20 +74,22 @@ ListShading list_shading(const std::string& value) {
 }
 
 SettingInfo list_contents_setting() {
-    return {"light-lists", {"built", "perfect", "empty"}, "built",
+    return {"light-lists",
+            {"built", "perfect", "empty"},
+            "built",
             "tiles, for measuring only: lists of contributing lights alone (a slow pass makes them), or no lights"};
 }
 
 ListContents list_contents(const std::string& value) {
-    return value == "perfect" ? ListContents::perfect
-           : value == "empty" ? ListContents::empty
-                              : ListContents::built;
+    return value == "perfect" ? ListContents::perfect : value == "empty" ? ListContents::empty : ListContents::built;
 }
 
 std::vector<SettingInfo> volume_settings() {
     return {{"spot-volume", {"cone", "box"}, "cone", "volumes, stencil: shape around a spot of less than 80°"},
             {"volume-depth-test", {"on", "off"}, "on", "volumes: off leaves only the cull mode by camera position"},
-            {"depth-bounds", {"auto", "on", "off"}, "auto",
+            {"depth-bounds",
+             {"auto", "on", "off"},
+             "auto",
              "rectangles: test near and far side, a draw a light; auto: not on software devices"}};
 }
 

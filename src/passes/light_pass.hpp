@@ -13,8 +13,8 @@ void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const st
 /// contribute in G, for --view light-count.
 graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame, LightingInputs inputs);
 
-/// How often a light pass may add to one pixel by blending. `one_by_one`: where lights are drawn light by light, they are
-/// blended.
+/// How often a light pass may add to one pixel by blending. `one_by_one`: where lights are drawn light by light, they
+/// are blended.
 uint32_t light_adds(const resident::Frame& frame, bool one_by_one);
 
 /// The setting `light-culling` of every architecture with light passes.

@@ -19,12 +19,11 @@ bool uses_depth_bounds(const resident::Frame& frame) {
 
 class RectangleDraws {
 public:
-    RectangleDraws(const resident::Frame& frame, const graph::PassInterface& interface,
-                   const LightingInputs& inputs)
+    RectangleDraws(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs)
         : draws_(frame, interface, inputs), bounds_(uses_depth_bounds(frame)) {
         for (const bool inside : {false, true}) {
-            gpu::GraphicsPipelineDesc desc = draws_.pipeline(
-                inside ? "rectangles from inside" : "rectangles from outside", "light_rectangle.vert");
+            gpu::GraphicsPipelineDesc desc =
+                draws_.pipeline(inside ? "rectangles from inside" : "rectangles from outside", "light_rectangle.vert");
             desc.constants.emplace_back(CONSTANT_RECTANGLE_FAR_SIDE, inside);
             desc.depth_bounds = bounds_;
             desc.depth = bounds_  ? gpu::DepthTest::none
@@ -40,13 +39,14 @@ public:
         draws_.record_fullscreen(pass);
         const resident::LightGroups& lights = draws_.lights();
         for (const VolumeGroup& group : volume_groups) {
-            draws_.each(pass, lights.first[group.index()], lights.count[group.index()], [&](uint32_t first, uint32_t count) {
-                draws_.bind(pass, pipelines_[group.inside && !bounds_]);
-                if (bounds_)
-                    draw_bounded(pass, first, count);
-                else
-                    vkCmdDraw(pass.commands, 6, count, 0, first);
-            });
+            draws_.each(pass, lights.first[group.index()], lights.count[group.index()],
+                        [&](uint32_t first, uint32_t count) {
+                            draws_.bind(pass, pipelines_[group.inside && !bounds_]);
+                            if (bounds_)
+                                draw_bounded(pass, first, count);
+                            else
+                                vkCmdDraw(pass.commands, 6, count, 0, first);
+                        });
         }
     }
 

@@ -8,8 +8,8 @@
 namespace prelight::passes {
 namespace {
 
-/// Turns of the loops that evaluate one light on one pixel: light_distribution.glsl and shadows.glsl, each entered loop with
-/// one turn more for finding its end.
+/// Turns of the loops that evaluate one light on one pixel: light_distribution.glsl and shadows.glsl, each entered loop
+/// with one turn more for finding its end.
 uint32_t turns_on_a_pixel(const resident::Frame& frame, bool counts) {
     uint32_t turns = frame.light_kinds() & LIGHT_KIND_DISTRIBUTION ? 16 : 0;
     if (frame.shadows() && !counts)
@@ -27,7 +27,8 @@ LightRounds light_rounds(const resident::Frame& frame, LightWalk walk, bool coun
     const uint32_t limit = frame.context().features().loop_turns;
     if (limit == 0)
         return {};
-    // A turn or two a light to find it and one to add it; in a compute pass then eight pixels, whose loop may be unrolled.
+    // A turn or two a light to find it and one to add it; in a compute pass then eight pixels, whose loop may be
+    // unrolled.
     const uint32_t pixel = turns_on_a_pixel(frame, counts);
     const uint32_t each = walk == LightWalk::fragment ? 2 + pixel : pixel == 0 ? 3 : 3 + LIT_BLOCK * (pixel + 1);
     const uint32_t turns = limit - limit / 12; // the rest is for what does not grow with the lights
@@ -38,7 +39,8 @@ LightRounds light_rounds(const resident::Frame& frame, LightWalk walk, bool coun
 
 RoundLights lights_of_round(const resident::Frame& frame, const LightRounds& rounds, uint32_t round) {
     const auto count = [&](resident::LightGroup group) { return frame.lights().count[static_cast<size_t>(group)]; };
-    const uint64_t everywhere = count(resident::LightGroup::fullscreen), all = everywhere + count(resident::LightGroup::listed);
+    const uint64_t everywhere = count(resident::LightGroup::fullscreen),
+                   all = everywhere + count(resident::LightGroup::listed);
     const uint64_t first = std::min(uint64_t(round) * rounds.lights, all), end = std::min(first + rounds.lights, all);
     const uint64_t middle = std::clamp(everywhere, first, end);
     return {static_cast<uint32_t>(first), static_cast<uint32_t>(middle - first), static_cast<uint32_t>(end - middle)};
@@ -48,9 +50,10 @@ std::string round_name(uint32_t round) { return round == 0 ? "" : fmt::format(" 
 
 void expect_one_round(const resident::Frame& frame, const LightRounds& rounds, const std::string& what) {
     if (rounds.count > 1)
-        throw Error(fmt::format("{}: {} takes at most {} lights, for the driver ends loops after {} turns; {} were asked for",
-                                frame.context().name(), what, rounds.lights, frame.context().features().loop_turns,
-                                frame.light_capacity()));
+        throw Error(
+            fmt::format("{}: {} takes at most {} lights, for the driver ends loops after {} turns; {} were asked for",
+                        frame.context().name(), what, rounds.lights, frame.context().features().loop_turns,
+                        frame.light_capacity()));
 }
 
 } // namespace prelight::passes

@@ -4,13 +4,13 @@
 
 namespace prelight::passes {
 
-/// Some drivers end an invocation's loops after a number of turns, in silence. So the lights of a frame, in the frame's order,
-/// are listed and walked in as many rounds as it takes, each with so few that no loop comes near that number; a round
-/// adds to what those before it have left.
+/// Some drivers end an invocation's loops after a number of turns, in silence. So the lights of a frame, in the frame's
+/// order, are listed and walked in as many rounds as it takes, each with so few that no loop comes near that number; a
+/// round adds to what those before it have left.
 struct LightRounds {
     uint32_t lights = ~0u; ///< of a round, at most
     uint32_t count = 1;
-    uint32_t turns = ~0u;  ///< that loops over one round's lights may take
+    uint32_t turns = ~0u; ///< that loops over one round's lights may take
 };
 
 /// Who walks the lights: an invocation a pixel, or light_list.comp's with its many pixels.

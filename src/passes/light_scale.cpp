@@ -15,8 +15,10 @@ constexpr double clipped_share = 0.001;
 uint32_t groups_of(uint32_t count, uint32_t size) { return (count + size - 1) / size; }
 
 /// A compute pass whose shader may be given one number; `dispatch` comes when all is bound.
-void dispatches(graph::Pass& pass, const resident::Frame& frame, const std::string& shader, const gpu::Constants& constants,
-                std::function<void(const graph::PassContext&, const gpu::ComputePipeline&)> dispatch, uint32_t push_bytes = 0) {
+void dispatches(graph::Pass& pass, const resident::Frame& frame, const std::string& shader,
+                const gpu::Constants& constants,
+                std::function<void(const graph::PassContext&, const gpu::ComputePipeline&)> dispatch,
+                uint32_t push_bytes = 0) {
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
     pass.prepare([=, &frame, name = pass.name()](const graph::PassInterface& interface) {
         *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
@@ -34,8 +36,8 @@ void dispatches(graph::Pass& pass, const resident::Frame& frame, const std::stri
 }
 
 /// Every pass reads the frame's constants, and says so to nobody.
-void constants_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to,
-                       VkAccessFlags2 access) {
+void constants_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 wrote,
+                       VkPipelineStageFlags2 to, VkAccessFlags2 access) {
     VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
     barrier.srcStageMask = from;
     barrier.srcAccessMask = wrote;
@@ -73,13 +75,14 @@ struct LightScale::Shared {
 LightScale::LightScale(const resident::Frame& frame, const FixedPoint& form, bool measured)
     : form_(form), fixed_scale_(frame.light_scale()), measured_(measured), shared_(std::make_shared<Shared>()) {
     for (gpu::Buffer& result : shared_->results)
-        result = gpu::Buffer(frame.context(), "light scale", sizeof(shared::LightScaleResult), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                             gpu::BufferPlace::readback);
+        result = gpu::Buffer(frame.context(), "light scale", sizeof(shared::LightScaleResult),
+                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::readback);
     shared_->pixels = uint64_t(frame.extent().width) * frame.extent().height;
     if (measured)
         shared_->histogram = gpu::make_device_buffer(
             frame.context(), "light histogram",
-            std::vector<std::byte>(sizeof(shared::LightHistogram) + 2 * LIGHT_BINS * sizeof(uint32_t)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+            std::vector<std::byte>(sizeof(shared::LightHistogram) + 2 * LIGHT_BINS * sizeof(uint32_t)),
+            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 void LightScale::measure(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& lighting) const {
@@ -101,14 +104,16 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::Frame& frame,
     const uint32_t step = shared::light_sample_step(frame.extent().width, frame.extent().height);
     gpu::Constants constants = lighting_constants(frame, inputs);
     constants.emplace_back(CONSTANT_LIGHT_SAMPLE_STEP, step);
-    dispatches(peaks, frame, lighting_shader(inputs, "light_peaks", ".comp"), constants,
-               [&frame, side = step * LIGHT_SAMPLE_GROUP](const graph::PassContext& context, const gpu::ComputePipeline& pipeline) {
-                   const auto lights = static_cast<uint32_t>(frame.lights().order.size());
-                   pipeline.push(context.commands, std::as_bytes(std::span(&lights, 1)));
-                   const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : frame.extent();
-                   vkCmdDispatch(context.commands, groups_of(all.width, side), groups_of(all.height, side), 1);
-               },
-               sizeof(uint32_t));
+    dispatches(
+        peaks, frame, lighting_shader(inputs, "light_peaks", ".comp"), constants,
+        [&frame, side = step * LIGHT_SAMPLE_GROUP](const graph::PassContext& context,
+                                                   const gpu::ComputePipeline& pipeline) {
+            const auto lights = static_cast<uint32_t>(frame.lights().order.size());
+            pipeline.push(context.commands, std::as_bytes(std::span(&lights, 1)));
+            const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : frame.extent();
+            vkCmdDispatch(context.commands, groups_of(all.width, side), groups_of(all.height, side), 1);
+        },
+        sizeof(uint32_t));
 
     graph::Pass& scale = graph.pass("light-scale");
     scale.storage(INPUT_LIGHT_HISTOGRAM, histogram, true)
@@ -119,10 +124,13 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::Frame& frame,
                 {CONSTANT_LIGHT_MOST, std::bit_cast<uint32_t>(form_.most)},
                 {CONSTANT_LIGHTS_BLENDED, !lighting.write_once && !resident::builds_lists(frame.culling())}},
                [](const graph::PassContext& context, const gpu::ComputePipeline&) {
-                   constexpr VkPipelineStageFlags2 all = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-                   constants_barrier(context.commands, all, VK_ACCESS_2_NONE, compute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+                   constexpr VkPipelineStageFlags2 all = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                                   compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+                   constants_barrier(context.commands, all, VK_ACCESS_2_NONE, compute,
+                                     VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
                    vkCmdDispatch(context.commands, 1, 1, 1);
-                   constants_barrier(context.commands, compute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, all, VK_ACCESS_2_UNIFORM_READ_BIT);
+                   constants_barrier(context.commands, compute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, all,
+                                     VK_ACCESS_2_UNIFORM_READ_BIT);
                });
 }
 
@@ -136,16 +144,19 @@ void LightScale::count_clipped(graph::FrameGraph& graph, const resident::Frame& 
     pass.sample(INPUT_DIFFUSE_LIGHT, first)
         .sample(INPUT_SPECULAR_LIGHT, second)
         .storage(INPUT_LIGHT_SCALE, graph.buffer("light scale", shared_->results), true);
-    dispatches(pass, frame, "light_clipping.comp", {{CONSTANT_CLIPPING_FIRST, form_.first}, {CONSTANT_CLIPPING_SECOND, form_.second}},
+    dispatches(pass, frame, "light_clipping.comp",
+               {{CONSTANT_CLIPPING_FIRST, form_.first}, {CONSTANT_CLIPPING_SECOND, form_.second}},
                [&frame](const graph::PassContext& context, const gpu::ComputePipeline&) {
                    const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : frame.extent();
-                   vkCmdDispatch(context.commands, groups_of(all.width, LIGHT_CLIP_GROUP), groups_of(all.height, LIGHT_CLIP_GROUP), 1);
+                   vkCmdDispatch(context.commands, groups_of(all.width, LIGHT_CLIP_GROUP),
+                                 groups_of(all.height, LIGHT_CLIP_GROUP), 1);
                });
 }
 
 void LightScale::tell(Stats& stats) const {
     const auto& result = *shared_->results[shared_->slot].mapped<const shared::LightScaleResult>();
-    LightBufferStats figures{.diffuse_scale = fixed_scale_, .specular_scale = fixed_scale_, .clipped_pixels = result.clipped};
+    LightBufferStats figures{
+        .diffuse_scale = fixed_scale_, .specular_scale = fixed_scale_, .clipped_pixels = result.clipped};
     if (measured_) {
         figures.diffuse_scale = double(result.scale[0]);
         figures.specular_scale = form_.second || form_.packed ? double(result.scale[1]) : figures.diffuse_scale;
@@ -155,9 +166,10 @@ void LightScale::tell(Stats& stats) const {
     // What is brighter than the largest scale is not lost to the picture.
     const bool at_most = std::max(figures.diffuse_scale, figures.specular_scale) >= double(form_.most);
     if (measured_ ? share > clipped_share && !at_most : figures.clipped_pixels > 0)
-        stats.notes.push_back(fmt::format("light-scale: {} pixels, {:.2g} % of the picture, hold the largest light that the light buffer "
-                                          "can: theirs may be more{}", figures.clipped_pixels, share * 100,
-                                          measured_ ? "" : " (light-scale=auto finds a scale that fits)"));
+        stats.notes.push_back(fmt::format(
+            "light-scale: {} pixels, {:.2g} % of the picture, hold the largest light that the light buffer "
+            "can: theirs may be more{}",
+            figures.clipped_pixels, share * 100, measured_ ? "" : " (light-scale=auto finds a scale that fits)"));
 }
 
 } // namespace prelight::passes

@@ -5,9 +5,9 @@ namespace prelight::passes {
 
 /// What a target in fixed point is to the light that it holds.
 struct FixedPoint {
-    float codes = 255;           ///< steps of its channels
-    float most = 32;             ///< light beyond this makes no difference to a picture: no scale is larger
-    bool packed = false;         ///< specular light is one channel, as luminance
+    float codes = 255;              ///< steps of its channels
+    float most = 32;                ///< light beyond this makes no difference to a picture: no scale is larger
+    bool packed = false;            ///< specular light is one channel, as luminance
     uint32_t first = 7, second = 7; ///< channels that hold light, R 1 to A 8, of the first and the second image
 };
 FixedPoint fixed_point(const LightModel& model);
@@ -24,7 +24,8 @@ public:
     /// Deferred shading: `lighting` has buffers that gbuffer_pass() drew small, by light_sample_step().
     void measure(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& lighting) const;
     /// After the light pass; the same image twice where there is one.
-    void count_clipped(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId first, graph::ImageId second) const;
+    void count_clipped(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId first,
+                       graph::ImageId second) const;
     /// Of the last frame that was recorded, which must be done; adds the line that says what was lost.
     void tell(Stats& stats) const;
 

@@ -29,10 +29,11 @@ public:
         draws_.record_fullscreen(pass);
         const resident::LightGroups& lights = draws_.lights();
         for (const VolumeGroup& group : volume_groups) {
-            draws_.each(pass, lights.first[group.index()], lights.count[group.index()], [&](uint32_t first, uint32_t count) {
-                for (uint32_t i = first; i < first + count; ++i)
-                    draw_one(pass, group, i);
-            });
+            draws_.each(pass, lights.first[group.index()], lights.count[group.index()],
+                        [&](uint32_t first, uint32_t count) {
+                            for (uint32_t i = first; i < first + count; ++i)
+                                draw_one(pass, group, i);
+                        });
         }
     }
 

@@ -43,12 +43,13 @@ bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R32G32B32A32_UINT;
 }
 
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair,
-                              bool wide) {
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model,
+                              bool pair, bool wide) {
     LightBuffer out;
     if (pair) {
         out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, frame.extent()});
-        out.target = {.variant = "+pair", .images = {out.diffuse}, .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
+        out.target = {
+            .variant = "+pair", .images = {out.diffuse}, .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
         return out;
     }
     wide = wide && !model.fixed_point();
@@ -56,8 +57,10 @@ LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& f
     out.target.images = {out.diffuse};
     out.target.constants = {{CONSTANT_LIGHT_STORAGE, storage_of(graph.desc(out.diffuse).format)}};
     if (model.specular == SpecularWay::fifth_channel)
-        out.specular = graph.image(
-            "fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM : wide ? VK_FORMAT_R32_SFLOAT : VK_FORMAT_R16_SFLOAT, frame.extent()});
+        out.specular = graph.image("fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM
+                                                     : wide              ? VK_FORMAT_R32_SFLOAT
+                                                                         : VK_FORMAT_R16_SFLOAT,
+                                                     frame.extent()});
     else if (model.packed())
         out.target.variant = "+packed";
     else
@@ -69,7 +72,8 @@ LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& f
 
 graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::Frame& frame) {
     const bool blends = frame.context().supports(VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT);
-    return graph.image("light count", {blends ? VK_FORMAT_R32G32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+    return graph.image("light count",
+                       {blends ? VK_FORMAT_R32G32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
 }
 
 LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& frame) {
@@ -100,15 +104,16 @@ std::string lighting_shader(const LightingInputs& inputs, const std::string& sha
     const bool counts = inputs.target.variant == "+count", lit = shader != "light_ambient";
     const char* added = inputs.target.added ? "+added" : "";
     const char* stencil = lit && inputs.surface.format.roughness_in_stencil ? "+stencil" : "";
-    return shader + inputs.target.variant + added + (counts || !lit ? "" : shadow_variant(inputs.shadows)) + stencil + ending;
+    return shader + inputs.target.variant + added + (counts || !lit ? "" : shadow_variant(inputs.shadows)) + stencil +
+           ending;
 }
 
 gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs) {
     gpu::Constants constants = inputs.surface.format.constants();
     for (const gpu::Constants& more : {inputs.model.constants(), inputs.target.constants})
         constants.insert(constants.end(), more.begin(), more.end());
-    constants.insert(constants.end(), {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
-                                       {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
+    constants.insert(constants.end(),
+                     {{CONSTANT_COUNT_PAIRS, inputs.count_pairs}, {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
     add_shadow_constants(constants, frame);
     return constants;
 }

@@ -11,8 +11,8 @@ struct LightTarget {
     std::string variant;                ///< "" light buffer, "+packed", "+pair", "+count", "+deferred"
     std::vector<graph::ImageId> images; ///< colour attachments, in the order of the variant's outputs
     graph::Load load = graph::Load::clear;
-    gpu::Constants constants;           ///< of the variant
-    bool added = false;                 ///< a compute pass adds to what stands there, where it would replace it
+    gpu::Constants constants; ///< of the variant
+    bool added = false;       ///< a compute pass adds to what stands there, where it would replace it
 };
 
 /// How light lists are walked: by a full-screen draw, or (tiles only) by a compute pass whose subgroups share what
@@ -32,10 +32,10 @@ struct LightingInputs {
     Shadows shadows;
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound
     bool count_pairs = false;
-    uint32_t tile_size = 8;     ///< light lists: pixels of a tile's side, 8, 16 or 32
+    uint32_t tile_size = 8; ///< light lists: pixels of a tile's side, 8, 16 or 32
     ListShading list_shading = ListShading::automatic;
     ListContents list_contents = ListContents::built;
-    uint64_t list_room = 0;     ///< light lists: LightListInputs::first_room
+    uint64_t list_room = 0;  ///< light lists: LightListInputs::first_room
     bool write_once = false; ///< all of a pixel's lights in one loop, instead of blended one by one
 };
 
@@ -45,11 +45,12 @@ struct LightBuffer {
     graph::ImageId specular;
     LightTarget target;
 };
-/// `pair`: as light_pair_pays() says. `wide`: full floats in the place of half floats and smaller ones, for sums of many lights.
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model, bool pair = false,
-                              bool wide = false);
-/// An image of pairs: four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel (shaders/shared/light_pair.glsl),
-/// which only a light pass that writes each pixel once can fill.
+/// `pair`: as light_pair_pays() says. `wide`: full floats in the place of half floats and smaller ones, for sums of
+/// many lights.
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model,
+                              bool pair = false, bool wide = false);
+/// An image of pairs: four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel
+/// (shaders/shared/light_pair.glsl), which only a light pass that writes each pixel once can fill.
 bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image);
 
 /// Lights evaluated in R, contributing in G, for --view light-count: full floats, for half floats count to 2,048.

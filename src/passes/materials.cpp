@@ -9,13 +9,12 @@ bool is_half(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
-void draw(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
-          const std::string& name, graph::ImageId target, uint32_t output, Display display = {}) {
+void draw(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs, const std::string& name,
+          graph::ImageId target, uint32_t output, Display display = {}) {
     graph::Pass& pass = graph.pass(name);
-    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f})
-        .depth_test(inputs.depth);
-    const bool bits = frame.context().is_software() && is_half(graph, inputs.light.diffuse) &&
-                      is_half(graph, inputs.light.specular);
+    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f}).depth_test(inputs.depth);
+    const bool bits =
+        frame.context().is_software() && is_half(graph, inputs.light.diffuse) && is_half(graph, inputs.light.specular);
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
     (pass.*sample)(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse);
     (pass.*sample)(INPUT_SPECULAR_LIGHT, inputs.light.specular);
@@ -35,38 +34,38 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     const std::string shader = !ggx    ? "material_blinn_phong"
                                : at_nv ? "material_metallic_roughness"
                                        : "material_metallic_roughness+weighted";
-    draw_surfaces(graph, pass, frame,
-                  {.name = "material",
-                   .fragment = all_of_a_point ? (ggx ? "metallic_roughness/" : "blinn_phong/") + own : shader + texels + ".frag",
-                   .own_fragment = own,
-                   .constants = constants,
-                   .depth = gpu::DepthTest::equal,
-                   .keeps_alpha_mask = false,
-                   .world = at_nv || all_of_a_point,
-                   .normal = at_nv || all_of_a_point,
-                   .untextured_variant = !all_of_a_point,
-                   .decals = bool(inputs.decals)});
+    draw_surfaces(
+        graph, pass, frame,
+        {.name = "material",
+         .fragment = all_of_a_point ? (ggx ? "metallic_roughness/" : "blinn_phong/") + own : shader + texels + ".frag",
+         .own_fragment = own,
+         .constants = constants,
+         .depth = gpu::DepthTest::equal,
+         .keeps_alpha_mask = false,
+         .world = at_nv || all_of_a_point,
+         .normal = at_nv || all_of_a_point,
+         .untextured_variant = !all_of_a_point,
+         .decals = bool(inputs.decals)});
 }
 
 } // namespace
 
-graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                             const MaterialInputs& inputs, Display display) {
+graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
+                             Display display) {
     const graph::ImageId target = picture_image(graph, frame, display);
     draw(graph, frame, inputs, "material", target, MATERIAL_OUTPUT_SHADED, display);
     return target;
 }
 
-graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                              const MaterialInputs& inputs, bool specular) {
+graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
+                              bool specular) {
     const char* name = specular ? "specular-sum" : "diffuse-sum";
     const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, frame.extent()});
     draw(graph, frame, inputs, name, target, specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM);
     return target;
 }
 
-graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                           const MaterialInputs& inputs) {
+graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs) {
     const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
     draw(graph, frame, inputs, "albedo", target, MATERIAL_OUTPUT_ALBEDO);
     return target;

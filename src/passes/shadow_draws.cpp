@@ -92,7 +92,8 @@ public:
                 material = first.material;
             }
             uint32_t count = 1;
-            while (i + count < draws.size() && draws[i + count] == draws[i] + count && same_triangles(all[draws[i + count]], first))
+            while (i + count < draws.size() && draws[i + count] == draws[i] + count &&
+                   same_triangles(all[draws[i + count]], first))
                 ++count;
             vkCmdDrawIndexed(pass.commands, first.index_count, count, first.first_index, first.vertex_offset, draws[i]);
             i += count;
@@ -113,7 +114,8 @@ public:
 
 private:
     static uint32_t key(const Draw& draw) {
-        return draw.features & FEATURE_ALPHA_MASK ? draw.features & (FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE) : 0;
+        return draw.features & FEATURE_ALPHA_MASK ? draw.features & (FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE)
+                                                  : 0;
     }
     static bool same_triangles(const Draw& a, const Draw& b) {
         return key(a) == key(b) && a.material == b.material && a.first_index == b.first_index &&
@@ -125,9 +127,12 @@ private:
             out.push_back({VERTEX_WORLD_ROW + row, caster_rows, VK_FORMAT_R32G32B32A32_SFLOAT,
                            static_cast<uint32_t>(row * sizeof(glm::vec4))});
         if (masked) {
-            out.push_back({VERTEX_COLOUR, caster_attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
-            out.push_back({VERTEX_TEXCOORD_0, caster_attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
-            out.push_back({VERTEX_TEXCOORD_1, caster_attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)});
+            out.push_back(
+                {VERTEX_COLOUR, caster_attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
+            out.push_back({VERTEX_TEXCOORD_0, caster_attributes, VK_FORMAT_R32G32_SFLOAT,
+                           offsetof(VertexAttributes, texcoord_0)});
+            out.push_back({VERTEX_TEXCOORD_1, caster_attributes, VK_FORMAT_R32G32_SFLOAT,
+                           offsetof(VertexAttributes, texcoord_1)});
         }
         return out;
     }
@@ -138,7 +143,8 @@ private:
 };
 
 ShadowDraws::ShadowDraws(const resident::Frame& frame, VkDescriptorSetLayout inputs, const Shadows& shadows)
-    : frame_(frame), counts_(*shadows.counts), held_(shadows.held), casters_(std::make_unique<Casters>(frame, inputs)) {}
+    : frame_(frame), counts_(*shadows.counts), held_(shadows.held), casters_(std::make_unique<Casters>(frame, inputs)) {
+}
 ShadowDraws::~ShadowDraws() = default;
 
 void ShadowDraws::record(const graph::PassContext& pass) {

@@ -11,13 +11,17 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::Frame& frame, Shad
     const graph::ImageId atlas = graph.image("shadow atlas", {shadow_format, {size.x, size.y}});
     graph.persist(atlas);
     graph.before_frame([&counts] { counts = {}; });
-    const Shadows shadows{.atlas = atlas, .counts = &counts, .held = std::make_shared<HeldMaps>(), .reused = frame.shadows()->options().reuse};
+    const Shadows shadows{.atlas = atlas,
+                          .counts = &counts,
+                          .held = std::make_shared<HeldMaps>(),
+                          .reused = frame.shadows()->options().reuse};
     if (shadows.reused)
         return shadows;
     graph::Pass& pass = graph.pass("shadows");
     pass.depth_write(atlas, graph::Load::keep);
     auto draws = std::make_shared<std::optional<ShadowDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface.inputs, shadows); });
+    pass.prepare(
+        [=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface.inputs, shadows); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
     return shadows;
 }

@@ -7,7 +7,8 @@ namespace {
 
 class SunOcclusion {
 public:
-    SunOcclusion(const resident::Frame& frame, const graph::PassInterface& interface, const SurfaceFormat& surface, const Shadows& shadows)
+    SunOcclusion(const resident::Frame& frame, const graph::PassInterface& interface, const SurfaceFormat& surface,
+                 const Shadows& shadows)
         : frame_(frame) {
         gpu::GraphicsPipelineDesc desc;
         desc.name = "sun occlusion";
@@ -44,7 +45,8 @@ private:
 
 } // namespace
 
-Shadows sun_occlusion_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer, Shadows shadows) {
+Shadows sun_occlusion_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+                           Shadows shadows) {
     if (!shadows)
         return shadows;
     graph::Pass& pass = graph.pass("sun occlusion");

@@ -43,7 +43,8 @@ std::vector<gpu::VertexAttribute> surface_attributes(bool motion, LeftOut left_o
         out.push_back({VERTEX_TEXCOORD_0, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
         out.push_back({VERTEX_TEXCOORD_1, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)});
         if (!left_out.normal)
-            out.push_back({VERTEX_TANGENT, attributes, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexAttributes, tangent)});
+            out.push_back(
+                {VERTEX_TANGENT, attributes, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexAttributes, tangent)});
     }
     if (motion) {
         out.push_back({VERTEX_PREVIOUS_POSITION, previous_positions, VK_FORMAT_R32G32B32_SFLOAT, 0});
@@ -65,14 +66,13 @@ std::string variant_of(const std::string& shader, const std::string& variant) {
 
 } // namespace
 
-SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface,
-                           const Desc& desc)
+SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface, const Desc& desc)
     : frame_(frame), features_kept_((desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
                                      : desc.keeps_alpha_mask ? ~0u
                                                              : ~FEATURE_ALPHA_MASK) &
                                     (desc.decals ? ~0u : ~FEATURE_DECALS)),
-      depth_only_(desc.depth_only), motion_(desc.motion), only_decals_(desc.only_decals), later_(is_later(desc.depth)), counts_(frame.visible_pixels() && !later_),
-      skips_(frame.visible_pixels() && later_) {
+      depth_only_(desc.depth_only), motion_(desc.motion), only_decals_(desc.only_decals), later_(is_later(desc.depth)),
+      counts_(frame.visible_pixels() && !later_), skips_(frame.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
                                sizeof(shared::ObjectData)};
@@ -104,7 +104,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     pipeline.vertex = !shaded   ? "depth_only.vert"
                       : motion_ ? "surface+motion.vert"
                                 : variant_of("surface.vert", left_out.name());
-    pipeline.fragment = !shaded            ? ""
+    pipeline.fragment = !shaded             ? ""
                         : left_out.textures ? variant_of(desc.fragment, "+untextured")
                         : decals            ? variant_of(desc.fragment, "+decals")
                                             : desc.fragment;
@@ -275,7 +275,8 @@ void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const residen
     const bool later = SurfaceDraws::is_later(depth);
     const resident::DrawOptions& options = frame.draw_options();
     const auto reads = [&](const resident::DeviceTrimming::Output& from) {
-        pass.indices(graph.buffer("kept indices", from.indices)).indirect(graph.buffer("trimmed draw commands", from.commands));
+        pass.indices(graph.buffer("kept indices", from.indices))
+            .indirect(graph.buffer("trimmed draw commands", from.commands));
     };
     if (later && options.trims_by_depth)
         reads(frame.device_trimming()->later());
@@ -284,10 +285,12 @@ void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const residen
     if (later && frame.visible_pixels())
         pass.condition(graph.buffer("draw conditions", frame.visible_pixels()->conditions()));
     if (!later && frame.visible_pixels())
-        pass.before_rendering([&frame](const graph::PassContext& context) { frame.visible_pixels()->reset(context.commands); });
+        pass.before_rendering(
+            [&frame](const graph::PassContext& context) { frame.visible_pixels()->reset(context.commands); });
 }
 
-void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc) {
+void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame,
+                   const SurfaceDraws::Desc& desc) {
     declare_surfaces(graph, pass, frame, desc.depth);
     auto draws = std::make_shared<std::optional<SurfaceDraws>>();
     pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, desc); });

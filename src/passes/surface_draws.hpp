@@ -1,6 +1,6 @@
 #pragma once
-#include <graph/frame_graph.hpp>
 #include <gpu/pipeline.hpp>
+#include <graph/frame_graph.hpp>
 #include <map>
 #include <optional>
 #include <resident/frame.hpp>
@@ -13,11 +13,11 @@ class SurfaceDraws {
 public:
     struct Desc {
         std::string name;
-        std::string fragment;            ///< with `depth_only`: the shader of masked materials
-        std::string own_fragment = {};   ///< the stage for materials with a shader of their own; empty: `fragment`
+        std::string fragment;          ///< with `depth_only`: the shader of masked materials
+        std::string own_fragment = {}; ///< the stage for materials with a shader of their own; empty: `fragment`
         gpu::Constants constants;
         gpu::DepthTest depth = gpu::DepthTest::write_nearer;
-        bool keeps_alpha_mask = true;    ///< false: the mask is not asked again, the depth test decides
+        bool keeps_alpha_mask = true; ///< false: the mask is not asked again, the depth test decides
         gpu::Blend blend = gpu::Blend::none;
         uint32_t push_bytes = 0;         ///< push constants of every draw, in the fragment shader
         bool motion = false;             ///< the shader is told where each point was: FrameSettings::motion
@@ -25,8 +25,8 @@ public:
         bool normal = true;              ///< and its normal: not compiled with NO_NORMAL
         bool untextured_variant = false; ///< there is a "…+untextured.frag" for materials without textures
         bool depth_only = false;         ///< materials without mask get positions and no shader
-        bool decals = false;             ///< objects that decals reach are drawn with "…+decals.frag": declare_decals()
-        bool only_decals = false;        ///< and no others
+        bool decals = false;      ///< objects that decals reach are drawn with "…+decals.frag": declare_decals()
+        bool only_decals = false; ///< and no others
     };
     /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
     /// record into a pass in turn.
@@ -47,8 +47,7 @@ public:
     /// Vertex buffers, before the first draw() of a pass.
     void bind_geometry(const graph::PassContext& pass) const;
     /// One object of Geometry::draws by itself; false, and nothing, where the camera cannot see it.
-    bool draw(const graph::PassContext& pass, Bound& bound, uint32_t draw,
-              std::span<const std::byte> push = {}) const;
+    bool draw(const graph::PassContext& pass, Bound& bound, uint32_t draw, std::span<const std::byte> push = {}) const;
 
 private:
     /// What chooses a pipeline: the material's shader, and its FEATURE_… bits.
@@ -80,6 +79,7 @@ private:
 void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, gpu::DepthTest depth);
 
 /// Makes `pass` draw every object of the frame once.
-void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, const SurfaceDraws::Desc& desc);
+void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame,
+                   const SurfaceDraws::Desc& desc);
 
 } // namespace prelight::passes

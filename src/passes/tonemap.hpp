@@ -12,12 +12,13 @@ namespace prelight::passes {
 /// tonemap_pass() and others. The shader ends with stored_colour() of shaders/shared/display.glsl.
 using Display = std::optional<Tonemap>;
 /// `wide`: "linear" is RGBA32F, for many lights that blending adds up.
-graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display, bool wide = false);
+graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display,
+                             bool wide = false);
 /// The specialisation constants of stored_colour() for a target of this format.
 gpu::Constants display_constants(Display display, VkFormat target);
 
 /// [E4] Scene-linear `colour` → sRGB-encoded RGBA8, where something else needs the linear picture.
-graph::ImageId tonemap_pass(graph::FrameGraph& graph, const resident::Frame& frame,
-                            graph::ImageId colour, Tonemap curve);
+graph::ImageId tonemap_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId colour,
+                            Tonemap curve);
 
 } // namespace prelight::passes

@@ -5,8 +5,8 @@
 
 namespace prelight::passes {
 
-graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-                         ViewKind kind, const SurfaceBuffers& surface, graph::ImageId buffer) {
+graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name, ViewKind kind,
+                         const SurfaceBuffers& surface, graph::ImageId buffer) {
     const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, frame.extent()});
     graph::Pass& pass = graph.pass("view-" + name);
     const bool pair = is_light_pair(graph, buffer);

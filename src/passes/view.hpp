@@ -5,18 +5,25 @@ namespace prelight::passes {
 
 /// What a view pass makes of a buffer.
 enum class ViewKind {
-    depth, normal, roughness, light, light_alpha, count, colour, light_luv,
-    albedo,   ///< of a G-buffer: RT3
-    specular, ///< of a G-buffer: the target that holds it
-    motion,   ///< of a G-buffer: RT2
-    second_light, ///< the other half of a pair in one image
-    occlusion = VIEW_OCCLUSION, ///< visibility as grey
+    depth,
+    normal,
+    roughness,
+    light,
+    light_alpha,
+    count,
+    colour,
+    light_luv,
+    albedo,                               ///< of a G-buffer: RT3
+    specular,                             ///< of a G-buffer: the target that holds it
+    motion,                               ///< of a G-buffer: RT2
+    second_light,                         ///< the other half of a pair in one image
+    occlusion = VIEW_OCCLUSION,           ///< visibility as grey
     specular_light = VIEW_SPECULAR_LIGHT, ///< light that is stored by the specular scale
-    sun_occlusion = VIEW_SUN_OCCLUSION, ///< of a G-buffer: RT3's alpha
+    sun_occlusion = VIEW_SUN_OCCLUSION,   ///< of a G-buffer: RT3's alpha
 };
 
 /// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.
-graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-                         ViewKind kind, const SurfaceBuffers& surface, graph::ImageId buffer);
+graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name, ViewKind kind,
+                         const SurfaceBuffers& surface, graph::ImageId buffer);
 
 } // namespace prelight::passes

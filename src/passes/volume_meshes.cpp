@@ -14,11 +14,11 @@ VolumeMesh icosahedron() {
     const float g = (1 + std::sqrt(5.0f)) / 2;
     VolumeMesh mesh;
     for (const glm::vec3& p : {glm::vec3(-1, g, 0), glm::vec3(1, g, 0), glm::vec3(-1, -g, 0), glm::vec3(1, -g, 0),
-                              glm::vec3(0, -1, g), glm::vec3(0, 1, g), glm::vec3(0, -1, -g), glm::vec3(0, 1, -g),
-                              glm::vec3(g, 0, -1), glm::vec3(g, 0, 1), glm::vec3(-g, 0, -1), glm::vec3(-g, 0, 1)})
+                               glm::vec3(0, -1, g), glm::vec3(0, 1, g), glm::vec3(0, -1, -g), glm::vec3(0, 1, -g),
+                               glm::vec3(g, 0, -1), glm::vec3(g, 0, 1), glm::vec3(-g, 0, -1), glm::vec3(-g, 0, 1)})
         mesh.points.push_back(glm::normalize(p));
-    mesh.indices = {0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6, 7, 1, 8,
-                    3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1};
+    mesh.indices = {0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4,  11, 10, 2,  10, 7, 6, 7, 1, 8,
+                    3, 9,  4, 3, 4, 2, 3, 2, 6, 3, 6, 8,  3, 8,  9,  4, 9, 5, 2, 4,  11, 6,  2,  10, 8,  6, 7, 9, 8, 1};
     return mesh;
 }
 
@@ -26,8 +26,7 @@ VolumeMesh subdivide(const VolumeMesh& coarse) {
     VolumeMesh fine{coarse.points, {}};
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
     const auto middle = [&](uint32_t a, uint32_t b) {
-        const auto [it, added] =
-            middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(fine.points.size()));
+        const auto [it, added] = middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(fine.points.size()));
         if (added)
             fine.points.push_back(glm::normalize(coarse.points[a] + coarse.points[b]));
         return it->second;
@@ -76,8 +75,8 @@ VolumeMesh cone_volume(uint32_t sides) {
     // light_volume.vert takes the frame (side, axis × side, axis), which is right-handed.
     for (uint32_t i = 0; i < sides; ++i) {
         const uint32_t next = (i + 1) % sides, rim = 2, cap = 2 + sides;
-        for (const uint32_t v : {0u, rim + next, rim + i, rim + i, rim + next, cap + i, rim + next, cap + next,
-                                 cap + i, 1u, cap + i, cap + next})
+        for (const uint32_t v : {0u, rim + next, rim + i, rim + i, rim + next, cap + i, rim + next, cap + next, cap + i,
+                                 1u, cap + i, cap + next})
             mesh.indices.push_back(v);
     }
     return mesh;

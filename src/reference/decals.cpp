@@ -21,7 +21,10 @@ double fade(double cosine, double whole, double gone) {
 
 Decals::Decals(const World& world, glm::dvec3 origin, const Textures& textures) : textures_(textures) {
     for (const PlacedDecal& placed : world.decals) {
-        Box box{&placed.decal, &world.scene->materials.at(placed.decal.material), glm::dvec3(placed.transform[3]) - origin, {}};
+        Box box{&placed.decal,
+                &world.scene->materials.at(placed.decal.material),
+                glm::dvec3(placed.transform[3]) - origin,
+                {}};
         if (box.material->shader)
             throw Error("reference: a decal's material has a shader of its own");
         for (int axis = 0; axis < 3; ++axis)
@@ -38,12 +41,15 @@ void Decals::cover(Surface& surface) const {
         // Cramer's rule: how many sides along each axis.
         const glm::dvec3 from = surface.position - box.centre, (&s)[3] = box.sides;
         const double volume = glm::dot(s[0], glm::cross(s[1], s[2]));
-        const glm::dvec3 place = glm::dvec3(glm::dot(from, glm::cross(s[1], s[2])), glm::dot(s[0], glm::cross(from, s[2])),
-                                            glm::dot(s[0], glm::cross(s[1], from))) / volume;
+        const glm::dvec3 place =
+            glm::dvec3(glm::dot(from, glm::cross(s[1], s[2])), glm::dot(s[0], glm::cross(from, s[2])),
+                       glm::dot(s[0], glm::cross(s[1], from))) /
+            volume;
         if (std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) > 0.5)
             continue;
-        const double seen = fade(glm::dot(own, glm::normalize(s[2])), std::cos(static_cast<double>(box.decal->fade_from)),
-                                 std::cos(static_cast<double>(box.decal->fade_to)));
+        const double seen =
+            fade(glm::dot(own, glm::normalize(s[2])), std::cos(static_cast<double>(box.decal->fade_from)),
+                 std::cos(static_cast<double>(box.decal->fade_to)));
         if (seen == 0)
             continue;
         const Material& material = *box.material;

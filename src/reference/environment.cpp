@@ -2,8 +2,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 #include <numbers>
 #include <reference/environment.hpp>
 
@@ -26,8 +26,8 @@ EnvironmentLight::EnvironmentLight(const Environment* environment) : environment
         for (size_t y = 0; y < coarse.height; ++y)
             for (size_t x = 0; x < coarse.width; ++x) {
                 const size_t corner = 2 * y * fine.width + 2 * x;
-                coarse.texels.push_back((fine.texels[corner] + fine.texels[corner + 1] + fine.texels[corner + fine.width] +
-                                         fine.texels[corner + fine.width + 1]) /
+                coarse.texels.push_back((fine.texels[corner] + fine.texels[corner + 1] +
+                                         fine.texels[corner + fine.width] + fine.texels[corner + fine.width + 1]) /
                                         4.0);
             }
         levels_.push_back(std::move(coarse));
@@ -47,10 +47,13 @@ void EnvironmentLight::take_moments() {
     for (uint32_t y = 0; y < map.height; ++y) {
         const double latitude = pi * (0.5 - (y + 0.5) / map.height);
         // Of a texel: Δlongitude · Δ sin(latitude).
-        const double area = 2 * pi / map.width * (std::sin(pi * (0.5 - double(y) / map.height)) - std::sin(pi * (0.5 - (y + 1.0) / map.height)));
+        const double area =
+            2 * pi / map.width *
+            (std::sin(pi * (0.5 - double(y) / map.height)) - std::sin(pi * (0.5 - (y + 1.0) / map.height)));
         for (uint32_t x = 0; x < map.width; ++x) {
             const double longitude = 2 * pi * ((x + 0.5) / map.width - 0.5) - environment_->rotation;
-            const glm::dvec3 d(std::cos(latitude) * std::sin(longitude), std::sin(latitude), -std::cos(latitude) * std::cos(longitude));
+            const glm::dvec3 d(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+                               -std::cos(latitude) * std::cos(longitude));
             const glm::dvec3 light = area * map.texels[size_t(y) * map.width + x];
             zeroth_ += light;
             for (int c = 0; c < 3; ++c) {
@@ -77,7 +80,8 @@ glm::dvec3 EnvironmentLight::Level::bilinear(double longitude, double latitude) 
 }
 
 glm::dvec3 EnvironmentLight::look(const Level& level, glm::dvec3 direction) const {
-    return level.bilinear(std::atan2(direction.x, -direction.z) + environment_->rotation, std::asin(std::clamp(direction.y, -1.0, 1.0)));
+    return level.bilinear(std::atan2(direction.x, -direction.z) + environment_->rotation,
+                          std::asin(std::clamp(direction.y, -1.0, 1.0)));
 }
 
 glm::dvec3 EnvironmentLight::background(glm::dvec3 direction) const {
@@ -97,7 +101,8 @@ glm::dvec3 EnvironmentLight::blurred(glm::dvec3 direction, double level) const {
 glm::dvec3 EnvironmentLight::lambert(glm::dvec3 n) const {
     glm::dvec3 out;
     for (int c = 0; c < 3; ++c) {
-        const double flat = zeroth_[c], slope = glm::dot(first_[size_t(c)], n), bend = glm::dot(n, second_[size_t(c)] * n);
+        const double flat = zeroth_[c], slope = glm::dot(first_[size_t(c)], n),
+                     bend = glm::dot(n, second_[size_t(c)] * n);
         out[c] = std::max((flat + 2 * slope + 1.25 * (1.5 * bend - 0.5 * flat)) / (4 * pi), 0.0);
     }
     return out;
@@ -179,10 +184,12 @@ glm::dvec3 mirror_direction(glm::dvec3 normal, glm::dvec3 view, double roughness
 
 glm::dvec3 environment_share(glm::dvec3 f0, double f90, double roughness, double nv) {
     static const std::vector<glm::dvec2> table = make_table();
-    const double x = std::clamp(nv, 0.0, 1.0) * (table_size - 1), y = std::clamp(roughness, 0.0, 1.0) * (table_size - 1);
+    const double x = std::clamp(nv, 0.0, 1.0) * (table_size - 1),
+                 y = std::clamp(roughness, 0.0, 1.0) * (table_size - 1);
     const int left = std::min(int(x), table_size - 2), top = std::min(int(y), table_size - 2);
     const glm::dvec2* corner = &table[size_t(top * table_size + left)];
-    const glm::dvec2 integrals = glm::mix(glm::mix(corner[0], corner[1], x - left), glm::mix(corner[table_size], corner[table_size + 1], x - left), y - top);
+    const glm::dvec2 integrals = glm::mix(glm::mix(corner[0], corner[1], x - left),
+                                          glm::mix(corner[table_size], corner[table_size + 1], x - left), y - top);
     return f0 * (integrals.x - integrals.y) + f90 * integrals.y;
 }
 

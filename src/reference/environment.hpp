@@ -51,8 +51,8 @@ private:
     std::array<glm::dmat3, 3> second_{glm::dmat3(0), glm::dmat3(0), glm::dmat3(0)};
 };
 
-/// Where a mirror looks: its lobe leans from the reflection of `view` towards the normal, the rougher the more, by roughness⁴. That
-/// brings the split sum nearer to the true integral (tests/reference/environment_test.cpp).
+/// Where a mirror looks: its lobe leans from the reflection of `view` towards the normal, the rougher the more, by
+/// roughness⁴. That brings the split sum nearer to the true integral (tests/reference/environment_test.cpp).
 glm::dvec3 mirror_direction(glm::dvec3 normal, glm::dvec3 view, double roughness);
 /// What a surface sends on of what its mirror shows, for F0 and F90: ∫ D V F N·L over a uniform environment, with glTF
 /// 2.0's D and V and Schlick's F. From a table with 65 × 65 entries.

@@ -13,16 +13,14 @@ constexpr double plane_share = 0.01; ///< of depth
 /// Whether pixel `a`, beside pixel `b`, cannot be expected to be exact. Not symmetric: each pixel
 /// measures its neighbour by its own plane and depth.
 bool edge(const ReferencePicture& picture, size_t a, size_t b) {
-    if (picture.instance[a] != picture.instance[b] ||
-        picture.shadow_mask[a] != picture.shadow_mask[b] ||
+    if (picture.instance[a] != picture.instance[b] || picture.shadow_mask[a] != picture.shadow_mask[b] ||
         picture.mask_outcome[a] != picture.mask_outcome[b])
         return true;
     if (picture.instance[a] == background)
         return false;
     if (glm::dot(picture.normal[a], picture.normal[b]) < cos_30_degrees)
         return true;
-    const double off_plane =
-        std::abs(glm::dot(picture.position[b] - picture.position[a], picture.geometric_normal[a]));
+    const double off_plane = std::abs(glm::dot(picture.position[b] - picture.position[a], picture.geometric_normal[a]));
     return off_plane > plane_share * picture.depth[a];
 }
 

@@ -65,12 +65,14 @@ glm::dvec2 place_on(const Face& face, glm::dvec3 d) {
 /// A texel of a face, or of the face beside it; past a corner, the mean of the three that meet there.
 glm::dvec3 cube_texel(const std::vector<Pyramid>& cube, size_t face, size_t level, int64_t x, int64_t y) {
     const Pyramid::Level& own = cube[face].levels[level];
-    const int64_t n = own.width, inside_x = std::clamp<int64_t>(x, 0, n - 1), inside_y = std::clamp<int64_t>(y, 0, n - 1);
+    const int64_t n = own.width, inside_x = std::clamp<int64_t>(x, 0, n - 1),
+                  inside_y = std::clamp<int64_t>(y, 0, n - 1);
     if (x == inside_x && y == inside_y)
         return own.at(x, y);
     if (x != inside_x && y != inside_y)
         return (own.at(inside_x, inside_y) + cube_texel(cube, face, level, x, inside_y) +
-                cube_texel(cube, face, level, inside_x, y)) / 3.0;
+                cube_texel(cube, face, level, inside_x, y)) /
+               3.0;
     const Face& f = faces[face];
     const double across = 2 * (static_cast<double>(x) + 0.5) / static_cast<double>(n) - 1;
     const double down = 2 * (static_cast<double>(y) + 0.5) / static_cast<double>(n) - 1;
@@ -84,9 +86,12 @@ glm::dvec3 cube_texel(const std::vector<Pyramid>& cube, size_t face, size_t leve
 /// Four texels of a level mixed; `texel` finds them, past the edges too.
 template <class Texel>
 glm::dvec3 mixed(const Pyramid::Level& level, glm::dvec2 place, Texel texel) {
-    const double x = place.x * static_cast<double>(level.width) - 0.5, y = place.y * static_cast<double>(level.height) - 0.5;
+    const double x = place.x * static_cast<double>(level.width) - 0.5,
+                 y = place.y * static_cast<double>(level.height) - 0.5;
     const double left = std::floor(x), top = std::floor(y), s = x - left, t = y - top;
-    const auto at = [&](int dx, int dy) { return texel(static_cast<int64_t>(left) + dx, static_cast<int64_t>(top) + dy); };
+    const auto at = [&](int dx, int dy) {
+        return texel(static_cast<int64_t>(left) + dx, static_cast<int64_t>(top) + dy);
+    };
     return (1 - t) * ((1 - s) * at(0, 0) + s * at(1, 0)) + t * ((1 - s) * at(0, 1) + s * at(1, 1));
 }
 
@@ -139,7 +144,9 @@ glm::dvec3 LightDistribution::factor(glm::dvec3 direction, double spread) const 
     const glm::dvec3 d = direction * axes_; // dots with the axes: the light's own space
     glm::dvec3 result(1);
     if (cookie_)
-        result = kind_ == LightKind::spot ? spot(d, spread) : cookie_->size() == 6 ? cube(d, spread) : sphere(d, spread);
+        result = kind_ == LightKind::spot ? spot(d, spread)
+                 : cookie_->size() == 6   ? cube(d, spread)
+                                          : sphere(d, spread);
     return profile_ ? result * profile(d) : result;
 }
 
@@ -179,7 +186,8 @@ glm::dvec3 LightDistribution::cube(glm::dvec3 d, double spread) const {
     const double away = glm::dot(d, faces[face].axis);
     const double texels = spread * 0.5 * static_cast<double>(picture.levels[0].width) / (away * away);
     return between_levels(picture.levels.size(), texels, [&](size_t k) {
-        return mixed(picture.levels[k], place, [&](int64_t u, int64_t v) { return cube_texel(*cookie_, face, k, u, v); });
+        return mixed(picture.levels[k], place,
+                     [&](int64_t u, int64_t v) { return cube_texel(*cookie_, face, k, u, v); });
     });
 }
 
@@ -199,7 +207,8 @@ double LightDistribution::profile(glm::dvec3 d) const {
     };
     const auto beyond = std::upper_bound(p.horizontal.begin(), p.horizontal.end(), around);
     // The first angle is 0 unless only 90 … 270 was measured: then the last one lies before it, a turn back.
-    const size_t after = static_cast<size_t>(beyond - p.horizontal.begin()) % columns, before = (after + columns - 1) % columns;
+    const size_t after = static_cast<size_t>(beyond - p.horizontal.begin()) % columns,
+                 before = (after + columns - 1) % columns;
     const double low = p.horizontal[before] - (after == 0 && around < p.horizontal[before] ? 360 : 0);
     const double gap = p.horizontal[after] - p.horizontal[before] + (after <= before ? 360 : 0);
     const double s = std::clamp((around - low) / gap, 0.0, 1.0);

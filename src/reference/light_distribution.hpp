@@ -41,7 +41,7 @@ private:
 
     glm::dmat3 axes_;
     LightKind kind_;
-    double tangent_ = 1; ///< of a spot's outer cone
+    double tangent_ = 1;                                 ///< of a spot's outer cone
     std::shared_ptr<const std::vector<Pyramid>> cookie_; ///< one, or six faces; null: none
     std::shared_ptr<const LightProfile> profile_;
 };

@@ -13,12 +13,9 @@ constexpr size_t leaf_size = 4;
 double attenuation(Falloff falloff, double distance, double range) {
     const double share = distance / range; // 0 for an infinite range
     switch (falloff) {
-    case Falloff::linear:
-        return std::clamp(1 - share, 0.0, 1.0);
-    case Falloff::quadratic:
-        return std::clamp(1 - share * share, 0.0, 1.0);
-    case Falloff::gltf:
-        break;
+    case Falloff::linear: return std::clamp(1 - share, 0.0, 1.0);
+    case Falloff::quadratic: return std::clamp(1 - share * share, 0.0, 1.0);
+    case Falloff::gltf: break;
     }
     const double safe = std::max(distance, 0.01);
     return std::clamp(1 - share * share * share * share, 0.0, 1.0) / (safe * safe);
@@ -57,8 +54,7 @@ LightTree::LightTree(const World& world, glm::dvec3 origin) {
 
 void LightTree::build(size_t begin, size_t end) {
     const size_t self = nodes_.size();
-    Node node{spheres_[begin].centre - spheres_[begin].radius,
-              spheres_[begin].centre + spheres_[begin].radius};
+    Node node{spheres_[begin].centre - spheres_[begin].radius, spheres_[begin].centre + spheres_[begin].radius};
     glm::dvec3 low = spheres_[begin].centre, high = low;
     for (size_t i = begin; i < end; ++i) {
         const Sphere& sphere = spheres_[i];
@@ -80,8 +76,7 @@ void LightTree::build(size_t begin, size_t end) {
     const size_t middle = begin + (end - begin) / 2;
     const auto at = [&](size_t i) { return spheres_.begin() + static_cast<ptrdiff_t>(i); };
     std::sort(at(begin), at(end), [axis](const Sphere& a, const Sphere& b) {
-        return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
-                                                : a.light < b.light;
+        return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.light < b.light;
     });
     build(begin, middle);
     nodes_[self].first = static_cast<uint32_t>(nodes_.size());
@@ -99,8 +94,7 @@ void LightTree::reach(glm::dvec3 point, std::vector<uint32_t>& found) const {
     while (depth > 0) {
         const uint32_t index = stack[--depth];
         const Node& node = nodes_[index];
-        if (glm::any(glm::lessThan(point, node.low)) ||
-            glm::any(glm::greaterThan(point, node.high)))
+        if (glm::any(glm::lessThan(point, node.low)) || glm::any(glm::greaterThan(point, node.high)))
             continue;
         if (node.count == 0) {
             stack[depth++] = node.first;
@@ -118,8 +112,8 @@ void LightTree::reach(glm::dvec3 point, std::vector<uint32_t>& found) const {
 Incident LightTree::incident(uint32_t index, glm::dvec3 point, double pixel) const {
     const Prepared& light = lights_[index];
     if (light.kind == LightKind::directional)
-        return {-light.direction, light.radiance, std::numeric_limits<double>::infinity(),
-                light.shininess, light.casts_shadow};
+        return {-light.direction, light.radiance, std::numeric_limits<double>::infinity(), light.shininess,
+                light.casts_shadow};
     const glm::dvec3 offset = light.position - point;
     const double distance = glm::length(offset);
     if (distance == 0) // no direction: a point in the light itself is not lit by it
@@ -127,8 +121,8 @@ Incident LightTree::incident(uint32_t index, glm::dvec3 point, double pixel) con
     const glm::dvec3 to_light = offset / distance;
     double factor = attenuation(light.falloff, distance, light.range);
     if (light.kind == LightKind::spot) {
-        const double cone = std::clamp(
-            (glm::dot(-to_light, light.direction) - light.cos_outer) * light.cone_scale, 0.0, 1.0);
+        const double cone =
+            std::clamp((glm::dot(-to_light, light.direction) - light.cos_outer) * light.cone_scale, 0.0, 1.0);
         factor *= cone * cone;
     }
     glm::dvec3 radiance = light.radiance * factor;

@@ -11,18 +11,12 @@ namespace {
 
 using std::numbers::pi;
 
-double clamped_dot(glm::dvec3 a, glm::dvec3 b) {
-    return std::clamp(glm::dot(a, b), 0.0, 1.0);
-}
+double clamped_dot(glm::dvec3 a, glm::dvec3 b) { return std::clamp(glm::dot(a, b), 0.0, 1.0); }
 
-double fifth_power(double x) {
-    return x * x * x * x * x;
-}
+double fifth_power(double x) { return x * x * x * x * x; }
 
 /// F0 + (1 − F0)·s, Schlick 1994 with s = (1 − cos)⁵.
-glm::dvec3 schlick(glm::dvec3 f0, double s) {
-    return f0 + (1.0 - f0) * s;
-}
+glm::dvec3 schlick(glm::dvec3 f0, double s) { return f0 + (1.0 - f0) * s; }
 
 glm::dvec3 half_vector(glm::dvec3 to_light, glm::dvec3 view) {
     const glm::dvec3 sum = to_light + view;
@@ -37,12 +31,10 @@ Lighting::Lighting(const ReferenceForm& form, const Surface& surface, double exp
     : form_(form), surface_(surface), diffuse_colour_(surface.base_colour * (1 - surface.metallic)),
       material_f0_(glm::mix(glm::dvec3(0.04), surface.base_colour, surface.metallic)),
       f0_(surface.gloss * (form.grey_reflectance ? glm::dvec3(luminance(material_f0_)) : material_f0_)),
-      alpha_(surface.roughness * surface.roughness),
-      exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)), exposure_(exposure), environment_(environment) {}
+      alpha_(surface.roughness * surface.roughness), exponent_(std::max(2 / (alpha_ * alpha_) - 2, 0.0)),
+      exposure_(exposure), environment_(environment) {}
 
-double Lighting::cosine(const Incident& light) const {
-    return clamped_dot(surface_.normal, light.to_light);
-}
+double Lighting::cosine(const Incident& light) const { return clamped_dot(surface_.normal, light.to_light); }
 
 void Lighting::add(const Incident& light) {
     const double nl = cosine(light);
@@ -122,8 +114,7 @@ glm::dvec3 Lighting::compose_ggx() const {
         if (form_.fresnel == Fresnel::mono)
             specular = glm::dvec3(luminance(specular));
     }
-    return diffuse_colour_ / pi * (1.0 - schlick(f0_, s_diffuse)) * sums_.diffuse +
-           schlick(f0_, s_specular) * specular;
+    return diffuse_colour_ / pi * (1.0 - schlick(f0_, s_diffuse)) * sums_.diffuse + schlick(f0_, s_specular) * specular;
 }
 
 // The ways of 8.5 to apply a material's exponent mn to the lights' sum (equations 8.5.4 to 8.5.7).
@@ -138,8 +129,7 @@ glm::dvec3 Lighting::phong_specular(const LightSums& sums) const {
     if (form_.specular == Specular::bent)
         return glm::dvec3(raised(channel4 * exposure_) / exposure_);
     // LUV stores the luminance of diffuse light as it is, so that it differs by rounding only.
-    const double weight =
-        form_.specular == Specular::fifth_channel ? sums.weight : luminance(sums.diffuse);
+    const double weight = form_.specular == Specular::fifth_channel ? sums.weight : luminance(sums.diffuse);
     return glm::dvec3(weight > 0 ? raised(channel4 / weight) * weight : 0);
 }
 
@@ -149,18 +139,26 @@ glm::dvec3 Lighting::own_shader(const LightSums& sums, glm::dvec3 ambient, bool 
     const double at_viewer = fifth_power(1 - clamped_dot(surface_.normal, surface_.view));
     const double facing = clamped_dot(surface_.normal, surface_.view);
     const double e = luminance(sums.diffuse), s = luminance(sums.specular);
-    const bool by_lamps = lamps && ggx && (form_.fresnel == ReferenceForm::Fresnel::weighted || form_.fresnel == ReferenceForm::Fresnel::full);
+    const bool by_lamps =
+        lamps && ggx &&
+        (form_.fresnel == ReferenceForm::Fresnel::weighted || form_.fresnel == ReferenceForm::Fresnel::full);
     return shade_own({.surface = surface_,
                       .diffuse = sums.diffuse / (ggx ? pi : 1.0),
-                      .specular = !ggx                                           ? phong_specular(sums)
+                      .specular = !ggx                                            ? phong_specular(sums)
                                   : form_.fresnel == ReferenceForm::Fresnel::mono ? glm::dvec3(s)
-                                                                                 : sums.specular,
-                      .ambient = (environment ? environment->lambert(surface_.normal) : ambient) * surface_.occlusion * surface_.visibility,
-                      .grazing_diffuse = !by_lamps ? at_viewer : e > 0 ? sums.diffuse_fresnel / e : 0,
-                      .grazing_specular = !by_lamps ? at_viewer : s > 0 ? sums.specular_fresnel / s : 0,
+                                                                                  : sums.specular,
+                      .ambient = (environment ? environment->lambert(surface_.normal) : ambient) * surface_.occlusion *
+                                 surface_.visibility,
+                      .grazing_diffuse = !by_lamps ? at_viewer
+                                         : e > 0   ? sums.diffuse_fresnel / e
+                                                   : 0,
+                      .grazing_specular = !by_lamps ? at_viewer
+                                          : s > 0   ? sums.specular_fresnel / s
+                                                    : 0,
                       .exposure = exposure_,
                       .environment = environment,
-                      .openness = surface_.occlusion * mirror_visibility(facing, surface_.visibility, surface_.environment_roughness)});
+                      .openness = surface_.occlusion *
+                                  mirror_visibility(facing, surface_.visibility, surface_.environment_roughness)});
 }
 
 glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
@@ -185,10 +183,12 @@ glm::dvec3 Lighting::ambient_term(glm::dvec3 ambient) const {
         return ambient * surface_.occlusion * surface_.visibility * (diffuse_colour_ + material_f0_);
     const double nv = glm::dot(surface_.normal, surface_.view), facing = std::clamp(nv, 0.0, 1.0);
     const double roughness = surface_.environment_roughness;
-    const glm::dvec3 mirrored = environment_->mirrored(mirror_direction(surface_.normal, surface_.view, roughness), roughness) *
-                                mirror_visibility(facing, surface_.visibility, roughness);
+    const glm::dvec3 mirrored =
+        environment_->mirrored(mirror_direction(surface_.normal, surface_.view, roughness), roughness) *
+        mirror_visibility(facing, surface_.visibility, roughness);
     const glm::dvec3 share = environment_share(material_f0_, 1, roughness, facing);
-    return surface_.occlusion * (diffuse_colour_ * environment_->lambert(surface_.normal) * surface_.visibility + share * mirrored);
+    return surface_.occlusion *
+           (diffuse_colour_ * environment_->lambert(surface_.normal) * surface_.visibility + share * mirrored);
 }
 
 glm::dvec3 Lighting::standard(glm::dvec3 ambient, bool with_base) {

@@ -8,10 +8,10 @@ namespace prelight::reference {
 
 /// The sums of all lights at one point, equations in docs/lighting-model.md.
 struct LightSums {
-    glm::dvec3 diffuse{0}; ///< [ggx] E = Σ N·L·radiance; [phong] the same
-    glm::dvec3 specular{0}; ///< [ggx] S = Σ N·L·radiance·D·V; [phong] Σ gate·radiance·(N·H)^n,
-                            ///< where n is the light's alone unless `specular` is stored
-    double weight = 0;      ///< [phong] channel 5 of equation 8.5.5: Σ N·L·luminance(radiance)
+    glm::dvec3 diffuse{0};       ///< [ggx] E = Σ N·L·radiance; [phong] the same
+    glm::dvec3 specular{0};      ///< [ggx] S = Σ N·L·radiance·D·V; [phong] Σ gate·radiance·(N·H)^n,
+                                 ///< where n is the light's alone unless `specular` is stored
+    double weight = 0;           ///< [phong] channel 5 of equation 8.5.5: Σ N·L·luminance(radiance)
     double diffuse_fresnel = 0;  ///< Σ luminance(E_i)·(1 − V·H)⁵
     double specular_fresnel = 0; ///< Σ luminance(S_i)·(1 − V·H)⁵
     glm::dvec3 full{0};          ///< `full`: Σ of the whole model, Fresnel light by light

@@ -56,7 +56,8 @@ glm::dvec3 mirrored(const OwnLight& light, double roughness) {
 glm::dvec3 environment_on(const OwnLight& light, glm::dvec3 f0, double roughness, double f90 = 1) {
     if (!light.environment)
         return glm::dvec3(0);
-    return environment_share(f0, f90, roughness, std::clamp(facing(light.surface), 0.0, 1.0)) * mirrored(light, roughness);
+    return environment_share(f0, f90, roughness, std::clamp(facing(light.surface), 0.0, 1.0)) *
+           mirrored(light, roughness);
 }
 
 /// Ambient light: the environment, or what comes from everywhere.
@@ -76,7 +77,8 @@ glm::dvec3 detailed(const OwnLight& light) {
     const Surface& s = light.surface;
     const Colours c = colours_of(s);
     const auto fresnel = [&](double grazing) { return s.gloss * (c.f0 + (1.0 - c.f0) * grazing); };
-    const glm::dvec3 around = light.environment ? environment_on(light, c.f0, s.environment_roughness) : light.ambient * c.f0;
+    const glm::dvec3 around =
+        light.environment ? environment_on(light, c.f0, s.environment_roughness) : light.ambient * c.f0;
     return c.diffuse * ((1.0 - fresnel(light.grazing_diffuse)) * light.diffuse + light.ambient) +
            fresnel(light.grazing_specular) * light.specular + s.gloss * around + s.emissive;
 }
@@ -111,8 +113,10 @@ glm::dvec3 reflection(const OwnLight& light) {
     const double roughness = s.environment_roughness;
     const glm::dvec3 shown = light.environment ? mirrored(light, roughness) : light.ambient * s.occlusion;
     const double nv = std::clamp(facing(s), 0.0, 1.0);
-    const glm::dvec3 share = light.environment ? environment_share(c.f0, 1, roughness, nv) : uniform_share(c.f0, roughness, nv);
-    return lamps_on(light, c) + c.diffuse * light.ambient + parameter(*s.shaded, "strength").x * share * shown + s.emissive;
+    const glm::dvec3 share =
+        light.environment ? environment_share(c.f0, 1, roughness, nv) : uniform_share(c.f0, roughness, nv);
+    return lamps_on(light, c) + c.diffuse * light.ambient + parameter(*s.shaded, "strength").x * share * shown +
+           s.emissive;
 }
 
 glm::dvec3 fresnel_rim(const OwnLight& light) {
@@ -146,8 +150,9 @@ glm::dvec3 layered(const OwnLight& light) {
     if (!light.environment)
         return out;
     // Body and coat mirror it each with a roughness of its own.
-    const glm::dvec3 around = (colour * light.ambient + environment_on(light, f0, layers.body_roughness, f90)) * (1 - strongest) +
-                              sheen * light.ambient;
+    const glm::dvec3 around =
+        (colour * light.ambient + environment_on(light, f0, layers.body_roughness, f90)) * (1 - strongest) +
+        sheen * light.ambient;
     const glm::dvec3 on_coat = layers.clearcoat * environment_share(glm::dvec3(0.04), 1, layers.coat_roughness, nv);
     return out + around * (1.0 - on_coat) + on_coat * mirrored(light, layers.coat_roughness);
 }
@@ -183,7 +188,8 @@ glm::dvec3 shade_own(const OwnLight& light) {
         if (shader.name == "specular-glossiness")
             return specular_glossiness(light);
     }
-    throw Error(fmt::format("reference: {}: it knows the built-in materials alone", shader.file.empty() ? shader.name : shader.file));
+    throw Error(fmt::format("reference: {}: it knows the built-in materials alone",
+                            shader.file.empty() ? shader.name : shader.file));
 }
 
 } // namespace prelight::reference

@@ -9,9 +9,10 @@ struct OwnLight {
     const Surface& surface;
     glm::dvec3 diffuse{0};  ///< what a white Lambert surface sends on
     glm::dvec3 specular{0}; ///< what a mirror-coloured surface sends on
-    glm::dvec3 ambient{0};  ///< radiance from everywhere, or what a white wall sends on of the environment; with occlusion
+    glm::dvec3 ambient{
+        0}; ///< radiance from everywhere, or what a white wall sends on of the environment; with occlusion
     double grazing_diffuse = 0, grazing_specular = 0; ///< mean (1 − V·H)⁵
-    double exposure = 1; ///< for materials whose look depends on how bright the picture is
+    double exposure = 1;                              ///< for materials whose look depends on how bright the picture is
     const EnvironmentLight* environment = nullptr;
     double openness = 1; ///< what occlusion leaves of the environment's reflection
 };

@@ -36,8 +36,7 @@ uint64_t scattered(uint64_t x) {
 
 /// Inverse transpose without dividing by the determinant, which a flat scale makes zero.
 glm::dmat3 normal_matrix(const glm::dmat3& m, bool mirrored) {
-    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
-                               glm::cross(m[0], m[1]));
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     return mirrored ? -cofactors : cofactors;
 }
 
@@ -132,8 +131,8 @@ RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textur
         previous_to_world[3] -= glm::dvec4(origin, 0);
         for (uint32_t p = 0; p < mesh.primitives.size(); ++p) {
             const Primitive& primitive = mesh.primitives[p];
-            draws_.push_back({i, p, &primitive, &scene.materials.at(primitive.material), to_world,
-                              previous_to_world, normal_matrix(linear, mirrored), mirrored});
+            draws_.push_back({i, p, &primitive, &scene.materials.at(primitive.material), to_world, previous_to_world,
+                              normal_matrix(linear, mirrored), mirrored});
         }
     }
     for (const Draw& draw : draws_)
@@ -149,17 +148,14 @@ void RayScene::add(const Draw& draw, const World& world) {
     const size_t vertices = primitive.positions.size(), triangles = primitive.indices.size() / 3;
     for (const uint32_t index : primitive.indices)
         if (index >= vertices)
-            throw Error(fmt::format("{}: mesh {}: primitive {}: index {} is beyond its {} vertices",
-                                    world.scene->name, world.instances[draw.instance].mesh,
-                                    draw.primitive_index, index, vertices));
+            throw Error(fmt::format("{}: mesh {}: primitive {}: index {} is beyond its {} vertices", world.scene->name,
+                                    world.instances[draw.instance].mesh, draw.primitive_index, index, vertices));
     for (const TextureRef* ref :
          {&draw.material->base_colour_texture, &draw.material->metallic_roughness_texture,
-          &draw.material->normal_texture, &draw.material->occlusion_texture,
-          &draw.material->emissive_texture})
-        if (*ref && (ref->image >= world.scene->images.size() ||
-                     world.scene->images[ref->image].rgba.empty()))
-            throw Error(fmt::format("{}: material {}: image {} is not there", world.scene->name,
-                                    draw.material->name, ref->image));
+          &draw.material->normal_texture, &draw.material->occlusion_texture, &draw.material->emissive_texture})
+        if (*ref && (ref->image >= world.scene->images.size() || world.scene->images[ref->image].rgba.empty()))
+            throw Error(fmt::format("{}: material {}: image {} is not there", world.scene->name, draw.material->name,
+                                    ref->image));
     for (const auto& [name, ref] : draw.material->textures)
         if (ref && (ref.image >= world.scene->images.size() || world.scene->images[ref.image].rgba.empty()))
             throw Error(fmt::format("{}: material {}: image {} is not there", world.scene->name, draw.material->name,
@@ -168,10 +164,10 @@ void RayScene::add(const Draw& draw, const World& world) {
         return;
 
     const RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* out = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
-    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangles));
+    auto* out = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
+    auto* indices = static_cast<uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangles));
     if (out && indices) {
         for (const glm::vec3& position : primitive.positions) {
             const glm::dvec3 world_position(draw.to_world * glm::dvec4(position, 1));
@@ -183,8 +179,7 @@ void RayScene::add(const Draw& draw, const World& world) {
         if (draw.material->alpha_mode == AlphaMode::mask)
             rtcSetGeometryOccludedFilterFunction(geometry, filter);
         rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(embree_->scene, geometry,
-                              static_cast<unsigned>(&draw - draws_.data()));
+        rtcAttachGeometryByID(embree_->scene, geometry, static_cast<unsigned>(&draw - draws_.data()));
     }
     rtcReleaseGeometry(geometry);
     embree_->check();
@@ -211,8 +206,7 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     tested.draw = hit.geomID;
     tested.triangle = hit.primID;
     tested.weights = {1 - u - v, u, v};
-    if (context.scene->base_colour(tested).a >=
-        static_cast<double>(draw.material->alpha_cutoff))
+    if (context.scene->base_colour(tested).a >= static_cast<double>(draw.material->alpha_cutoff))
         return;
     arguments->valid[0] = 0;
     if (!shadow)
@@ -241,8 +235,7 @@ bool RayScene::closest(const Ray& ray, Hit& hit) const {
     return true;
 }
 
-void RayScene::refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights,
-                      double embree_distance) const {
+void RayScene::refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights, double embree_distance) const {
     const Draw& draw = draws_[hit.draw];
     const Triangle triangle(draw, hit.triangle);
     double extent = 0;
@@ -302,8 +295,9 @@ glm::dvec4 RayScene::base_colour(const Hit& hit, const TexcoordShift& shift, con
     const Material& material = *draw.material;
     glm::dvec4 colour = material.base_colour;
     if (const TextureRef& ref = material.base_colour_texture)
-        colour *= textures_.sample(ref, texcoords(draw, hit.triangle, hit.weights, ref.texcoord) + shift[ref.texcoord & 1],
-                                   Encoding::srgb, footprint(draw, hit, beside, ref.texcoord));
+        colour *=
+            textures_.sample(ref, texcoords(draw, hit.triangle, hit.weights, ref.texcoord) + shift[ref.texcoord & 1],
+                             Encoding::srgb, footprint(draw, hit, beside, ref.texcoord));
     if (!draw.primitive->colours.empty())
         colour *= interpolate(draw.primitive->colours, draw, hit.triangle, hit.weights);
     return colour;

@@ -39,7 +39,8 @@ struct Hit {
     uint64_t mask_outcome = 0;      ///< hash of the alpha tests that the ray met up to the hit
 };
 
-/// Where the rays of the pixels beside it in the row and column of its quad meet the plane of the triangle that was hit.
+/// Where the rays of the pixels beside it in the row and column of its quad meet the plane of the triangle that was
+/// hit.
 struct Beside {
     Hit across, down;
 };
@@ -85,8 +86,7 @@ private:
 
 /// Value of an attribute at a point of a triangle.
 template <typename Vector>
-auto interpolate(const std::vector<Vector>& values, const Draw& draw, uint32_t triangle,
-                 glm::dvec3 weights) {
+auto interpolate(const std::vector<Vector>& values, const Draw& draw, uint32_t triangle, glm::dvec3 weights) {
     using Result = glm::vec<Vector::length(), double>;
     const uint32_t* index = &draw.primitive->indices[size_t(triangle) * 3];
     return weights.x * Result(values[index[0]]) + weights.y * Result(values[index[1]]) +

@@ -30,12 +30,11 @@ Settings checked_settings(const RendererInfo& info, const RenderOptions& options
             std::vector<std::string> keys;
             for (const SettingInfo& known : info.settings)
                 keys.push_back(known.key);
-            throw UsageError(fmt::format("reference: unknown setting {} (there are: {})", key,
-                                         fmt::join(keys, ", ")));
+            throw UsageError(fmt::format("reference: unknown setting {} (there are: {})", key, fmt::join(keys, ", ")));
         }
         if (!allows(*setting, value))
-            throw UsageError(fmt::format("reference: {}={}: not one of {}", key, value,
-                                         fmt::join(setting->values, ", ")));
+            throw UsageError(
+                fmt::format("reference: {}={}: not one of {}", key, value, fmt::join(setting->values, ", ")));
         settings[key] = value;
     }
     return settings;
@@ -45,10 +44,8 @@ double radius_of(const Settings& settings) { return std::strtod(settings.at(radi
 
 ReferenceForm form_of(const Settings& settings, Shading shading) {
     using Fresnel = ReferenceForm::Fresnel;
-    static const std::map<std::string, Fresnel> forms{{"weighted", Fresnel::weighted},
-                                                      {"nv", Fresnel::nv},
-                                                      {"mono", Fresnel::mono},
-                                                      {"full", Fresnel::full}};
+    static const std::map<std::string, Fresnel> forms{
+        {"weighted", Fresnel::weighted}, {"nv", Fresnel::nv}, {"mono", Fresnel::mono}, {"full", Fresnel::full}};
     using Specular = ReferenceForm::Specular;
     static const std::map<std::string, Specular> ways{{"stored", Specular::stored},
                                                       {"luv", Specular::luv},
@@ -63,7 +60,8 @@ ReferenceForm form_of(const Settings& settings, Shading shading) {
             .reflection_vector = settings.at("specular-vector") == "reflection",
             .ambient_as_light = settings.at("ambient") == "light",
             .shadows = settings.at("shadows") == "on",
-            .specular_antialiasing = settings.at("specular-antialiasing") == "on" && settings.at("specular") == "stored",
+            .specular_antialiasing =
+                settings.at("specular-antialiasing") == "on" && settings.at("specular") == "stored",
             .occlusion_radius = settings.at("ambient-occlusion") == "on" ? radius_of(settings) : 0,
             .bilinear_level0 = settings.at("texture-filter") == "bilinear",
             .specular = ways.at(settings.at("specular"))};
@@ -79,21 +77,18 @@ public:
             refuse_without_effect(info, key, value, options.views);
         form_ = form_of(stats_.settings, stats_.shading);
         if (!options.preset.empty())
-            throw UsageError(
-                fmt::format("reference: unknown preset {} (it has none)", options.preset));
+            throw UsageError(fmt::format("reference: unknown preset {} (it has none)", options.preset));
         if (options.msaa != 1)
-            throw UsageError(fmt::format(
-                "reference: {} samples a pixel: it casts one ray through each pixel's centre",
-                options.msaa));
+            throw UsageError(fmt::format("reference: {} samples a pixel: it casts one ray through each pixel's centre",
+                                         options.msaa));
         if (options.count_pairs)
             throw UsageError("--count-pairs: the reference evaluates no light volumes to count");
         if (options.width == 0 || options.height == 0)
-            throw Error(
-                fmt::format("reference: a picture of {}x{} pixels", options.width, options.height));
+            throw Error(fmt::format("reference: a picture of {}x{} pixels", options.width, options.height));
         for (const std::string& view : options.views)
             if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
-                throw UsageError(fmt::format("reference: unknown view {} (there are: {})", view,
-                                             fmt::join(info.views, ", ")));
+                throw UsageError(
+                    fmt::format("reference: unknown view {} (there are: {})", view, fmt::join(info.views, ", ")));
         if (std::find(options.views.begin(), options.views.end(), "ambient-occlusion") != options.views.end())
             buffers_.visibility_radius = radius_of(stats_.settings);
         stats_.device = "CPU";
@@ -126,8 +121,8 @@ public:
         std::vector<double> wall, cpu;
         for (uint32_t frame = 0; frame < std::max(frames, 1u); ++frame) {
             const double wall_start = wall_ms(), cpu_start = process_ms();
-            picture_ = reference::trace(*world_, camera, options_.width, options_.height,
-                                        options_.exposure, form_, &buffers_);
+            picture_ =
+                reference::trace(*world_, camera, options_.width, options_.height, options_.exposure, form_, &buffers_);
             cpu.push_back(process_ms() - cpu_start);
             wall.push_back(wall_ms() - wall_start);
         }
@@ -154,7 +149,8 @@ public:
 private:
     void refuse_without_effect(const RendererInfo& info, const std::string& key, const std::string& value,
                                const std::vector<std::string>& views) const {
-        const auto setting = std::find_if(info.settings.begin(), info.settings.end(), [&](const SettingInfo& s) { return s.key == key; });
+        const auto setting = std::find_if(info.settings.begin(), info.settings.end(),
+                                          [&](const SettingInfo& s) { return s.key == key; });
         const auto why = why_without_effect(key, stats_.settings, stats_.shading, views);
         if (why && value != setting->default_value)
             throw UsageError(fmt::format("--set {}={}: {}", key, value, *why));
@@ -196,17 +192,17 @@ RendererInfo reference_info() {
                  {"stored", "luv", "fifth-channel", "luminance", "bent"},
                  "stored",
                  "[phong] a material's own exponent: per light, or on a sum of the lights"},
-                {"reflectance",
-                 {"colour", "grey"},
-                 "colour",
-                 "what lights meet: F0, or its luminance"},
+                {"reflectance", {"colour", "grey"}, "colour", "what lights meet: F0, or its luminance"},
                 {"ambient",
                  {"material", "light"},
                  "material",
                  "ambient as a term of the material, or as a light in the diffuse sum"},
                 {"shadows", {"off", "on"}, "off", "a shadow ray for every light that casts a shadow"},
-                {"specular-antialiasing", {"off", "on"}, "on",
-                 "lamps see a rougher surface where normals differ under a pixel; not with a specular way other than stored"},
+                {"specular-antialiasing",
+                 {"off", "on"},
+                 "on",
+                 "lamps see a rougher surface where normals differ under a pixel; not with a specular way other than "
+                 "stored"},
                 {"ambient-occlusion", {"off", "on"}, "off", "rays find what occludes ambient light"},
                 {radius_key, {"0.01 … 100"}, "1", "metres within which surfaces occlude each other"},
                 {"texture-filter",
@@ -214,8 +210,8 @@ RendererInfo reference_info() {
                  "bilinear",
                  "always bilinear on level 0, or as samplers say, with mip maps (alpha masks stay on level 0)"},
             },
-        .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light",
-                  "light-count", "ambient-occlusion"},
+        .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light", "light-count",
+                  "ambient-occlusion"},
         .presets = {},
         .needs_device = false,
     };

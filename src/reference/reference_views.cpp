@@ -13,8 +13,7 @@ Image draw_depth(const ReferencePicture& picture) {
     // White at the camera, halved at each doubling of 1 + distance / 10 m, as the other renderers.
     for (size_t i = 0; i < picture.depth.size(); ++i)
         if (std::isfinite(picture.depth[i]))
-            image.pixels[i] =
-                glm::vec3(static_cast<float>(1 / (1 + picture.depth[i] / 10)));
+            image.pixels[i] = glm::vec3(static_cast<float>(1 / (1 + picture.depth[i] / 10)));
     return image;
 }
 
@@ -50,8 +49,8 @@ Image draw_counts(const Image& size, const std::vector<uint32_t>& counts) {
 
 } // namespace
 
-Image draw_view(std::string_view view, const ReferencePicture& picture,
-                const ReferenceBuffers& buffers, double exposure_factor) {
+Image draw_view(std::string_view view, const ReferencePicture& picture, const ReferenceBuffers& buffers,
+                double exposure_factor) {
     if (view == "depth")
         return draw_depth(picture);
     if (view == "normal")

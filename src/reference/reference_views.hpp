@@ -11,7 +11,7 @@ namespace prelight::reference {
 /// `diffuse-light`, `specular-light`: the light sums times `exposure_factor` / π, tone-mapped;
 /// `light-count`: lights with attenuation and N·L above zero, black, blue, cyan, green, yellow, red,
 /// white at 0, 1, 4, 16, 64, 256, 1,024.
-Image draw_view(std::string_view view, const ReferencePicture& picture,
-                const ReferenceBuffers& buffers, double exposure_factor);
+Image draw_view(std::string_view view, const ReferencePicture& picture, const ReferenceBuffers& buffers,
+                double exposure_factor);
 
 } // namespace prelight::reference

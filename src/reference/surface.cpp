@@ -22,7 +22,8 @@ public:
         return interpolate(values, draw_, hit_.triangle, hit_.weights);
     }
     glm::dvec4 texture(const TextureRef& ref, Encoding encoding) const {
-        return textures_.sample(ref, texcoords(draw_, hit_.triangle, hit_.weights, ref.texcoord) + shift[ref.texcoord & 1],
+        return textures_.sample(ref,
+                                texcoords(draw_, hit_.triangle, hit_.weights, ref.texcoord) + shift[ref.texcoord & 1],
                                 encoding, footprint(draw_, hit_, beside_, ref.texcoord));
     }
     const Draw& draw() const { return draw_; }
@@ -42,8 +43,12 @@ struct Edges {
     Edges(const PointReader& read, uint32_t set) {
         const Draw& draw = read.draw();
         const uint32_t* index = &draw.primitive->indices[size_t(read.hit().triangle) * 3];
-        const auto corner = [&](int i) { return glm::dvec3(draw.to_world * glm::dvec4(draw.primitive->positions[index[i]], 1)); };
-        const auto at = [&](double b, double c) { return reference::texcoords(draw, read.hit().triangle, {1 - b - c, b, c}, set); };
+        const auto corner = [&](int i) {
+            return glm::dvec3(draw.to_world * glm::dvec4(draw.primitive->positions[index[i]], 1));
+        };
+        const auto at = [&](double b, double c) {
+            return reference::texcoords(draw, read.hit().triangle, {1 - b - c, b, c}, set);
+        };
         side[0] = corner(1) - corner(0);
         side[1] = corner(2) - corner(0);
         texcoords = glm::dmat2(at(1, 0) - at(0, 0), at(0, 1) - at(0, 0));
@@ -102,7 +107,8 @@ const TextureRef* own_map(const Material& material, const char* name) {
 
 double own_number(const Material& material, const char* name) {
     const auto found = material.parameters.find(name);
-    return found == material.parameters.end() ? material.shader->find_parameter(name)->default_value.x : found->second.x;
+    return found == material.parameters.end() ? material.shader->find_parameter(name)->default_value.x
+                                              : found->second.x;
 }
 
 /// The frame of a texture that is not the normal map: the same where it reads the same coordinates, else as its own run
@@ -172,7 +178,8 @@ void take_relief(PointReader& read, const Material& material, const Frame& frame
     const double off = std::max(glm::dot(frame.normal, view) * (back ? -1 : 1), 0.05);
     const Frame own = frame_of_texture(read, material, frame, *heights);
     // Along the bitangent v falls.
-    const TexcoordShift whole = shifted(read, *heights, own_number(material, "depth") / off *
+    const TexcoordShift whole = shifted(read, *heights,
+                                        own_number(material, "depth") / off *
                                             glm::dvec2(-glm::dot(own.tangent, view), glm::dot(own.bitangent, view)));
     const double depth = relief_depth(read, *heights, whole, int(own_number(material, "occlusion_steps")));
     read.shift = {whole[0] * depth, whole[1] * depth};
@@ -186,7 +193,8 @@ double layer_number(const PointReader& read, const Material& material, const cha
 
 glm::dvec3 layer_colour(const PointReader& read, const Material& material, const char* name, const char* map) {
     const auto given = material.parameters.find(name);
-    const glm::vec4 factor = given == material.parameters.end() ? material.shader->find_parameter(name)->default_value : given->second;
+    const glm::vec4 factor =
+        given == material.parameters.end() ? material.shader->find_parameter(name)->default_value : given->second;
     const TextureRef* ref = own_map(material, map);
     return glm::dvec3(factor) * (ref ? glm::dvec3(read.texture(*ref, Encoding::srgb)) : glm::dvec3(1));
 }
@@ -294,8 +302,8 @@ void set_lamp_roughness(Surface& surface, double spread) {
     surface.roughness = std::max(seen, roughness_min);
 }
 
-Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
-                         glm::dvec3 view, const Beside* beside) {
+Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit, glm::dvec3 view,
+                         const Beside* beside) {
     const Draw& draw = scene.draw(hit.draw);
     const Material& material = *draw.material;
     PointReader read(textures, draw, hit, beside);
@@ -320,8 +328,8 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
         surface.metallic *= texel.b;
     }
     if (const TextureRef& ref = material.occlusion_texture)
-        surface.occlusion = 1 + static_cast<double>(material.occlusion_strength) *
-                                    (read.texture(ref, Encoding::linear).r - 1);
+        surface.occlusion =
+            1 + static_cast<double>(material.occlusion_strength) * (read.texture(ref, Encoding::linear).r - 1);
     surface.emissive = material.emissive;
     if (const TextureRef& ref = material.emissive_texture)
         surface.emissive *= glm::dvec3(read.texture(ref, Encoding::srgb));

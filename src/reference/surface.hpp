@@ -25,11 +25,11 @@ struct Surface {
     glm::dvec3 base_colour{0};  ///< linear
     glm::dvec3 emissive{0};     ///< linear radiance
     double metallic = 0;
-    double roughness = 1; ///< perceptual, ≥ 0.089
+    double roughness = 1;             ///< perceptual, ≥ 0.089
     double environment_roughness = 1; ///< the same, without the least and the anti-aliasing of what lamps see
-    double gloss = 1;     ///< of `detailed`: factor on all that it reflects
-    double occlusion = 1; ///< on ambient light; strength is worked in
-    double visibility = 1; ///< what nearby surfaces let through of ambient light
+    double gloss = 1;                 ///< of `detailed`: factor on all that it reflects
+    double occlusion = 1;             ///< on ambient light; strength is worked in
+    double visibility = 1;            ///< what nearby surfaces let through of ambient light
     bool unlit = false;
     SurfaceLayers layers{};
     DiffuseAndSpecular specular_glossiness{};
@@ -48,7 +48,7 @@ void set_lamp_roughness(Surface& surface, double spread);
 /// Reads the material at a hit. `view` points towards the viewer; `beside`: where the rays beside it meet the surface,
 /// for filters that need to know.
 /// Throws Error for a material whose shader is a user's file: this knows built-in ones alone.
-Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit,
-                         glm::dvec3 view, const Beside* beside = nullptr);
+Surface evaluate_surface(const RayScene& scene, const Textures& textures, const Hit& hit, glm::dvec3 view,
+                         const Beside* beside = nullptr);
 
 } // namespace prelight::reference

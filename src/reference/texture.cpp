@@ -30,12 +30,11 @@ double linear_of_srgb(uint8_t code) { return srgb_table()[code]; }
 namespace {
 
 glm::dvec4 texel(const TextureImage& image, int64_t x, int64_t y, Encoding encoding) {
-    const uint8_t* bytes =
-        &image.rgba[(static_cast<size_t>(y) * image.width + static_cast<size_t>(x)) * 4];
+    const uint8_t* bytes = &image.rgba[(static_cast<size_t>(y) * image.width + static_cast<size_t>(x)) * 4];
     glm::dvec4 value;
     for (int channel = 0; channel < 3; ++channel)
-        value[channel] = encoding == Encoding::srgb ? linear_of_srgb(bytes[channel])
-                                                    : static_cast<double>(bytes[channel]) / 255;
+        value[channel] =
+            encoding == Encoding::srgb ? linear_of_srgb(bytes[channel]) : static_cast<double>(bytes[channel]) / 255;
     value.a = static_cast<double>(bytes[3]) / 255;
     return value;
 }
@@ -64,7 +63,8 @@ int64_t wrapped(int64_t i, int64_t size, Wrap wrap) {
 
 /// One sample of a picture whose texels `at` gives, at texture coordinates `uv`.
 template <class At>
-glm::dvec4 filtered(const At& at, uint32_t width, uint32_t height, const Sampler& sampler, Filter filter, glm::dvec2 uv) {
+glm::dvec4 filtered(const At& at, uint32_t width, uint32_t height, const Sampler& sampler, Filter filter,
+                    glm::dvec2 uv) {
     const double x = to_texels(uv.x, width, sampler.wrap_s), y = to_texels(uv.y, height, sampler.wrap_t);
     const auto column = [&](double i) { return wrapped(static_cast<int64_t>(i), width, sampler.wrap_s); };
     const auto row = [&](double i) { return wrapped(static_cast<int64_t>(i), height, sampler.wrap_t); };
@@ -72,7 +72,9 @@ glm::dvec4 filtered(const At& at, uint32_t width, uint32_t height, const Sampler
         return at(column(std::floor(x)), row(std::floor(y)));
     const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
     const double s = x - 0.5 - left, t = y - 0.5 - top;
-    const auto mixed_row = [&](int64_t line) { return (1 - s) * at(column(left), line) + s * at(column(left + 1), line); };
+    const auto mixed_row = [&](int64_t line) {
+        return (1 - s) * at(column(left), line) + s * at(column(left + 1), line);
+    };
     return (1 - t) * mixed_row(row(top)) + t * mixed_row(row(top + 1));
 }
 
@@ -108,7 +110,8 @@ const Textures::Levels& Textures::levels(uint32_t image, Encoding encoding) cons
             for (uint32_t y = 0; y < coarse.height; ++y)
                 for (uint32_t x = 0; x < coarse.width; ++x) {
                     glm::dvec4 sum(0);
-                    const uint32_t bottom = end(y, coarse.height, fine.height), right = end(x, coarse.width, fine.width);
+                    const uint32_t bottom = end(y, coarse.height, fine.height),
+                                   right = end(x, coarse.width, fine.width);
                     for (uint32_t v = 2 * y; v < bottom; ++v)
                         for (uint32_t u = 2 * x; u < right; ++u)
                             sum += fine.texels[size_t(v) * fine.width + u];
@@ -127,13 +130,14 @@ glm::dvec4 Textures::sample(const TextureRef& ref, glm::dvec2 uv, Encoding encod
     uv = linear * uv + glm::dvec2(ref.uv_offset);
     const Sampler& sampler = ref.sampler;
     const auto finest = [&](Filter filter) {
-        return filtered([&](int64_t x, int64_t y) { return texel(image, x, y, encoding); }, image.width, image.height, sampler,
-                        filter, uv);
+        return filtered([&](int64_t x, int64_t y) { return texel(image, x, y, encoding); }, image.width, image.height,
+                        sampler, filter, uv);
     };
     if (bilinear_)
         return finest(Filter::linear);
     const glm::dvec2 size(image.width, image.height);
-    const double lambda = std::log2(std::max(glm::length(linear * footprint.across * size), glm::length(linear * footprint.down * size)));
+    const double lambda =
+        std::log2(std::max(glm::length(linear * footprint.across * size), glm::length(linear * footprint.down * size)));
     if (!(lambda > 0))
         return finest(sampler.mag);
     if (sampler.mip == MipFilter::none)
@@ -144,8 +148,11 @@ glm::dvec4 Textures::sample(const TextureRef& ref, glm::dvec2 uv, Encoding encod
         if (level == 0)
             return finest(sampler.min);
         const Level& one = coarser[level - 1];
-        return filtered([&](int64_t x, int64_t y) { return one.texels[static_cast<size_t>(y) * one.width + static_cast<size_t>(x)]; },
-                        one.width, one.height, sampler, sampler.min, uv);
+        return filtered(
+            [&](int64_t x, int64_t y) {
+                return one.texels[static_cast<size_t>(y) * one.width + static_cast<size_t>(x)];
+            },
+            one.width, one.height, sampler, sampler.min, uv);
     };
     if (sampler.mip == MipFilter::nearest)
         return from(std::ceil(lambda + 0.5) - 1);

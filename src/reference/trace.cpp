@@ -1,8 +1,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <parallel/parallel_for.hpp>
 #include <optional>
+#include <parallel/parallel_for.hpp>
 #include <prelight/error.hpp>
 #include <reference/decals.hpp>
 #include <reference/light_tree.hpp>
@@ -24,8 +24,7 @@ public:
     Lens(const PlacedCamera& placed, uint32_t width, uint32_t height)
         : placed_(placed), width_(width), height_(height) {
         const Camera& camera = placed.camera;
-        half_height_ =
-            camera.kind == ProjectionKind::perspective ? std::tan(camera.yfov / 2) : camera.ymag;
+        half_height_ = camera.kind == ProjectionKind::perspective ? std::tan(camera.yfov / 2) : camera.ymag;
         half_width_ = half_height_ * width / height;
     }
 
@@ -55,20 +54,19 @@ glm::dvec3 previous_position(const Draw& draw, const Hit& hit) {
     const Primitive& primitive = *draw.primitive;
     if (primitive.previous_positions.empty() && draw.previous_to_world == draw.to_world)
         return hit.position; // exactly: what stands still has no motion, not even by rounding
-    const auto& places = primitive.previous_positions.empty() ? primitive.positions
-                                                              : primitive.previous_positions;
+    const auto& places = primitive.previous_positions.empty() ? primitive.positions : primitive.previous_positions;
     const glm::dvec3 place = interpolate(places, draw, hit.triangle, hit.weights);
     return glm::dvec3(draw.previous_to_world * glm::dvec4(place, 1));
 }
 
 class Tracer {
 public:
-    Tracer(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
-           double exposure, const ReferenceForm& form, ReferenceBuffers* buffers)
-        : form_(form), textures_(*world.scene, form.bilinear_level0),
-          world_(world), scene_(world, camera.position, textures_), lights_(world, camera.position),
-          environment_(world.scene->environment.get()), lens_(camera, width, height), origin_(camera.position), ambient_(world.ambient),
-          factor_(std::exp2(exposure)), buffers_(buffers) {
+    Tracer(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height, double exposure,
+           const ReferenceForm& form, ReferenceBuffers* buffers)
+        : form_(form), textures_(*world.scene, form.bilinear_level0), world_(world),
+          scene_(world, camera.position, textures_), lights_(world, camera.position),
+          environment_(world.scene->environment.get()), lens_(camera, width, height), origin_(camera.position),
+          ambient_(world.ambient), factor_(std::exp2(exposure)), buffers_(buffers) {
         if (!world.decals.empty())
             decals_.emplace(world, camera.position, textures_);
         const size_t pixels = size_t(width) * height;
@@ -115,7 +113,8 @@ private:
         std::optional<Beside> beside;
         if (!form_.bilinear_level0)
             beside = Beside{scene_.beside(hit, lens_.ray(x ^ 1, y)), scene_.beside(hit, lens_.ray(x, y ^ 1))};
-        Surface surface = evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction), beside ? &*beside : nullptr);
+        Surface surface =
+            evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction), beside ? &*beside : nullptr);
         const double spread = form_.specular_antialiasing && !surface.unlit
                                   ? normal_spread(surface.normal, normal_at(hit, x ^ 1, y), normal_at(hit, x, y ^ 1))
                                   : 0; // of the surface itself
@@ -139,7 +138,8 @@ private:
 
         Lighting lighting(form_, surface, factor_, environment_.there() ? &environment_ : nullptr);
         if (!surface.unlit) {
-            const double pixel = lens_.pixel(hit.distance) / std::max(std::abs(glm::dot(surface.normal, surface.view)), 0.1);
+            const double pixel =
+                lens_.pixel(hit.distance) / std::max(std::abs(glm::dot(surface.normal, surface.view)), 0.1);
             lights_.reach(surface.position, reached);
             for (const uint32_t index : reached) {
                 const Incident light = lights_.incident(index, surface.position, pixel);
@@ -186,12 +186,10 @@ private:
 
 } // namespace
 
-ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t width,
-                       uint32_t height, double exposure, const ReferenceForm& form,
-                       ReferenceBuffers* buffers) {
+ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height, double exposure,
+                       const ReferenceForm& form, ReferenceBuffers* buffers) {
     if (width == 0 || height == 0 || width > 65536 || height > 65536)
-        throw Error(
-            fmt::format("reference: a picture of {}x{} pixels is not rendered", width, height));
+        throw Error(fmt::format("reference: a picture of {}x{} pixels is not rendered", width, height));
     Tracer tracer(world, camera, width, height, exposure, form, buffers);
     parallel_for(height, [&](uint32_t row) { tracer.trace_row(row); });
     return std::move(tracer.picture);
@@ -201,8 +199,8 @@ ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t 
 
 namespace prelight {
 
-ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width,
-                                  uint32_t height, double exposure, const ReferenceForm& form) {
+ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
+                                  double exposure, const ReferenceForm& form) {
     return reference::trace(world, camera, width, height, exposure, form);
 }
 

@@ -5,17 +5,16 @@ namespace prelight::reference {
 
 /// What `ReferenceRenderer` shows beside the picture; all linear, not exposed.
 struct ReferenceBuffers {
-    Image albedo;                      ///< base colour
-    Image diffuse_light;               ///< LightSums::diffuse
-    Image specular_light;              ///< LightSums::specular
-    Image visibility;                  ///< of ambient light, in all three channels; empty unless visibility_radius says so
-    double visibility_radius = 0;      ///< metres, to be set before: how far surfaces occlude; 0: do not look
+    Image albedo;                 ///< base colour
+    Image diffuse_light;          ///< LightSums::diffuse
+    Image specular_light;         ///< LightSums::specular
+    Image visibility;             ///< of ambient light, in all three channels; empty unless visibility_radius says so
+    double visibility_radius = 0; ///< metres, to be set before: how far surfaces occlude; 0: do not look
     std::vector<uint32_t> light_count; ///< lights with attenuation and N·L above zero, unblocked
 };
 
 /// `render_reference`, which also fills `buffers` when it is given.
-ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t width,
-                       uint32_t height, double exposure, const ReferenceForm& form,
-                       ReferenceBuffers* buffers = nullptr);
+ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height, double exposure,
+                       const ReferenceForm& form, ReferenceBuffers* buffers = nullptr);
 
 } // namespace prelight::reference

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <prelight/error.hpp>
 #include <glm/gtc/packing.hpp>
 #include <gpu/check.hpp>
 #include <passes/background.hpp>
 #include <passes/index_trimming.hpp>
+#include <prelight/error.hpp>
 #include <resident/texture_limit.hpp>
 #include <timing/clocks.hpp>
 
@@ -30,7 +30,8 @@ Image unpack(const std::vector<std::byte>& texels, VkFormat format, VkExtent2D e
     if (format == VK_FORMAT_R32G32B32A32_SFLOAT) {
         const auto* floats = reinterpret_cast<const float*>(texels.data());
         for (size_t i = 0; i < image.pixels.size(); ++i)
-            image.pixels[i] = glm::clamp(glm::vec3(floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]), -half_max, half_max);
+            image.pixels[i] =
+                glm::clamp(glm::vec3(floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]), -half_max, half_max);
         return image;
     }
     const auto* halves = reinterpret_cast<const uint16_t*>(texels.data());
@@ -53,23 +54,24 @@ CreatedObjects created_since(const gpu::Context& context, const CreatedObjects& 
 } // namespace
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
-    : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)), light_sums_(settings_) {
+    : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)),
+      light_sums_(settings_) {
     resolve_draw_settings(settings_, context_);
     resolve_texture_filter(settings_, context_);
     settings_.refuse_without_effect();
-    const uint32_t limit = std::min(context_.limits().maxImageDimension2D,
-                                    std::min(context_.limits().maxFramebufferWidth,
-                                             context_.limits().maxFramebufferHeight));
+    const uint32_t limit =
+        std::min(context_.limits().maxImageDimension2D,
+                 std::min(context_.limits().maxFramebufferWidth, context_.limits().maxFramebufferHeight));
     if (options.width == 0 || options.height == 0)
         throw Error(fmt::format("picture of {}x{}: has no pixels", options.width, options.height));
     if (options.width > limit || options.height > limit)
-        throw Error(fmt::format("{}: picture of {}x{}: the device's limit is {}", context_.name(),
-                                options.width, options.height, limit));
+        throw Error(fmt::format("{}: picture of {}x{}: the device's limit is {}", context_.name(), options.width,
+                                options.height, limit));
     if (options.msaa != 1)
         throw UsageError(fmt::format("--msaa {}: this renderer has one sample a pixel", options.msaa));
-    pair_counters_ = gpu::Buffer(context_, "pair counters", uint64_t(options.height) * 2 * sizeof(uint32_t),
-                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                 gpu::BufferPlace::readback);
+    pair_counters_ =
+        gpu::Buffer(context_, "pair counters", uint64_t(options.height) * 2 * sizeof(uint32_t),
+                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferPlace::readback);
     queue_ = std::make_unique<FrameQueue>(context_);
 }
 
@@ -95,7 +97,8 @@ DeviceRenderer::Views DeviceRenderer::linear_views(graph::FrameGraph& graph, con
     return views;
 }
 
-DeviceRenderer::Views DeviceRenderer::picture_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
+DeviceRenderer::Views DeviceRenderer::picture_views(graph::FrameGraph& graph, const resident::Frame& frame,
+                                                    graph::ImageId depth,
                                                     const std::function<graph::ImageId(passes::Display)>& draw) const {
     if (wants("linear"))
         return linear_views(graph, frame, draw({}), depth);
@@ -247,7 +250,8 @@ Stats DeviceRenderer::stats() const {
     stats.settings = settings_.all();
     stats.shading = settings_.shading();
     stats.notes = graph_->notes();
-    for (std::string& note : resident::notes_on_large_textures(*frame_->world().scene, context_.limits().maxImageDimension2D))
+    for (std::string& note :
+         resident::notes_on_large_textures(*frame_->world().scene, context_.limits().maxImageDimension2D))
         stats.notes.push_back(std::move(note));
     stats.lights = frame_->placed_lights().size();
     stats.triangles = triangles_;
@@ -290,8 +294,9 @@ void DeviceRenderer::tell_shadows(Stats& stats) const {
     shadows.casters_drawn = shadow_counts_.casters_drawn;
     stats.shadows = shadows;
     if (shadows.lights_reduced > 0)
-        stats.notes.push_back(fmt::format("shadow-budget: {} of {} lights have shadow maps with less than a texel for eight pixels across",
-                                          shadows.lights_reduced, shadows.lights));
+        stats.notes.push_back(fmt::format(
+            "shadow-budget: {} of {} lights have shadow maps with less than a texel for eight pixels across",
+            shadows.lights_reduced, shadows.lights));
     if (shadows.lights_without > 0)
         stats.notes.push_back(fmt::format("shadow-budget: {} lights have no shadow, not a texel was left for them",
                                           shadows.lights_without));

@@ -22,9 +22,7 @@ public:
     void render(const PlacedCamera& camera, uint32_t frames) final;
     Image read(std::string_view view) final;
     Stats stats() const final;
-    uint64_t max_lights() const final {
-        return context_.limits().maxStorageBufferRange / sizeof(shared::LightData);
-    }
+    uint64_t max_lights() const final { return context_.limits().maxStorageBufferRange / sizeof(shared::LightData); }
 
 protected:
     /// Waits for the frames on their way: for destructors of what owns objects that they use.
@@ -40,7 +38,8 @@ protected:
     /// What that takes, for build().
     const LightSums& light_sums() const { return light_sums_; }
     /// The picture from `linear`, which is kept when it was asked for; where `depth` is empty, the background.
-    Views linear_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId linear, graph::ImageId depth) const;
+    Views linear_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId linear,
+                       graph::ImageId depth) const;
     /// The picture from `draw`, which draws it finished or scene-linear: finished, unless "linear" was
     /// asked for. That saves an image of 8 bytes a pixel and a pass.
     Views picture_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
@@ -83,21 +82,21 @@ private:
     std::unique_ptr<resident::Frame> frame_;
     std::unique_ptr<graph::FrameGraph> graph_;
     Views views_;
-    uint64_t triangles_ = 0; ///< of the world
+    uint64_t triangles_ = 0;             ///< of the world
     passes::ShadowCounts shadow_counts_; ///< of the last recording
-    bool drawn_ = false; ///< the graph's images hold a frame
-    PlacedCamera camera_; ///< of that frame
-    bool warm_ = false;  ///< every pipeline of the graph has drawn once
-    Stats stats_;             ///< of a graph that is gone
-    bool stats_stay_ = false; ///< the last frame was drawn by read(): stats_ is what the one before it had
-    uint32_t frames_ = 0;                        ///< of the last render()
-    CreatedObjects created_;                     ///< by its last frame
+    bool drawn_ = false;                 ///< the graph's images hold a frame
+    PlacedCamera camera_;                ///< of that frame
+    bool warm_ = false;                  ///< every pipeline of the graph has drawn once
+    Stats stats_;                        ///< of a graph that is gone
+    bool stats_stay_ = false;            ///< the last frame was drawn by read(): stats_ is what the one before it had
+    uint32_t frames_ = 0;                ///< of the last render()
+    CreatedObjects created_;             ///< by its last frame
     struct HostSamples {
         std::vector<double> lights, culling, objects, record;
     };
     HostSamples host_;
-    std::vector<std::vector<double>> pass_cpu_;  ///< its passes' samples
-    std::unique_ptr<FrameQueue> queue_;          ///< last: its end waits for the frames
+    std::vector<std::vector<double>> pass_cpu_; ///< its passes' samples
+    std::unique_ptr<FrameQueue> queue_;         ///< last: its end waits for the frames
 };
 
 } // namespace prelight

@@ -19,7 +19,8 @@ void resolve_trimming(Settings& settings, const gpu::Context& context) {
     }
     if (settings.all().contains("material-trimming") && settings.is("material-trimming", "depth")) {
         settings.resolve("material-trimming", "off");
-        settings.note(fmt::format("material-trimming=depth: {} has no first instance in indirect draws", context.name()));
+        settings.note(
+            fmt::format("material-trimming=depth: {} has no first instance in indirect draws", context.name()));
     }
 }
 
@@ -27,22 +28,32 @@ void resolve_trimming(Settings& settings, const gpu::Context& context) {
 
 std::vector<SettingInfo> draw_settings(bool twice) {
     std::vector<SettingInfo> all{
-        {"draws", {"direct", "instanced", "indirect"}, "indirect",
+        {"draws",
+         {"direct", "instanced", "indirect"},
+         "indirect",
          "one draw an object; objects of the same mesh and material in one; the same from a buffer"},
         {"frustum-culling", {"on", "off"}, "on", "objects off screen are not drawn"},
-        {"index-trimming", {"auto", "off", "host", "device"}, "auto",
+        {"index-trimming",
+         {"auto", "off", "host", "device"},
+         "auto",
          "triangles that face away, lie off screen or cover no sample are left out, by the host or in a compute pass"}};
     if (twice) {
-        all.push_back({"occlusion", {"off", "queries"}, "off",
+        all.push_back({"occlusion",
+                       {"off", "queries"},
+                       "off",
                        "queries: objects of which the first pass left no pixel are not drawn again"});
-        all.push_back({"material-trimming", {"off", "depth"}, "off",
+        all.push_back({"material-trimming",
+                       {"off", "depth"},
+                       "off",
                        "depth: nor are triangles of a few pixels that lie behind what the first pass left"});
     }
     return all;
 }
 
 SettingInfo specular_antialiasing_setting() {
-    return {"specular-antialiasing", {"off", "on"}, "on",
+    return {"specular-antialiasing",
+            {"off", "on"},
+            "on",
             "on: lamps see a rougher surface where normals differ under a pixel, so that highlights do not sparkle"};
 }
 
@@ -58,7 +69,8 @@ void resolve_draw_settings(Settings& settings, const gpu::Context& context) {
     if (settings.all().contains("occlusion") && settings.is("occlusion", "queries") &&
         !context.features().conditional_rendering) {
         settings.resolve("occlusion", "off");
-        settings.note(fmt::format("occlusion=queries: {} has no VK_EXT_conditional_rendering, off is taken", context.name()));
+        settings.note(
+            fmt::format("occlusion=queries: {} has no VK_EXT_conditional_rendering, off is taken", context.name()));
     }
 }
 

@@ -42,7 +42,8 @@ ForwardRenderer::Plan ForwardRenderer::limited(Plan plan) const {
 }
 
 passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId depth, graph::ImageId colour) {
-    passes::ForwardInputs inputs{.name = name, .depth = depth, .colour = colour, .kinds = {}, .plan = {}, .model = model_};
+    passes::ForwardInputs inputs{
+        .name = name, .depth = depth, .colour = colour, .kinds = {}, .plan = {}, .model = model_};
     inputs.decals = decals_;
     inputs.pair_counters = &pair_counters();
     inputs.count_pairs = options().count_pairs;
@@ -52,7 +53,8 @@ passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId 
 
 void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const resident::Frame& frame,
                                 graph::ImageId depth) const {
-    const passes::SurfaceBuffers surface{.format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
+    const passes::SurfaceBuffers surface{
+        .format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
     const auto show = [&](const char* name, passes::ViewKind kind, graph::ImageId buffer) {
         views[name] = passes::view_pass(graph, frame, name, kind, surface, buffer);
     };
@@ -65,9 +67,10 @@ void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const re
                                      .depth = depth,
                                      .colour = passes::light_count_image(graph, frame),
                                      .kinds = {passes::StepKind::lights},
-                                     .plan = [](const resident::LightReach& reach) {
-                                         return passes::plan_by_objects(reach, FORWARD_MOST_LIGHTS, false);
-                                     },
+                                     .plan =
+                                         [](const resident::LightReach& reach) {
+                                             return passes::plan_by_objects(reach, FORWARD_MOST_LIGHTS, false);
+                                         },
                                      .model = model_};
         counts.decals = decals_;
         counts.pair_counters = &pair_counters();

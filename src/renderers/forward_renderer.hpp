@@ -8,8 +8,7 @@ namespace prelight {
 /// and the way from the linear picture to the views.
 class ForwardRenderer : public DeviceRenderer {
 protected:
-    ForwardRenderer(Device& device, const RenderOptions& options, Settings settings,
-                    resident::ObjectLights order);
+    ForwardRenderer(Device& device, const RenderOptions& options, Settings settings, resident::ObjectLights order);
     resident::FrameSettings frame_settings() const override;
     uint64_t draws(const resident::Frame&) const override { return draws_; }
 
@@ -26,8 +25,7 @@ protected:
     /// A pass that draws into `colour`; the caller adds kinds and plan. Its draws are counted.
     passes::ForwardInputs shading(const char* name, graph::ImageId depth, graph::ImageId colour);
     /// Adds the other views that were asked for.
-    void add_views(Views& views, graph::FrameGraph& graph, const resident::Frame& frame,
-                   graph::ImageId depth) const;
+    void add_views(Views& views, graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) const;
 
     passes::DecalBuffer decals_; ///< of the graph that is built: what shading() and add_views() draw with
 

@@ -97,7 +97,8 @@ void choose_writes(Settings& settings, const LightModel& model) {
         const char* asked = luv ? "specular=luv" : "light-writes=once";
         if (settings.given("light-culling"))
             throw UsageError(fmt::format("--set {}: light-culling={} blends light by light "
-                                         "(light-culling=fullscreen, tiles and clusters do not have to)", asked, culling));
+                                         "(light-culling=fullscreen, tiles and clusters do not have to)",
+                                         asked, culling));
         settings.resolve("light-culling", "tiles");
     }
     settings.resolve("light-writes", once ? "once" : "blended");
@@ -106,16 +107,26 @@ void choose_writes(Settings& settings, const LightModel& model) {
 } // namespace
 
 std::vector<SettingInfo> light_model_settings() {
-    return {{"light-buffer", {"rgba16f", "r11g11b10f", "rgb10a2", "rgba8", "packed-rgba16f", "packed-rgba8"}, "rgba16f",
+    return {{"light-buffer",
+             {"rgba16f", "r11g11b10f", "rgb10a2", "rgba8", "packed-rgba16f", "packed-rgba8"},
+             "rgba16f",
              "diffuse and specular pair, or specular packed into alpha (equation 8.5.2)"},
-            {"light-scale", {"auto", "0.01 … 1000"}, "auto",
+            {"light-scale",
+             {"auto", "0.01 … 1000"},
+             "auto",
              "rgb10a2, rgba8, packed-rgba8: the largest light that is stored; auto: from the light of each frame"},
-            {"light-writes", {"auto", "blended", "once"}, "auto",
+            {"light-writes",
+             {"auto", "blended", "once"},
+             "auto",
              "lights blended one by one, or summed first and written once (fullscreen, tiles, clusters)"},
             light_sums_setting(),
-            {"specular", {"stored", "luv", "fifth-channel", "luminance", "bent"}, "stored",
+            {"specular",
+             {"stored", "luv", "fifth-channel", "luminance", "bent"},
+             "stored",
              "phong: where a material's own shininess comes in [L5]"},
-            {"model", {"auto", "weighted", "nv", "mono", "full"}, "auto",
+            {"model",
+             {"auto", "weighted", "nv", "mono", "full"},
+             "auto",
              "Fresnel: mean over the lights, at N·V, or with monochrome specular (packed)"},
             {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
             {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},

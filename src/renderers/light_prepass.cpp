@@ -6,15 +6,15 @@
 #include "light_model_settings.hpp"
 #include "light_prepass_presets.hpp"
 #include "occlusion_settings.hpp"
-#include <passes/light_list_compute.hpp>
 #include "shadow_settings.hpp"
 #include "texture_settings.hpp"
+#include <fmt/format.h>
+#include <gpu/context.hpp>
 #include <passes/decals.hpp>
+#include <passes/light_list_compute.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/light_scale.hpp>
 #include <passes/materials.hpp>
-#include <fmt/format.h>
-#include <gpu/context.hpp>
 #include <passes/view.hpp>
 #include <prelight/error.hpp>
 
@@ -32,22 +32,25 @@ passes::SurfaceFormat surface_format(const Settings& settings) {
             .specular_antialiasing = settings.is("specular-antialiasing", "on")};
 }
 
-/// The first way to a specular power of the material's own, in stencil, where the device's fragments can write it and lights do not.
+/// The first way to a specular power of the material's own, in stencil, where the device's fragments can write it and
+/// lights do not.
 void choose_roughness(Settings& settings, const Device& device) {
     if (!settings.is("roughness", "stencil"))
         return;
     if (settings.is("light-culling", "stencil"))
-        throw UsageError("--set roughness=stencil: light-culling=stencil marks lights there (any other value does not)");
+        throw UsageError(
+            "--set roughness=stencil: light-culling=stencil marks lights there (any other value does not)");
     if (dynamic_cast<const gpu::Context&>(device).features().stencil_export)
         return;
     settings.resolve("roughness", "normal");
-    settings.note(fmt::format("roughness=stencil: {} has no VK_EXT_shader_stencil_export that can be relied on, normal is taken", device.name()));
+    settings.note(
+        fmt::format("roughness=stencil: {} has no VK_EXT_shader_stencil_export that can be relied on, normal is taken",
+                    device.name()));
 }
 
 class LightPrepass final : public DeviceRenderer {
 public:
-    LightPrepass(Device& device, const RenderOptions& options, Settings settings,
-                 const passes::LightModel& model)
+    LightPrepass(Device& device, const RenderOptions& options, Settings settings, const passes::LightModel& model)
         : DeviceRenderer(device, options, std::move(settings)), model_(model) {}
 
 private:
@@ -72,20 +75,22 @@ private:
         passes::decal_normal_pass(graph, frame, surface, decals);
         const auto list_shading = passes::list_shading(settings().get("list-shading"));
         const auto light = passes::make_light_buffer(
-            graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading) && !light_sums().wide(), light_sums().wide());
+            graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading) && !light_sums().wide(),
+            light_sums().wide());
         const passes::LightingInputs lighting{.surface = surface,
-                                        .model = model_,
-                                        .target = light.target,
-                                        .shadows = shadows(graph, frame),
-                                        .pair_counters = &pair_counters(),
-                                        .count_pairs = options().count_pairs,
-                                        .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
-                                        .list_shading = list_shading,
-                                        .list_contents = passes::list_contents(settings().get("light-lists")),
-                                        .write_once = settings().is("light-writes", "once")};
+                                              .model = model_,
+                                              .target = light.target,
+                                              .shadows = shadows(graph, frame),
+                                              .pair_counters = &pair_counters(),
+                                              .count_pairs = options().count_pairs,
+                                              .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
+                                              .list_shading = list_shading,
+                                              .list_contents = passes::list_contents(settings().get("light-lists")),
+                                              .write_once = settings().is("light-writes", "once")};
         scale_.reset();
         if (model_.fixed_point())
-            scale_.emplace(frame, passes::fixed_point(model_), settings().is("light-scale", "auto")).measure(graph, frame, lighting);
+            scale_.emplace(frame, passes::fixed_point(model_), settings().is("light-scale", "auto"))
+                .measure(graph, frame, lighting);
         passes::light_pass(graph, frame, "light", lighting);
         if (scale_)
             scale_->count_clipped(graph, frame, light.diffuse, light.specular);
@@ -112,7 +117,9 @@ private:
         if (model_.packed())
             show("specular-light", ViewKind::light_alpha, light.diffuse);
         else
-            show("specular-light", passes::is_light_pair(graph, light.specular) ? ViewKind::second_light : ViewKind::specular_light, light.specular);
+            show("specular-light",
+                 passes::is_light_pair(graph, light.specular) ? ViewKind::second_light : ViewKind::specular_light,
+                 light.specular);
         for (const bool specular : {false, true})
             if (const char* name = specular ? "specular-sum" : "diffuse-sum"; wants(name))
                 views[name] = passes::light_sum_pass(graph, frame, materials, specular);
@@ -142,29 +149,31 @@ RendererInfo light_prepass_info() {
         normals.emplace_back(encoding.name);
     for (const passes::DepthSourceInfo& source : passes::depth_sources())
         depths.emplace_back(source.name);
-    RendererInfo info{.name = "light-prepass",
-            .description = "depth and normals, then all lights into a light buffer, then materials",
-            .settings =
-                {{"normals", normals, normals[0], "encoding of the normal buffer"},
-                 {"normal-space", {"world", "view"}, "world", "space of the stored normals"},
-                 {"roughness", {"normal", "stencil"}, "normal",
-                  "where lights find a surface's roughness or specular power: stored with its normal, or in stencil"},
-                 {"depth", depths, depths[0],
-                  "what later passes read depth from: the attachment, or view depth in a colour target"},
-                 {"geometry", {"mrt", "two-passes"}, "mrt",
-                  "depth and normals at once, or depth first and then normals"},
-                 {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
-                 passes::light_culling_setting(),
-                 passes::tile_size_setting(),
-                 passes::list_shading_setting(),
-                 passes::list_contents_setting(),
-                 specular_antialiasing_setting(),
-                 texture_filter_setting()},
-            .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light",
-                      "diffuse-sum", "specular-sum", "albedo", "light-count", "ambient-occlusion"},
-            .presets = {"engel", "round2", "prelighting"},
-            .preset_settings = light_prepass_presets(),
-            .preset_shading = {{"engel", Shading::phong}, {"round2", Shading::phong}, {"prelighting", Shading::phong}}};
+    RendererInfo info{
+        .name = "light-prepass",
+        .description = "depth and normals, then all lights into a light buffer, then materials",
+        .settings =
+            {{"normals", normals, normals[0], "encoding of the normal buffer"},
+             {"normal-space", {"world", "view"}, "world", "space of the stored normals"},
+             {"roughness",
+              {"normal", "stencil"},
+              "normal",
+              "where lights find a surface's roughness or specular power: stored with its normal, or in stencil"},
+             {"depth", depths, depths[0],
+              "what later passes read depth from: the attachment, or view depth in a colour target"},
+             {"geometry", {"mrt", "two-passes"}, "mrt", "depth and normals at once, or depth first and then normals"},
+             {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
+             passes::light_culling_setting(),
+             passes::tile_size_setting(),
+             passes::list_shading_setting(),
+             passes::list_contents_setting(),
+             specular_antialiasing_setting(),
+             texture_filter_setting()},
+        .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",
+                  "specular-sum", "albedo", "light-count", "ambient-occlusion"},
+        .presets = {"engel", "round2", "prelighting"},
+        .preset_settings = light_prepass_presets(),
+        .preset_shading = {{"engel", Shading::phong}, {"round2", Shading::phong}, {"prelighting", Shading::phong}}};
     for (SettingInfo& setting : draw_settings(true))
         info.settings.push_back(std::move(setting));
     for (SettingInfo& setting : shadow_settings(true))

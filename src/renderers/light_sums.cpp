@@ -4,8 +4,11 @@
 namespace prelight {
 
 SettingInfo light_sums_setting() {
-    return {"light-sums", {"auto", "target", "float32"}, "auto",
-            "what blended light is added up in: the target's own format, or RGBA32F; auto: RGBA32F where more than 16 lights meet"};
+    return {"light-sums",
+            {"auto", "target", "float32"},
+            "auto",
+            "what blended light is added up in: the target's own format, or RGBA32F; auto: RGBA32F where more than 16 "
+            "lights meet"};
 }
 
 LightSums::LightSums(const Settings& settings)
@@ -19,8 +22,10 @@ void LightSums::choose(Settings& settings, graph::FrameGraph& graph, const gpu::
     const bool wanted = asked_ == "float32" || (asked_ == "auto" && adds > most_in_half);
     wide_ = wanted && blends_;
     if (wanted && !blends_)
-        graph.note(fmt::format("light-sums: RGBA32F does not blend on {}, up to {} lights are added up in half floats, which lose "
-                               "some of the light (light-culling=tiles and lights=grid do not)", context.name(), adds));
+        graph.note(fmt::format(
+            "light-sums: RGBA32F does not blend on {}, up to {} lights are added up in half floats, which lose "
+            "some of the light (light-culling=tiles and lights=grid do not)",
+            context.name(), adds));
     settings.resolve("light-sums", wide_ ? "float32" : "target");
 }
 

@@ -13,7 +13,9 @@ public:
 
 private:
     uint32_t lights_per_pass() const { return static_cast<uint32_t>(settings().number("lights-per-pass")); }
-    uint32_t blended_adds(const resident::Frame& frame) const override { return most_batches(frame, lights_per_pass()); }
+    uint32_t blended_adds(const resident::Frame& frame) const override {
+        return most_batches(frame, lights_per_pass());
+    }
     uint64_t draws(const resident::Frame& frame) const override {
         return ForwardRenderer::draws(frame) + ambient_draws_;
     }
@@ -29,7 +31,8 @@ private:
         ambient_draws_ = 0;
         passes::ForwardInputs lights = shading("lights", depth, linear);
         lights.shadows = shadows(graph, frame);
-        lights.lights_test = settings().is("depth-test", "equal") ? gpu::DepthTest::equal : gpu::DepthTest::behind_or_at;
+        lights.lights_test =
+            settings().is("depth-test", "equal") ? gpu::DepthTest::equal : gpu::DepthTest::behind_or_at;
         lights.kinds = {passes::StepKind::lights};
         if (per_object) {
             lights.kinds.push_back(passes::StepKind::base);
@@ -60,8 +63,11 @@ RendererInfo multipass_info() {
                 {{"order", {"lights", "objects"}, "lights", "the outer loop: over lights, or over objects"},
                  {"ambient", {"first", "per-object"}, "first", "ambient of all objects first, or with each object"},
                  {"lights-per-pass", {"1", "2", "3", "4", "5", "6", "7", "8"}, "1", "lights that one draw adds"},
-                 {"depth-test", {"less-equal", "equal"}, "less-equal",
-                  "of the draws that add lights: what lies at or before the depth that is there, or just at it"}}, false),
+                 {"depth-test",
+                  {"less-equal", "equal"},
+                  "less-equal",
+                  "of the draws that add lights: what lies at or before the depth that is there, or just at it"}},
+                false),
             .views = forward_views(),
             .presets = {}};
 }

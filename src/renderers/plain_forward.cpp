@@ -58,8 +58,9 @@ private:
             desc.attributes = {{VERTEX_POSITION, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
                                {VERTEX_COLOUR, 1, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)}};
             for (uint32_t row = 0; row < 3; ++row)
-                desc.attributes.push_back({VERTEX_WORLD_ROW + row, 2, VK_FORMAT_R32G32B32A32_SFLOAT,
-                                           static_cast<uint32_t>(offsetof(shared::ObjectData, world_row) + row * sizeof(glm::vec4))});
+                desc.attributes.push_back(
+                    {VERTEX_WORLD_ROW + row, 2, VK_FORMAT_R32G32B32A32_SFLOAT,
+                     static_cast<uint32_t>(offsetof(shared::ObjectData, world_row) + row * sizeof(glm::vec4))});
             if (kind & textures) {
                 desc.attributes.push_back(
                     {VERTEX_TEXCOORD_0, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
@@ -109,12 +110,14 @@ private:
                 pipeline.bind_set(pass.commands, SET_MATERIAL, frame.materials().sets[draw->material]);
             material = draw->material;
             vkCmdSetCullMode(pass.commands, draw->double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-            vkCmdSetFrontFace(pass.commands, draw->mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-            vkCmdDrawIndexed(pass.commands, draw->index_count, 1, draw->first_index, draw->vertex_offset, visible->instance);
+            vkCmdSetFrontFace(pass.commands,
+                              draw->mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+            vkCmdDrawIndexed(pass.commands, draw->index_count, 1, draw->first_index, draw->vertex_offset,
+                             visible->instance);
         }
     }
 
-    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features
+    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_;                  ///< by features
     std::vector<std::pair<double, const resident::VisibleDraw*>> nearest_; ///< with view depth of the middle
 };
 

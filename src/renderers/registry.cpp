@@ -11,21 +11,21 @@
 namespace prelight {
 
 std::vector<RendererInfo> renderer_infos() {
-    std::vector<RendererInfo> all{light_prepass_info(), multipass_info(), z_prepass_info(), deferred_info(), reference_info()};
+    std::vector<RendererInfo> all{light_prepass_info(), multipass_info(), z_prepass_info(), deferred_info(),
+                                  reference_info()};
     for (RendererInfo& info : all)
         for (SettingInfo& setting : info.settings)
             setting.needs = needs_of(setting.key, info.settings);
     return all;
 }
 
-std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
-                                          const RenderOptions& options) {
+std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device, const RenderOptions& options) {
     if (name == "reference")
         return make_reference_renderer(options);
-    const auto make = name == "light-prepass" ? make_light_prepass
-                      : name == "multipass"   ? make_multipass
-                      : name == "z-prepass"   ? make_z_prepass
-                      : name == "deferred"    ? make_deferred
+    const auto make = name == "light-prepass"   ? make_light_prepass
+                      : name == "multipass"     ? make_multipass
+                      : name == "z-prepass"     ? make_z_prepass
+                      : name == "deferred"      ? make_deferred
                       : name == "plain-forward" ? make_plain_forward // of bench: in no list
                                                 : nullptr;
     if (!make)

@@ -14,11 +14,10 @@ void Settings::set(const RendererInfo& info, const std::map<std::string, std::st
         const auto setting = std::find_if(info.settings.begin(), info.settings.end(),
                                           [&key = key](const SettingInfo& s) { return s.key == key; });
         if (setting == info.settings.end())
-            throw UsageError(fmt::format("--set {}: {} has no such setting (prelight renderers {})", key,
-                                         info.name, info.name));
+            throw UsageError(
+                fmt::format("--set {}: {} has no such setting (prelight renderers {})", key, info.name, info.name));
         if (!allows(*setting, value))
-            throw UsageError(fmt::format("--set {}={}: allowed is {}", key, value,
-                                         fmt::join(setting->values, ", ")));
+            throw UsageError(fmt::format("--set {}={}: allowed is {}", key, value, fmt::join(setting->values, ", ")));
         values_[key] = value;
     }
 }
@@ -56,7 +55,7 @@ void Settings::refuse_without_effect() {
         if (given(key))
             throw UsageError(fmt::format("--set {}={}: {}", key, value, *why));
         if (!of_preset_.contains(key))
-            continue; // what another setting resolved it to
+            continue;                                                   // what another setting resolved it to
         const bool of_shadows = needs_of(key).front().key == "shadows"; // how they are made once somebody wants them
         if (!of_shadows)
             note(fmt::format("{}={} of preset {}: {}; {} is taken", key, value, preset_, *why, defaults_.at(key)));

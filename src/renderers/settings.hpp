@@ -10,8 +10,8 @@ namespace prelight {
 /// The settings of one renderer, every key with a value: the default, or what the user asked for.
 class Settings {
 public:
-    /// Defaults, then the preset's settings, then the user's. Throws UsageError: a key that `info` does not list, a value that is not allowed, a view or
-    /// preset that does not exist.
+    /// Defaults, then the preset's settings, then the user's. Throws UsageError: a key that `info` does not list, a
+    /// value that is not allowed, a view or preset that does not exist.
     Settings(const RendererInfo& info, const RenderOptions& options);
     const std::string& get(const std::string& key) const { return values_.at(key); }
     /// The user asked for it: it is neither a default nor a preset's.

@@ -5,15 +5,22 @@
 namespace prelight {
 
 std::vector<SettingInfo> shadow_settings(bool light_by_light) {
-    std::vector<SettingInfo> settings{{"shadows", {"off", "on"}, "off", "shadow maps of every light that casts a shadow"},
-            {"shadow-filter", {"hard", "pcf", "contact"}, "pcf",
-             "one texel; a disc of 1.5 texels; a disc as wide as the light and its distance make the penumbra"},
-            {"shadow-budget", {"1 … 268435456"}, "16777216",
-             "texels of all shadow maps (4 bytes each), rounded down to a power of two; shared by size on the screen"},
-            {"shadow-detail", {"0.01 … 16"}, "2", "texels that a light asks for a pixel; the budget goes before"},
-            {"shadow-cache", {"on", "off"}, "on", "off: maps are drawn every frame, for measuring"}};
+    std::vector<SettingInfo> settings{
+        {"shadows", {"off", "on"}, "off", "shadow maps of every light that casts a shadow"},
+        {"shadow-filter",
+         {"hard", "pcf", "contact"},
+         "pcf",
+         "one texel; a disc of 1.5 texels; a disc as wide as the light and its distance make the penumbra"},
+        {"shadow-budget",
+         {"1 … 268435456"},
+         "16777216",
+         "texels of all shadow maps (4 bytes each), rounded down to a power of two; shared by size on the screen"},
+        {"shadow-detail", {"0.01 … 16"}, "2", "texels that a light asks for a pixel; the budget goes before"},
+        {"shadow-cache", {"on", "off"}, "on", "off: maps are drawn every frame, for measuring"}};
     if (light_by_light)
-        settings.push_back({"shadow-memory", {"atlas", "reuse"}, "atlas",
+        settings.push_back({"shadow-memory",
+                            {"atlas", "reuse"},
+                            "atlas",
                             "maps of all lights at once, or of one light after the other in the same memory"});
     return settings;
 }
@@ -27,8 +34,9 @@ void choose_shadow_memory(Settings& settings) {
     const bool once = settings.all().contains("light-writes") && settings.is("light-writes", "once");
     if (!once && !settings.is("light-culling", "tiles") && !settings.is("light-culling", "clusters"))
         return;
-    const std::string reason = fmt::format("is for lights that are drawn one by one, not {}",
-                                           once ? "light-writes=once" : "light-culling=" + settings.get("light-culling"));
+    const std::string reason =
+        fmt::format("is for lights that are drawn one by one, not {}",
+                    once ? "light-writes=once" : "light-culling=" + settings.get("light-culling"));
     if (asked)
         throw UsageError("--set shadow-memory=reuse: " + reason);
     settings.note(fmt::format("shadow-memory=reuse {}: shadow-memory=atlas", reason)); // a preset's gives way

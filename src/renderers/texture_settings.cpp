@@ -10,8 +10,11 @@ constexpr const char* key = "texture-filter";
 } // namespace
 
 SettingInfo texture_filter_setting() {
-    return {key, {"auto", "trilinear", "anisotropic", "bilinear"}, "auto",
-            "trilinear: as the file's samplers say; anisotropic: up to 8 times where they mix mip maps (auto on a GPU; trilinear on a "
+    return {key,
+            {"auto", "trilinear", "anisotropic", "bilinear"},
+            "auto",
+            "trilinear: as the file's samplers say; anisotropic: up to 8 times where they mix mip maps (auto on a GPU; "
+            "trilinear on a "
             "CPU); bilinear: level 0 only, for comparing with the reference"};
 }
 
@@ -21,7 +24,8 @@ void resolve_texture_filter(Settings& settings, const gpu::Context& context) {
         settings.resolve(key, context.is_software() || !context.features().anisotropy ? "trilinear" : "anisotropic");
     if (settings.is(key, "anisotropic") && !context.features().anisotropy) {
         settings.resolve(key, "trilinear");
-        settings.note(fmt::format("texture-filter=anisotropic: {} has no anisotropic filtering, trilinear is taken", context.name()));
+        settings.note(fmt::format("texture-filter=anisotropic: {} has no anisotropic filtering, trilinear is taken",
+                                  context.name()));
     }
 }
 

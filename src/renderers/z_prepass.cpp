@@ -46,9 +46,8 @@ private:
         if (grid_ && passes::forward_grid_adds(frame))
             views = linear_views(graph, frame, draw_by_grid(graph, frame, depth, {}), depth);
         else if (grid_)
-            views = picture_views(graph, frame, depth, [&](passes::Display display) {
-                return draw_by_grid(graph, frame, depth, display);
-            });
+            views = picture_views(graph, frame, depth,
+                                  [&](passes::Display display) { return draw_by_grid(graph, frame, depth, display); });
         else // [Z2] further lights blend: only linear light adds up
             views = linear_views(graph, frame, draw_by_plan(graph, frame, depth), depth);
         add_views(views, graph, frame, depth);
@@ -67,7 +66,8 @@ private:
 
     graph::ImageId draw_by_grid(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
                                 passes::Display display) {
-        passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, display, light_sums().wide()));
+        passes::ForwardInputs opaque =
+            shading("opaque", depth, passes::picture_image(graph, frame, display, light_sums().wide()));
         opaque.display = display;
         opaque.shadows = shadows(graph, frame);
         passes::forward_grid_pass(graph, frame, opaque);
@@ -75,12 +75,12 @@ private:
     }
 
     graph::ImageId draw_by_plan(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
-        passes::ForwardInputs opaque = shading("opaque", depth, passes::picture_image(graph, frame, {}, light_sums().wide()));
+        passes::ForwardInputs opaque =
+            shading("opaque", depth, passes::picture_image(graph, frame, {}, light_sums().wide()));
         opaque.shadows = shadows(graph, frame);
         opaque.kinds = {passes::StepKind::base_and_lights, passes::StepKind::lights};
-        opaque.plan = limited([](const resident::LightReach& reach) {
-            return passes::plan_shaded_once(reach, FORWARD_MOST_LIGHTS);
-        });
+        opaque.plan = limited(
+            [](const resident::LightReach& reach) { return passes::plan_shaded_once(reach, FORWARD_MOST_LIGHTS); });
         passes::forward_pass(graph, frame, opaque);
         return opaque.colour;
     }
@@ -94,8 +94,11 @@ RendererInfo z_prepass_info() {
     return {.name = "z-prepass",
             .description = "depth alone, then every visible pixel shaded with the lights of its object",
             .settings = forward_settings(
-                {{"lights", {"per-draw", "grid"}, "per-draw",
-                  "how a pixel finds its lights: eight a draw, strongest first; or by a grid over the world"}}, true),
+                {{"lights",
+                  {"per-draw", "grid"},
+                  "per-draw",
+                  "how a pixel finds its lights: eight a draw, strongest first; or by a grid over the world"}},
+                true),
             .views = forward_views(),
             .presets = {}};
 }

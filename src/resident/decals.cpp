@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
 
@@ -45,14 +45,16 @@ std::vector<DecalBox> decal_boxes(const World& world) {
     for (const PlacedDecal& placed : world.decals) {
         const uint32_t material = placed.decal.material;
         if (material >= world.scene->materials.size())
-            throw Error(fmt::format("{}: decal {}: there is no material {}", world.scene->name, boxes.size(), material));
+            throw Error(
+                fmt::format("{}: decal {}: there is no material {}", world.scene->name, boxes.size(), material));
         if (world.scene->materials[material].shader)
             throw Error(fmt::format("{}: decal {}: material {} has a shader of its own, and decals know none",
                                     world.scene->name, boxes.size(), material));
         DecalBox& box = boxes.emplace_back();
         box.decal = &placed.decal;
         box.features = features_of(*world.scene, world.scene->materials[material]) &
-                       (FEATURE_BASE_COLOUR_TEXTURE | FEATURE_METALLIC_ROUGHNESS_TEXTURE | FEATURE_NORMAL_TEXTURE | FEATURE_ALPHA_MASK);
+                       (FEATURE_BASE_COLOUR_TEXTURE | FEATURE_METALLIC_ROUGHNESS_TEXTURE | FEATURE_NORMAL_TEXTURE |
+                        FEATURE_ALPHA_MASK);
         box.world_from_box = placed.transform;
         box.box_from_world = glm::inverse(placed.transform);
         box.mirrored = glm::determinant(glm::dmat3(placed.transform)) < 0;
@@ -96,7 +98,8 @@ shared::DecalConstants decal_constants(const DecalBox& box, const glm::dvec3& ey
     back[3] = box.box_from_world * glm::dvec4(eye, 1);
     set_rows(constants.box_row, back);
     const Decal& decal = *box.decal;
-    const double whole = std::cos(static_cast<double>(decal.fade_from)), gone = std::cos(static_cast<double>(decal.fade_to));
+    const double whole = std::cos(static_cast<double>(decal.fade_from)),
+                 gone = std::cos(static_cast<double>(decal.fade_to));
     const double scale = 1 / std::max(whole - gone, 1e-4);
     constants.fade = glm::vec4(scale, -gone * scale, 0, from_inside ? 1 : 0);
     constants.opacity = decal.opacity * glm::vec4(decal.colour, decal.normal, decal.roughness, 0);

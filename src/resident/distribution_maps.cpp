@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <fmt/format.h>
+#include <numbers>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
 
@@ -37,7 +37,8 @@ Packing packed(const std::vector<EdgedLevel>& levels) {
         texels += levels[i].pixels.size();
         out.size.x = std::max(out.size.x, levels[i].width);
     }
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return levels[a].height > levels[b].height; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return levels[a].height > levels[b].height; });
     out.size.x = std::max(out.size.x, std::bit_ceil(static_cast<uint32_t>(std::sqrt(double(texels)))));
     glm::uvec2 at(0);
     uint32_t row = 0;
@@ -54,7 +55,8 @@ Packing packed(const std::vector<EdgedLevel>& levels) {
 
 } // namespace
 
-DistributionMaps::DistributionMaps(const Scene& scene, std::span<const PlacedLight> lights, uint32_t longest) : scene_(&scene) {
+DistributionMaps::DistributionMaps(const Scene& scene, std::span<const PlacedLight> lights, uint32_t longest)
+    : scene_(&scene) {
     std::vector<EdgedLevel> made;
     for (const PlacedLight& placed : lights) {
         const Light& light = placed.light;
@@ -80,8 +82,9 @@ DistributionMaps::DistributionMaps(const Scene& scene, std::span<const PlacedLig
         return;
     const Packing packing = packed(made);
     if (packing.size.x > longest || packing.size.y > longest)
-        throw Error(fmt::format("{}: cookies and profiles of its lights need an image of {}x{}, and the device's limit is {}",
-                                scene.name, packing.size.x, packing.size.y, longest));
+        throw Error(
+            fmt::format("{}: cookies and profiles of its lights need an image of {}x{}, and the device's limit is {}",
+                        scene.name, packing.size.x, packing.size.y, longest));
     picture_ = Image(packing.size.x, packing.size.y);
     texel_ = 1.0 / glm::dvec2(packing.size);
     for (size_t i = 0; i < made.size(); ++i) {
@@ -114,7 +117,8 @@ shared::DistributionData DistributionMaps::record(const PlacedLight& placed) con
     if (light.profile) {
         const Profile& profile = profiles_.at(light.profile.get());
         const glm::vec4 corner = levels_[profile.level].rectangle;
-        const double first = light.profile->vertical.front() * pi / 180, last = light.profile->vertical.back() * pi / 180;
+        const double first = light.profile->vertical.front() * pi / 180,
+                     last = light.profile->vertical.back() * pi / 180;
         const double rows = (profile.rows - 1) / (last - first);
         // Texels are the profile's values at even steps: their centres.
         out.profile = glm::vec4(corner.x + 0.5, profile.columns / (2 * pi), corner.y + 0.5 - first * rows, rows);

@@ -10,8 +10,8 @@ namespace prelight::resident {
 /// Cookies and profiles of lights, level by level side by side in one picture; each image and profile once.
 class DistributionMaps {
 public:
-    /// Of these lights; others among them do no harm. `longest`: the most texels that the picture may have a side. Throws
-    /// Error "SCENE: …" when they need more.
+    /// Of these lights; others among them do no harm. `longest`: the most texels that the picture may have a side.
+    /// Throws Error "SCENE: …" when they need more.
     DistributionMaps(const Scene& scene, std::span<const PlacedLight> lights, uint32_t longest);
 
     bool empty() const { return levels_.empty(); }

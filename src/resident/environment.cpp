@@ -78,7 +78,8 @@ double radical_inverse(uint32_t bits) {
     return value;
 }
 
-/// A map with the sums of its rows from the left, over two turns: a difference is the sum of columns, round the edge too.
+/// A map with the sums of its rows from the left, over two turns: a difference is the sum of columns, round the edge
+/// too.
 class RowSums {
 public:
     explicit RowSums(const Image& image) : width_(image.width), height_(image.height) {
@@ -122,7 +123,8 @@ struct LobeSample {
     double spread; ///< radians: the side of the square that it stands for
 };
 
-/// Of a mirror of this roughness, seen along its normal: half vectors by their density D N·H, each light weighted by N·L.
+/// Of a mirror of this roughness, seen along its normal: half vectors by their density D N·H, each light weighted by
+/// N·L.
 std::vector<LobeSample> lobe(double roughness, uint32_t samples) {
     const double alpha2 = std::pow(roughness, 4);
     std::vector<LobeSample> out;
@@ -144,17 +146,18 @@ std::vector<LobeSample> lobe(double roughness, uint32_t samples) {
     return out;
 }
 
-/// What the mirror shows in each direction. A sample takes the mean of what it stands for, so that a small bright lamp is neither missed nor
-/// seen as many (Křivánek and Colbert, "Real-time Shading with Filtered Importance Sampling", 2008): rows of a map as coarse as that, and
-/// of them as many columns, which near the poles are narrow. All normals of a row look at the same places beside them, one sample is
-/// added to all at once. All widths are powers of two.
+/// What the mirror shows in each direction. A sample takes the mean of what it stands for, so that a small bright lamp
+/// is neither missed nor seen as many (Křivánek and Colbert, "Real-time Shading with Filtered Importance Sampling",
+/// 2008): rows of a map as coarse as that, and of them as many columns, which near the poles are narrow. All normals of
+/// a row look at the same places beside them, one sample is added to all at once. All widths are powers of two.
 Image rough(const std::vector<RowSums>& maps, double roughness, uint32_t samples, uint32_t wide) {
     const std::vector<LobeSample> lights = lobe(roughness, samples);
     Image out(wide, wide / 2);
     parallel_for(out.height, [&](uint32_t y) {
         const glm::dvec3 n = direction_of(0.5, (y + 0.5) / out.height);
         const glm::dvec3 t = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), n)), b = glm::cross(n, t);
-        // Of each map. Where it is narrower than the picture, first the pixels that lie alike in its columns, then the next such.
+        // Of each map. Where it is narrower than the picture, first the pixels that lie alike in its columns, then the
+        // next such.
         std::vector<std::vector<glm::dvec3>> sums(maps.size(), std::vector<glm::dvec3>(wide));
         const auto phases = [&](const RowSums& map) { return std::max(wide / map.width(), 1u); };
         for (const LobeSample& sample : lights) {
@@ -162,11 +165,13 @@ Image rough(const std::vector<RowSums>& maps, double roughness, uint32_t samples
             const double doublings = std::log2(sample.spread / (pi / maps[0].height()));
             const auto level = size_t(std::clamp(std::floor(doublings), 0.0, double(maps.size() - 1)));
             const RowSums& map = maps[level];
-            const double row = std::clamp(std::acos(std::clamp(d.y, -1.0, 1.0)) / pi * map.height() - 0.5, 0.0, map.height() - 1.0);
+            const double row =
+                std::clamp(std::acos(std::clamp(d.y, -1.0, 1.0)) / pi * map.height() - 0.5, 0.0, map.height() - 1.0);
             const auto upper = uint32_t(row), lower = std::min(upper + 1, map.height() - 1);
             const double sine = std::max(std::sqrt(std::max(1 - d.y * d.y, 0.0)), 1e-6);
             const double columns = std::clamp(sample.spread / sine / (2 * pi) * map.width(), 1.0, double(map.width()));
-            const double left = std::atan2(d.x, -d.z) / (2 * pi) * map.width() - columns / 2, weight = sample.weight / columns;
+            const double left = std::atan2(d.x, -d.z) / (2 * pi) * map.width() - columns / 2,
+                         weight = sample.weight / columns;
             const uint32_t step = std::max(map.width() / wide, 1u), count = wide / phases(map);
             for (uint32_t phase = 0; phase < phases(map); ++phase) {
                 const std::span part = std::span(sums[level]).subspan(phase * count, count);
@@ -189,14 +194,15 @@ Image rough(const std::vector<RowSums>& maps, double roughness, uint32_t samples
     return out;
 }
 
-/// Between texels a picture is read along the chord of the curve that they lie on, which where it bends is off by h² f'' / 12 in the mean.
-/// With the texels moved by that the other way the mean is right, and the error √6 times smaller.
+/// Between texels a picture is read along the chord of the curve that they lie on, which where it bends is off by h²
+/// f'' / 12 in the mean. With the texels moved by that the other way the mean is right, and the error √6 times smaller.
 void balance(Image& image) {
     const Image from = image;
     for (uint32_t y = 0; y < image.height; ++y)
         for (uint32_t x = 0; x < image.width; ++x) {
             const glm::vec3 here = from.at(x, y);
-            const glm::vec3 beside = from.at((x + 1) % image.width, y) + from.at((x + image.width - 1) % image.width, y);
+            const glm::vec3 beside =
+                from.at((x + 1) % image.width, y) + from.at((x + image.width - 1) % image.width, y);
             const glm::vec3 along = from.at(x, std::min(y + 1, image.height - 1)) + from.at(x, std::max(y, 1u) - 1);
             image.at(x, y) = glm::max(here - (beside + along - 4.0f * here) / 12.0f, 0.0f);
         }
@@ -208,11 +214,18 @@ void project(const Image& image, double turns, glm::vec3 (&out)[9]) {
     glm::dvec3 sums[9]{};
     for (uint32_t y = 0; y < image.height; ++y) {
         const double v = (y + 0.5) / image.height;
-        const double area = 2 * pi / image.width * (std::cos(double(y) / image.height * pi) - std::cos((y + 1.0) / image.height * pi));
+        const double area =
+            2 * pi / image.width * (std::cos(double(y) / image.height * pi) - std::cos((y + 1.0) / image.height * pi));
         for (uint32_t x = 0; x < image.width; ++x) {
             const glm::dvec3 d = direction_of((x + 0.5) / image.width - turns, v);
-            const double basis[9]{0.282095, 0.488603 * d.y, 0.488603 * d.z, 0.488603 * d.x, 1.092548 * d.x * d.y,
-                                  1.092548 * d.y * d.z, 0.315392 * (3 * d.z * d.z - 1), 1.092548 * d.x * d.z,
+            const double basis[9]{0.282095,
+                                  0.488603 * d.y,
+                                  0.488603 * d.z,
+                                  0.488603 * d.x,
+                                  1.092548 * d.x * d.y,
+                                  1.092548 * d.y * d.z,
+                                  0.315392 * (3 * d.z * d.z - 1),
+                                  1.092548 * d.x * d.z,
                                   0.546274 * (d.x * d.x - d.y * d.y)};
             for (int i = 0; i < 9; ++i)
                 sums[i] += area * basis[i] * glm::dvec3(image.pixels[size_t(y) * image.width + x]);

@@ -8,10 +8,11 @@ namespace prelight::resident {
 
 /// An environment map as materials read it: level by level as a rougher mirror shows it.
 struct EnvironmentLevels {
-    /// Each half as wide and high as the one before. Two maps in each, one above the other: the even steps of roughness above, the
-    /// odd ones below; they begin at 0 and 1/8, and four steps double it.
+    /// Each half as wide and high as the one before. Two maps in each, one above the other: the even steps of roughness
+    /// above, the odd ones below; they begin at 0 and 1/8, and four steps double it.
     std::vector<Image> images;
-    Image sky; ///< what the background shows: the map itself or its backdrop, 4,096 wide at most; one texel when it is not seen
+    Image sky; ///< what the background shows: the map itself or its backdrop, 4,096 wide at most; one texel when it is
+               ///< not seen
     glm::vec3 irradiance[9]{}; ///< spherical harmonics of what a white Lambert surface sends on
     double intensity = 1;      ///< factor on all of it
     double turns = 0;          ///< 0 … 1, Environment::rotation; it is in `irradiance`

@@ -25,8 +25,8 @@ gpu::Buffer make_upload(const gpu::Context& context, const char* name, uint64_t 
     const uint64_t size = std::max<uint64_t>(count, 1) * stride;
     const uint64_t limit = context.limits().maxStorageBufferRange;
     if (size > limit)
-        throw Error(fmt::format("{}: {} {} need a buffer of {} bytes, and the device's limit is {}",
-                                context.name(), count, name, size, limit));
+        throw Error(fmt::format("{}: {} {} need a buffer of {} bytes, and the device's limit is {}", context.name(),
+                                count, name, size, limit));
     gpu::Buffer buffer(context, name, size, usage, gpu::BufferPlace::upload);
     std::memset(buffer.mapped<std::byte>(), 0, size); // shaders may read a record that no frame has written
     return buffer;
@@ -44,12 +44,12 @@ uint32_t kinds_of(std::span<const PlacedLight> lights) {
     return kinds;
 }
 
-/// All of a light but its name, which nobody needs here: text would cost more than the rest. Fields have names of their own, for
-/// then one that is added to Light or PlacedLight does not compile until it is placed too.
+/// All of a light but its name, which nobody needs here: text would cost more than the rest. Fields have names of their
+/// own, for then one that is added to Light or PlacedLight does not compile until it is placed too.
 void place(PlacedLight& target, const PlacedLight& from) {
     auto& [light, position, direction, up] = target;
-    auto& [name, kind, colour, intensity, range, inner_cone, outer_cone, shininess, falloff, casts_shadow, cookie, profile,
-           profile_candela, size] = light;
+    auto& [name, kind, colour, intensity, range, inner_cone, outer_cone, shininess, falloff, casts_shadow, cookie,
+           profile, profile_candela, size] = light;
     kind = from.light.kind;
     colour = from.light.colour;
     intensity = from.light.intensity;
@@ -75,10 +75,12 @@ Frame::Frame(const gpu::Context& context, const World& world, const FrameSetting
     : context_(context), world_(world), settings_(settings), placed_(world.lights), kinds_(kinds_of(placed_)),
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)),
       decals_(decal_boxes(world)),
-      geometry_(upload_geometry(context, world, settings.motion, settings.draws.trims_on_device(), materials_.shaders, decals_)) {
+      geometry_(upload_geometry(context, world, settings.motion, settings.draws.trims_on_device(), materials_.shaders,
+                                decals_)) {
     for (gpu::Buffer& constants : constants_)
         constants = gpu::Buffer(context_, "frame constants", sizeof(shared::FrameConstants),
-                                VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | (settings.measures_light ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0),
+                                VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
+                                    (settings.measures_light ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0),
                                 gpu::BufferPlace::upload);
     make_draw_buffers();
     if (settings_.shadows.on)
@@ -126,10 +128,12 @@ void Frame::make_draw_buffers() {
     const VkBufferUsageFlags storage = options.trims_on_device() ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
     const uint64_t host_indices = options.trimming == IndexTrimming::host ? indices : 0;
     for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot) {
-        objects_[slot] = make("objects", draws * sizeof(shared::ObjectData), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | storage);
-        slots_[slot].commands = make("draw commands", draws * sizeof(VkDrawIndexedIndirectCommand),
-                                     VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        trimmed_[slot] = make("trimmed indices", host_indices * sizeof(uint32_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
+        objects_[slot] =
+            make("objects", draws * sizeof(shared::ObjectData), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | storage);
+        slots_[slot].commands =
+            make("draw commands", draws * sizeof(VkDrawIndexedIndirectCommand), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+        trimmed_[slot] =
+            make("trimmed indices", host_indices * sizeof(uint32_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
     }
     if (options.counts_pixels)
         visible_pixels_.emplace(context_, static_cast<uint32_t>(draws));
@@ -185,7 +189,8 @@ void Frame::make_light_buffers(size_t lights) {
         slot.order = make_upload(context_, "light order", lights, sizeof(uint32_t), storage);
         slot.bounds = make_upload(context_, "light bounds", bounded, sizeof(shared::LightScreenBounds), storage);
         if (uploaded_maps_)
-            slot.distributions = make_upload(context_, "light distributions", lights, sizeof(shared::DistributionData), storage);
+            slot.distributions =
+                make_upload(context_, "light distributions", lights, sizeof(shared::DistributionData), storage);
         if (shadows_) // as if all were point lights, for each may become one
             slot.shadows = make_upload(context_, "shadow tiles", 6 * lights, sizeof(shared::ShadowData), storage);
     }
@@ -198,10 +203,13 @@ void Frame::make_light_buffers(size_t lights) {
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s) {
         // Every binding is written, with whatever is there where no shader looks.
         const UploadedMaps* maps = uploaded_maps_.get();
-        sets[s].push_back(gpu::Binding::storage(FRAME_DISTRIBUTIONS, maps ? made[s].distributions.handle() : made[s].bounds.handle()));
-        sets[s].push_back(gpu::Binding::storage(FRAME_DISTRIBUTION_LEVELS, maps ? maps->levels.handle() : made[s].bounds.handle()));
-        sets[s].push_back(gpu::Binding::texture(FRAME_DISTRIBUTION_MAPS, maps ? maps->picture->view() : materials_.environment->view(),
-                                                maps ? VkSampler(maps->sampler) : VkSampler(materials_.environment_sampler)));
+        sets[s].push_back(gpu::Binding::storage(FRAME_DISTRIBUTIONS,
+                                                maps ? made[s].distributions.handle() : made[s].bounds.handle()));
+        sets[s].push_back(
+            gpu::Binding::storage(FRAME_DISTRIBUTION_LEVELS, maps ? maps->levels.handle() : made[s].bounds.handle()));
+        sets[s].push_back(gpu::Binding::texture(
+            FRAME_DISTRIBUTION_MAPS, maps ? maps->picture->view() : materials_.environment->view(),
+            maps ? VkSampler(maps->sampler) : VkSampler(materials_.environment_sampler)));
     }
     for (uint32_t s = 0; shadows_ && s < gpu::frames_in_flight; ++s) {
         sets[s].push_back(gpu::Binding::storage(FRAME_SHADOWS, made[s].shadows.handle()));
@@ -221,8 +229,9 @@ void Frame::make_light_buffers(size_t lights) {
 }
 
 bool Frame::hold_maps_of(std::span<const PlacedLight> lights) const {
-    return std::all_of(lights.begin(), lights.end(),
-                       [&](const PlacedLight& light) { return !has_distribution(light.light) || distribution_maps_->hold(light.light); });
+    return std::all_of(lights.begin(), lights.end(), [&](const PlacedLight& light) {
+        return !has_distribution(light.light) || distribution_maps_->hold(light.light);
+    });
 }
 
 void Frame::make_room(std::span<const PlacedLight> lights) {
@@ -298,8 +307,8 @@ void Frame::update(const PlacedCamera& camera, uint32_t slot) {
     if (device_trimming_)
         device_trimming_->update(slot, visible_, geometry_);
     const double objects_end = thread_ms();
-    groups_ = group_lights(placed_, camera, next, settings_.culling,
-                           context_.features().depth_clamp, settings_.volumes.spot_boxes);
+    groups_ = group_lights(placed_, camera, next, settings_.culling, context_.features().depth_clamp,
+                           settings_.volumes.spot_boxes);
     std::copy(groups_.order.begin(), groups_.order.end(), target.order.mapped<uint32_t>());
     std::copy(groups_.bounds.begin(), groups_.bounds.end(), target.bounds.mapped<shared::LightScreenBounds>());
     if (shadows_)

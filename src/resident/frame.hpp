@@ -17,14 +17,14 @@ namespace prelight::resident {
 
 struct FrameSettings {
     uint32_t width = 0, height = 0;
-    double exposure = 1;             ///< factor
-    double light_scale = 32;         ///< what stored light is divided by
-    bool measures_light = false;     ///< the device finds a light scale for each frame: passes::light_scale_passes()
+    double exposure = 1;         ///< factor
+    double light_scale = 32;     ///< what stored light is divided by
+    bool measures_light = false; ///< the device finds a light scale for each frame: passes::light_scale_passes()
     LightCulling culling = LightCulling::volumes;
     VolumeOptions volumes = {};
     ObjectLights object_lights = ObjectLights::none;
     gpu::TextureFilter texture_filter = gpu::TextureFilter::trilinear;
-    bool motion = false;             ///< fill Geometry::previous_positions
+    bool motion = false; ///< fill Geometry::previous_positions
     DrawOptions draws = {};
     ShadowOptions shadows = {};
 };
@@ -41,8 +41,8 @@ public:
     /// Throws Error when the world does not fit the device; no light is ever dropped.
     Frame(const gpu::Context& context, const World& world, const FrameSettings& settings);
     /// Takes other lights in place of the world's. False when what draws them must be built anew: their
-    /// buffers grew, or a kind or falloff came in that shaders leave out. `wait` is called before buffers or maps are made
-    /// anew, and comes back when the device is idle; without it, it is. Throws Error as check_lights() does.
+    /// buffers grew, or a kind or falloff came in that shaders leave out. `wait` is called before buffers or maps are
+    /// made anew, and comes back when the device is idle; without it, it is. Throws Error as check_lights() does.
     bool set_lights(std::span<const PlacedLight> lights, const std::function<void()>& wait = {});
     /// Writes constants, lights and objects for one picture into the slot's buffers, which no frame on
     /// its way may use; set() is the slot's from then on.
@@ -109,7 +109,8 @@ private:
     /// Uploads the cookies and profiles of placed_ and of the scene's other lights.
     void make_distributions();
     bool hold_maps_of(std::span<const PlacedLight> lights) const;
-    /// Takes lights that there is no room or that there are no maps for, with buffers and maps for them; as before when it throws.
+    /// Takes lights that there is no room or that there are no maps for, with buffers and maps for them; as before when
+    /// it throws.
     void make_room(std::span<const PlacedLight> lights);
     void write_distributions();
     void update_shadows(const PlacedCamera& camera);
@@ -119,7 +120,7 @@ private:
     const World& world_;
     FrameSettings settings_;
     std::vector<PlacedLight> placed_;
-    uint32_t kinds_ = 0; ///< of placed_, found when they come: every frame may bring 65,536
+    uint32_t kinds_ = 0;  ///< of placed_, found when they come: every frame may bring 65,536
     size_t capacity_ = 0; ///< lights that the buffers hold
     Materials materials_;
     std::vector<DecalBox> decals_;

@@ -119,18 +119,17 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
                 continue;
             const Placement& place = places->second[p];
             Draw& draw = geometry.draws.emplace_back(
-                Draw{place.first_index, static_cast<uint32_t>(primitive.indices.size()),
-                     place.vertex_offset, i, primitive.material, features_of(*world.scene, material), shaders.index_of(material),
-                     instance.mirrored,
-                     material.double_sided, &primitive});
+                Draw{place.first_index, static_cast<uint32_t>(primitive.indices.size()), place.vertex_offset, i,
+                     primitive.material, features_of(*world.scene, material), shaders.index_of(material),
+                     instance.mirrored, material.double_sided, &primitive});
             bound(draw, place, instance.transform);
             if (instance.receives_decals && material.receives_decals && reaches_any(decals, draw.low, draw.high))
                 draw.features |= FEATURE_DECALS;
         }
     }
     if (vertices.positions.size() > 0x7fffffffu || vertices.indices.size() > 0xffffffffu)
-        throw Error(fmt::format("{}: {} vertices and {} indices are more than one buffer addresses",
-                                world.scene->name, vertices.positions.size(), vertices.indices.size()));
+        throw Error(fmt::format("{}: {} vertices and {} indices are more than one buffer addresses", world.scene->name,
+                                vertices.positions.size(), vertices.indices.size()));
     std::stable_sort(geometry.draws.begin(), geometry.draws.end(), [](const Draw& a, const Draw& b) {
         return std::tie(a.shader, a.features, a.material, a.mirrored, a.first_index) <
                std::tie(b.shader, b.features, b.material, b.mirrored, b.first_index);
@@ -138,8 +137,7 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
     constexpr VkBufferUsageFlags vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
     const VkBufferUsageFlags storage = trims ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
     geometry.positions = gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex | storage);
-    geometry.attributes =
-        gpu::make_device_buffer(context, "vertex attributes", bytes(vertices.attributes), vertex);
+    geometry.attributes = gpu::make_device_buffer(context, "vertex attributes", bytes(vertices.attributes), vertex);
     if (!vertices.previous.empty())
         geometry.previous_positions =
             gpu::make_device_buffer(context, "previous positions", bytes(vertices.previous), vertex);

@@ -15,7 +15,9 @@ struct ImageLevel {
 };
 
 /// 0 … 1 in eight bits.
-inline uint8_t unorm_byte(float value) { return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f)); }
+inline uint8_t unorm_byte(float value) {
+    return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+}
 
 /// Half as large, at least 1; each texel the mean of those it covers, an odd side's last one of three.
 template <class Texel>

@@ -71,7 +71,8 @@ LightReach find_reach(std::span<const Draw> draws, std::span<const PlacedLight> 
             for (size_t i = 0; i < sorted.size(); ++i)
                 if (reaches(volumes[i], draws[d]))
                     strongest.emplace_back(
-                        order == ObjectLights::strongest_first ? -strength(lights[sorted[i]], draws[d]) : 0.0, sorted[i]);
+                        order == ObjectLights::strongest_first ? -strength(lights[sorted[i]], draws[d]) : 0.0,
+                        sorted[i]);
         if (order == ObjectLights::strongest_first)
             std::sort(strongest.begin(), strongest.end());
         for (const auto& [_, light] : strongest)

@@ -1,5 +1,5 @@
-#include "light_bounds.hpp"
 #include "lights.hpp"
+#include "light_bounds.hpp"
 #include <algorithm>
 #include <cmath>
 #include <prelight/light_distribution.hpp>
@@ -12,9 +12,7 @@ constexpr double widest_cone = 80.0 / 180.0 * 3.14159265358979323846;
 /// A range so large that its inverse is no normal float is none.
 constexpr float longest_range = 1e18f;
 
-bool has_volume(const Light& light) {
-    return light.kind != LightKind::directional && light.range < longest_range;
-}
+bool has_volume(const Light& light) { return light.kind != LightKind::directional && light.range < longest_range; }
 
 bool is_dark(const Light& light) {
     return light.intensity <= 0 || (light.colour.x <= 0 && light.colour.y <= 0 && light.colour.z <= 0);
@@ -84,9 +82,7 @@ LightGroup group_of(const PlacedLight& light, const LightView& view, glm::dvec3 
 
 } // namespace
 
-bool is_cone(const Light& light) {
-    return light.kind == LightKind::spot && light.outer_cone < widest_cone;
-}
+bool is_cone(const Light& light) { return light.kind == LightKind::spot && light.outer_cone < widest_cone; }
 
 bool builds_lists(LightCulling culling) {
     return culling == LightCulling::tiles || culling == LightCulling::clusters || culling == LightCulling::grid;
@@ -95,7 +91,7 @@ bool builds_lists(LightCulling culling) {
 double volume_reach(const Light& light, bool spot_boxes) {
     if (!is_cone(light))
         return 1.08; // sphere_volume()'s corners lie at 1.0716, times light_volume.vert's 1.001
-    if (spot_boxes) // a far corner of the box: sin(outer cone) to both sides
+    if (spot_boxes)  // a far corner of the box: sin(outer cone) to both sides
         return std::sqrt(1 + 2 * std::pow(std::sin(double(light.outer_cone)), 2)) * 1.002;
     // The rim of the cone and the rim of its cap, on polygons of `cone_sides` around their circles.
     const double outward = 1 / std::cos(3.14159265358979323846 / cone_sides);
@@ -125,8 +121,8 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
 }
 
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, LightCulling culling,
-                         bool depth_clamp, bool spot_boxes) {
+                         const shared::FrameConstants& constants, LightCulling culling, bool depth_clamp,
+                         bool spot_boxes) {
     const bool rectangles = culling == LightCulling::rectangles, lists = builds_lists(culling);
     const ScreenBoundsOf screen_bounds(camera, double(constants.size.x) / double(constants.size.y));
     std::vector<shared::LightScreenBounds> bounds(rectangles ? lights.size() : 0);

@@ -113,7 +113,9 @@ glm::vec3 met(const std::array<const Image*, 6>& faces, glm::dvec3 d) {
     }
     const Image& level = *faces[size_t(face)];
     const auto side = static_cast<int>(level.width);
-    const auto index = [&](double place) { return std::clamp(int(std::floor((place / away + 1) / 2 * side)), 0, side - 1); };
+    const auto index = [&](double place) {
+        return std::clamp(int(std::floor((place / away + 1) / 2 * side)), 0, side - 1);
+    };
     return texel_at(level, index(right), index(down));
 }
 
@@ -177,13 +179,16 @@ Between between(const std::vector<double>& angles, double angle, bool turn) {
     if (!turn)
         high = std::clamp<size_t>(high, 1, count - 1);
     const size_t low = (high + count - 1) % count;
-    const double from = high == 0 ? angles[low] - 360 : angles[low], to = high == count ? angles[0] + 360 : angles[high];
+    const double from = high == 0 ? angles[low] - 360 : angles[low],
+                 to = high == count ? angles[0] + 360 : angles[high];
     return {low, high % count, std::clamp((angle - from) / (to - from), 0.0, 1.0)};
 }
 
 } // namespace
 
-uint32_t level_count(uint32_t width, uint32_t height) { return static_cast<uint32_t>(std::bit_width(std::max(width, height))); }
+uint32_t level_count(uint32_t width, uint32_t height) {
+    return static_cast<uint32_t>(std::bit_width(std::max(width, height)));
+}
 
 std::vector<EdgedLevel> cookie_levels(const TextureImage& image, CookieKind kind) {
     if (kind == CookieKind::cube)
@@ -203,7 +208,9 @@ EdgedLevel profile_level(const LightProfile& profile) {
     const uint32_t columns = round ? 1 : even_steps(profile.horizontal, 360, 1440);
     const uint32_t rows = even_steps(down, span, 720) + 1;
     Image level(columns, rows);
-    const auto value = [&](size_t column, size_t row) { return profile.candela[column * profile.vertical.size() + row]; };
+    const auto value = [&](size_t column, size_t row) {
+        return profile.candela[column * profile.vertical.size() + row];
+    };
     for (uint32_t y = 0; y < rows; ++y)
         for (uint32_t x = 0; x < columns; ++x) {
             const Between v = between(profile.vertical, first + span * y / (rows - 1), false);

@@ -16,8 +16,9 @@ std::vector<EdgedLevel> cookie_levels(const TextureImage& image, CookieKind kind
 /// Number of levels of a map of this size.
 uint32_t level_count(uint32_t width, uint32_t height);
 
-/// A profile in even steps, its largest value 1: columns around the axis from 0°, rows from its first to its last angle.
-/// All its own angles are among them where one step can be found that has them all, at least a quarter of a degree.
+/// A profile in even steps, its largest value 1: columns around the axis from 0°, rows from its first to its last
+/// angle. All its own angles are among them where one step can be found that has them all, at least a quarter of a
+/// degree.
 EdgedLevel profile_level(const LightProfile& profile);
 
 } // namespace prelight::resident

@@ -23,7 +23,8 @@ MaskLevel linear_texels(const TextureImage& image) {
     parallel_for(image.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i)
             for (int c = 0; c < 4; ++c)
-                level.texels[i][c] = c < 3 ? linear[image.rgba[4 * i + c]] : static_cast<float>(image.rgba[4 * i + 3]) / 255.0f;
+                level.texels[i][c] =
+                    c < 3 ? linear[image.rgba[4 * i + c]] : static_cast<float>(image.rgba[4 * i + 3]) / 255.0f;
     });
     return level;
 }
@@ -46,9 +47,13 @@ void scale_alpha(TextureImage& image, const MaskLevel& level, float factor) {
 /// Alpha in codes at a place 0 … 1.
 float alpha_at(const TextureImage& image, const Sampler& sampler, double u, double v) {
     const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
-    const auto inside = [](int i, int size, Wrap wrap) { return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1); };
+    const auto inside = [](int i, int size, Wrap wrap) {
+        return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1);
+    };
     const auto alpha = [&](int x, int y) {
-        return static_cast<float>(image.rgba[4 * (size_t(inside(y, height, sampler.wrap_t)) * image.width + size_t(inside(x, width, sampler.wrap_s))) + 3]);
+        return static_cast<float>(image.rgba[4 * (size_t(inside(y, height, sampler.wrap_t)) * image.width +
+                                                  size_t(inside(x, width, sampler.wrap_s))) +
+                                             3]);
     };
     const auto x = static_cast<float>(u * width), y = static_cast<float>(v * height);
     if (sampler.min == Filter::nearest)
@@ -74,14 +79,16 @@ double coverage_between(const TextureImage& fine, const TextureImage& coarse, fl
 /// Scales the image's alpha, which `level` holds, until the coverage is what it is to be; false where that cannot be.
 /// Where levels are mixed, less passes between two than in either, for a mean of both varies less. So the factor is
 /// that for which it is half as much too large in this one as it is too small half-way to the finer one.
-bool keep_coverage(TextureImage& image, const MaskLevel& level, const TextureImage& finer, double wanted, float cutoff, const Sampler& sampler) {
+bool keep_coverage(TextureImage& image, const MaskLevel& level, const TextureImage& finer, double wanted, float cutoff,
+                   const Sampler& sampler) {
     float best = 1;
     double off = 2;
     bool good = false;
     const auto coverage = [&](float factor) {
         scale_alpha(image, level, factor);
         const double here = mask_coverage(image, cutoff, sampler, sampler.min);
-        const double between = sampler.mip == MipFilter::linear ? coverage_between(finer, image, cutoff, sampler) : here;
+        const double between =
+            sampler.mip == MipFilter::linear ? coverage_between(finer, image, cutoff, sampler) : here;
         const double mean = (2 * here + between) / 3;
         if (std::abs(mean - wanted) < off) {
             off = std::abs(mean - wanted);
@@ -106,11 +113,15 @@ bool keep_coverage(TextureImage& image, const MaskLevel& level, const TextureIma
 double mask_coverage(const TextureImage& image, float cutoff, const Sampler& sampler, Filter filter) {
     const uint32_t width = image.width, height = image.height;
     const float least = cutoff * 255.0f;
-    const auto alpha = [&](uint32_t x, uint32_t y) { return static_cast<float>(image.rgba[4 * (size_t(y) * width + x) + 3]); };
+    const auto alpha = [&](uint32_t x, uint32_t y) {
+        return static_cast<float>(image.rgba[4 * (size_t(y) * width + x) + 3]);
+    };
     // Between texel centres: in each cell of four a grid of samples, finer where there are few cells.
     const size_t cells = size_t(width) * height;
     const int side = filter == Filter::nearest ? 1 : cells > 512 * 512 ? 2 : cells > 64 * 64 ? 4 : 16;
-    const auto next = [](uint32_t i, uint32_t size, Wrap wrap) { return i + 1 < size ? i + 1 : wrap == Wrap::repeat ? 0 : i; };
+    const auto next = [](uint32_t i, uint32_t size, Wrap wrap) {
+        return i + 1 < size ? i + 1 : wrap == Wrap::repeat ? 0 : i;
+    };
     std::vector<uint64_t> passed(height, 0);
     parallel_for(height, [&](uint32_t y) {
         const uint32_t below = next(y, height, sampler.wrap_t);
@@ -132,7 +143,8 @@ double mask_coverage(const TextureImage& image, float cutoff, const Sampler& sam
                 const float t = (static_cast<float>(v) + 0.5f) / static_cast<float>(side);
                 const float from = a + t * (c - a), to = b + t * (d - b);
                 for (int u = 0; u < side; ++u)
-                    passed[y] += from + (static_cast<float>(u) + 0.5f) / static_cast<float>(side) * (to - from) >= least ? 1 : 0;
+                    passed[y] +=
+                        from + (static_cast<float>(u) + 0.5f) / static_cast<float>(side) * (to - from) >= least ? 1 : 0;
             }
         }
     });

@@ -17,15 +17,15 @@ namespace prelight::resident {
 namespace {
 
 struct Slot {
-    TextureRef Material::* ref;
+    TextureRef Material::*ref;
     uint32_t binding;
     uint32_t feature;
     TextureUse use;
 };
 constexpr std::array slots{
     Slot{&Material::base_colour_texture, MATERIAL_BASE_COLOUR, FEATURE_BASE_COLOUR_TEXTURE, TextureUse::colour},
-    Slot{&Material::metallic_roughness_texture, MATERIAL_METALLIC_ROUGHNESS,
-         FEATURE_METALLIC_ROUGHNESS_TEXTURE, TextureUse::values},
+    Slot{&Material::metallic_roughness_texture, MATERIAL_METALLIC_ROUGHNESS, FEATURE_METALLIC_ROUGHNESS_TEXTURE,
+         TextureUse::values},
     Slot{&Material::normal_texture, MATERIAL_NORMAL, FEATURE_NORMAL_TEXTURE, TextureUse::normals},
     Slot{&Material::occlusion_texture, MATERIAL_OCCLUSION, FEATURE_OCCLUSION_TEXTURE, TextureUse::values},
     Slot{&Material::emissive_texture, MATERIAL_EMISSIVE, FEATURE_EMISSIVE_TEXTURE, TextureUse::colour}};
@@ -44,7 +44,8 @@ shared::MaterialConstants constants_of(const Material& m, double exposure) {
     c.factors = glm::vec4(m.metallic, m.roughness, m.normal_scale, m.occlusion_strength);
     const auto place = [&](uint32_t binding, const TextureRef& ref) {
         c.uv_linear[binding - 1] = glm::vec4(ref.uv_linear[0], ref.uv_linear[1]);
-        c.uv_offset[binding - 1] = glm::vec4(ref.uv_offset, float(ref.texcoord), share_tangents(ref, m.normal_texture) ? 1 : 0);
+        c.uv_offset[binding - 1] =
+            glm::vec4(ref.uv_offset, float(ref.texcoord), share_tangents(ref, m.normal_texture) ? 1 : 0);
     };
     for (const Slot& slot : slots)
         place(slot.binding, m.*slot.ref);
@@ -60,17 +61,20 @@ std::vector<float> mask_cutoffs(const Scene& scene) {
     std::vector<double> alpha(scene.materials.size()), vertices(scene.materials.size());
     for (const Mesh& mesh : scene.meshes)
         for (const Primitive& primitive : mesh.primitives)
-            if (primitive.material < alpha.size() && scene.materials[primitive.material].alpha_mode == AlphaMode::mask) {
+            if (primitive.material < alpha.size() &&
+                scene.materials[primitive.material].alpha_mode == AlphaMode::mask) {
                 vertices[primitive.material] += static_cast<double>(primitive.positions.size());
                 for (size_t v = 0; v < primitive.positions.size(); ++v)
-                    alpha[primitive.material] += primitive.colours.empty() ? 1.0 : static_cast<double>(primitive.colours[v].a);
+                    alpha[primitive.material] +=
+                        primitive.colours.empty() ? 1.0 : static_cast<double>(primitive.colours[v].a);
             }
     std::vector<float> cutoffs(scene.materials.size(), 0);
     for (size_t m = 0; m < cutoffs.size(); ++m) {
         const Material& material = scene.materials[m];
         if (material.alpha_mode != AlphaMode::mask || !material.base_colour_texture)
             continue;
-        const double factor = static_cast<double>(material.base_colour.a) * (vertices[m] > 0 ? alpha[m] / vertices[m] : 1.0);
+        const double factor =
+            static_cast<double>(material.base_colour.a) * (vertices[m] > 0 ? alpha[m] / vertices[m] : 1.0);
         if (factor > 0 && static_cast<double>(material.alpha_cutoff) <= factor)
             cutoffs[m] = static_cast<float>(static_cast<double>(material.alpha_cutoff) / factor);
     }
@@ -121,7 +125,8 @@ public:
         if (material.shader)
             for (const MaterialTexture& own : material.shader->textures)
                 if (own.slot == slot)
-                    return binding(MATERIAL_OWN_TEXTURE + slot, own.colour ? TextureUse::colour : TextureUse::values, own_texture(material, own.name), own.stand_in);
+                    return binding(MATERIAL_OWN_TEXTURE + slot, own.colour ? TextureUse::colour : TextureUse::values,
+                                   own_texture(material, own.name), own.stand_in);
         return binding(MATERIAL_OWN_TEXTURE + slot, TextureUse::values, {});
     }
 
@@ -131,11 +136,12 @@ public:
         out_.sky.emplace(context_, out_.pool, uploader_, "sky", std::vector{levels.sky});
         const Image table = scene_.environment ? make_reflectance_table() : Image(1, 1);
         out_.reflectance.emplace(context_, out_.pool, uploader_, "reflectance of mirrors", std::vector{table});
-        out_.table_sampler = gpu::make_sampler(context_, {.wrap_s = Wrap::clamp_to_edge, .wrap_t = Wrap::clamp_to_edge, .mip = MipFilter::none}, filter_);
+        out_.table_sampler = gpu::make_sampler(
+            context_, {.wrap_s = Wrap::clamp_to_edge, .wrap_t = Wrap::clamp_to_edge, .mip = MipFilter::none}, filter_);
         out_.environment_sampler = make_environment_sampler(context_);
         const shared::EnvironmentConstants constants = environment_constants(levels, exposure);
-        out_.environment_light = gpu::make_device_buffer(context_, "environment light", std::as_bytes(std::span(&constants, 1)),
-                                                         VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        out_.environment_light = gpu::make_device_buffer(
+            context_, "environment light", std::as_bytes(std::span(&constants, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     }
 
 private:
@@ -145,7 +151,7 @@ private:
         const auto found = out_.textures.find(key);
         if (found != out_.textures.end())
             return found->second;
-        const auto encoding = use == TextureUse::colour                              ? gpu::TextureEncoding::srgb8
+        const auto encoding = use == TextureUse::colour                 ? gpu::TextureEncoding::srgb8
                               : filter_ == gpu::TextureFilter::bilinear ? gpu::TextureEncoding::half
                                                                         : gpu::TextureEncoding::linear8;
         const auto smaller = scaled_to_limit(source,
@@ -155,7 +161,9 @@ private:
                                              context_.limits().maxImageDimension2D);
         const TextureImage& texels = smaller ? *smaller : source;
         if (use == TextureUse::normals)
-            return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, normal_map_levels(texels), encoding)).first->second;
+            return out_.textures
+                .emplace(key, gpu::Texture(context_, out_.pool, uploader_, normal_map_levels(texels), encoding))
+                .first->second;
         return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, texels, encoding)).first->second;
     }
     /// One for each cut-off and way of filtering.
@@ -163,11 +171,14 @@ private:
         const TextureImage& source = scene_.images[ref.image];
         const Sampler& s = ref.sampler;
         const auto number = [](auto value) { return static_cast<uint32_t>(value); };
-        const std::tuple key(&source, cutoff, number(s.mag) | number(s.min) << 4 | number(s.wrap_s) << 8 | number(s.wrap_t) << 12);
+        const std::tuple key(&source, cutoff,
+                             number(s.mag) | number(s.min) << 4 | number(s.wrap_s) << 8 | number(s.wrap_t) << 12);
         const auto found = out_.masks.find(key);
         if (found != out_.masks.end())
             return found->second;
-        return out_.masks.emplace(key, gpu::Texture(context_, out_.pool, uploader_, mask_levels(source, cutoff, s), gpu::TextureEncoding::srgb8))
+        return out_.masks
+            .emplace(key, gpu::Texture(context_, out_.pool, uploader_, mask_levels(source, cutoff, s),
+                                       gpu::TextureEncoding::srgb8))
             .first->second;
     }
     VkSampler find_sampler(const Sampler& sampler) {
@@ -223,7 +234,8 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
             most_parameters = std::max<uint64_t>(most_parameters, material.shader->parameter_bytes);
     most_parameters = (most_parameters + 15) / 16 * 16;
     const uint64_t stride = padded(sizeof(shared::MaterialConstants)), parameter_stride = padded(most_parameters);
-    std::vector<std::byte> constants(stride * scene.materials.size()), parameters(parameter_stride * scene.materials.size());
+    std::vector<std::byte> constants(stride * scene.materials.size()),
+        parameters(parameter_stride * scene.materials.size());
     for (size_t m = 0; m < scene.materials.size(); ++m) {
         const shared::MaterialConstants c = constants_of(scene.materials[m], exposure);
         std::memcpy(constants.data() + m * stride, &c, sizeof c);
@@ -250,8 +262,8 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
         set.push_back(gpu::Binding::texture(MATERIAL_ENVIRONMENT, out.environment->view(), out.environment_sampler));
         set.push_back(gpu::Binding::texture(MATERIAL_SKY, out.sky->view(), out.environment_sampler));
         set.push_back(gpu::Binding::texture(MATERIAL_REFLECTANCE, out.reflectance->view(), out.table_sampler));
-        set.push_back(gpu::Binding::uniform(MATERIAL_PARAMETERS, out.parameters.handle(), m * parameter_stride,
-                                            most_parameters));
+        set.push_back(
+            gpu::Binding::uniform(MATERIAL_PARAMETERS, out.parameters.handle(), m * parameter_stride, most_parameters));
         set.push_back(gpu::Binding::uniform(MATERIAL_ENVIRONMENT_LIGHT, out.environment_light.handle()));
         return set;
     };

@@ -14,7 +14,8 @@ NormalLevel unit_normals(const TextureImage& image) {
     NormalLevel level{image.width, image.height, std::vector<glm::vec3>(size_t(image.width) * image.height)};
     parallel_for(image.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i) {
-            const glm::vec3 n = glm::vec3(image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]) / 127.5f - 1.0f;
+            const glm::vec3 n =
+                glm::vec3(image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]) / 127.5f - 1.0f;
             const float length = glm::length(n);
             level.texels[i] = length > 0 ? n / length : glm::vec3(0, 0, 1);
         }

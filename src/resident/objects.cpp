@@ -10,10 +10,10 @@ shared::ObjectData object_data(const Instance& instance, glm::dvec3 camera) {
     glm::dmat4 previous = instance.previous_transform.value_or(instance.transform);
     previous[3] -= glm::dvec4(camera, 0);
     // The cofactors are the inverse transpose times the determinant: right for flattened objects too.
-    const glm::dmat3 normal = glm::dmat3(glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2])),
-                                         glm::cross(glm::dvec3(m[2]), glm::dvec3(m[0])),
-                                         glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1]))) *
-                              (instance.mirrored ? -1.0 : 1.0);
+    const glm::dmat3 normal =
+        glm::dmat3(glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2])), glm::cross(glm::dvec3(m[2]), glm::dvec3(m[0])),
+                   glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1]))) *
+        (instance.mirrored ? -1.0 : 1.0);
     // Only the direction counts: scaled so that float holds it.
     const double scale = 1 / std::max({glm::length(normal[0]), glm::length(normal[1]), glm::length(normal[2])});
     shared::ObjectData data{};

@@ -19,14 +19,13 @@ DepthMap depth_map(const Camera& camera) {
 }
 
 glm::dmat4 view_of(const glm::dmat3& axes) {
-    return glm::transpose(glm::dmat4(glm::dvec4(axes[0], 0), glm::dvec4(axes[1], 0), glm::dvec4(axes[2], 0),
-                                     glm::dvec4(0, 0, 0, 1)));
+    return glm::transpose(
+        glm::dmat4(glm::dvec4(axes[0], 0), glm::dvec4(axes[1], 0), glm::dvec4(axes[2], 0), glm::dvec4(0, 0, 0, 1)));
 }
 
 } // namespace
 
-void fill_camera(shared::FrameConstants& constants, const PlacedCamera& placed, uint32_t width,
-                 uint32_t height) {
+void fill_camera(shared::FrameConstants& constants, const PlacedCamera& placed, uint32_t width, uint32_t height) {
     const Camera& camera = placed.camera;
     const bool perspective = camera.kind == ProjectionKind::perspective;
     const double half_height = perspective ? std::tan(camera.yfov / 2) : camera.ymag;

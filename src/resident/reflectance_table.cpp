@@ -18,7 +18,8 @@ glm::vec3 reflectance(double nv, double roughness) {
         const double vh = vx * std::sqrt(std::max(1 - nh2, 0.0)) * std::cos(azimuth) + nv * nh, nl = 2 * vh * nh - nv;
         if (vh <= 0 || nl <= 0)
             continue;
-        const double smith = (nl + std::sqrt(alpha2 + (1 - alpha2) * nl * nl)) * (nv + std::sqrt(alpha2 + (1 - alpha2) * nv * nv));
+        const double smith =
+            (nl + std::sqrt(alpha2 + (1 - alpha2) * nl * nl)) * (nv + std::sqrt(alpha2 + (1 - alpha2) * nv * nv));
         const double share = nl * 4 * vh / (nh * smith);
         all += share;
         grazing += share * std::pow(1 - vh, 5);

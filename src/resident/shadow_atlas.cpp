@@ -95,7 +95,8 @@ bool ShadowAtlas::place_missing(const std::vector<Wish>& wishes) {
 void ShadowAtlas::place(const std::vector<Wish>& wishes, std::vector<ShadowTilePlace>& places) {
     ++call_;
     for (const Wish& wish : wishes)
-        if (const auto found = tiles_.find(wish.key); found != tiles_.end() && found->second.level == level_of(wish.side))
+        if (const auto found = tiles_.find(wish.key);
+            found != tiles_.end() && found->second.level == level_of(wish.side))
             found->second.seen = call_;
     std::erase_if(tiles_, [&](const auto& entry) {
         if (entry.second.seen == call_)

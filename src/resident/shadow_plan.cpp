@@ -59,8 +59,8 @@ uint32_t ShadowPlan::largest_alone(uint32_t tiles) const {
     return side;
 }
 
-void ShadowPlan::wish(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
-                      uint32_t width, uint32_t height) {
+void ShadowPlan::wish(std::span<const PlacedLight> lights, std::span<const uint32_t> visible,
+                      const PlacedCamera& camera, uint32_t width, uint32_t height) {
     wishes_.clear();
     for (const uint32_t index : visible) {
         const Light& light = lights[index].light;
@@ -131,8 +131,7 @@ void ShadowPlan::place(std::vector<ShadowTilePlace>& places) {
 shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view, const ShadowTilePlace& place,
                                       uint32_t guard, const PlacedCamera& camera) const {
     // From the camera's place to the world's centre, then clip space → texels.
-    glm::dmat4 m = view.clip_from_centre *
-                   glm::translate(glm::dmat4(1), camera.position - world_.centre());
+    glm::dmat4 m = view.clip_from_centre * glm::translate(glm::dmat4(1), camera.position - world_.centre());
     const double half = 0.5 * place.side;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 2; ++row)
@@ -144,7 +143,8 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
     out.texel = glm::vec4(view.texel, view.texel_per_w, 1.0 / atlas_.size().x, 1.0 / atlas_.size().y);
     const bool directional = light.kind == LightKind::directional;
     out.ends = directional ? glm::vec4(cascade_ends(camera, world_)) : glm::vec4(0);
-    out.source = glm::vec4(view.depth_range, view.near, directional ? sun_radius : double(light.size), shadow_kind(light));
+    out.source =
+        glm::vec4(view.depth_range, view.near, directional ? sun_radius : double(light.size), shadow_kind(light));
     return out;
 }
 
@@ -216,7 +216,8 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
         for (size_t i = 0; i < views.size(); ++i)
             records_.push_back(record(light.light, views[i], own[i], guard, camera));
         add_tiles(wish, light, views, own, before);
-        stats_.lights_reduced += wish.side < coarse * std::min(options_.detail, 1.0) * std::min(wish.across, double(std::max(width, height)));
+        stats_.lights_reduced += wish.side < coarse * std::min(options_.detail, 1.0) *
+                                                 std::min(wish.across, double(std::max(width, height)));
         stats_.smallest = std::min(stats_.smallest, wish.side);
         stats_.largest = std::max(stats_.largest, wish.side);
     }

@@ -21,12 +21,12 @@ struct ShadowOptions {
     bool cached = true;         ///< tiles whose light and casters did not move are not drawn again
 };
 
-/// All that a tile's map is drawn from: two that are equal hold the same texels. Who draws one is given nothing else, so
-/// that what he needs besides must become a field here, and is compared.
+/// All that a tile's map is drawn from: two that are equal hold the same texels. Who draws one is given nothing else,
+/// so that what he needs besides must become a field here, and is compared.
 struct ShadowMap {
     ShadowTilePlace place;
-    glm::mat4 clip_from_centre{1};  ///< world relative to its centre
-    std::vector<uint32_t> casters;  ///< indices into the plan's draws, rising
+    glm::mat4 clip_from_centre{1}; ///< world relative to its centre
+    std::vector<uint32_t> casters; ///< indices into the plan's draws, rising
     bool operator==(const ShadowMap&) const = default;
 };
 
@@ -51,7 +51,8 @@ struct ShadowTile {
 /// whose lights cover least of the screen; lights go without only when one texel a tile is too much.
 class ShadowPlan {
 public:
-    /// `draws`: all that casts, alive and unchanged as long as the plan; `longest`: side of the largest image that the device makes.
+    /// `draws`: all that casts, alive and unchanged as long as the plan; `longest`: side of the largest image that the
+    /// device makes.
     ShadowPlan(std::span<const Draw> draws, const ShadowOptions& options, uint32_t longest);
 
     /// For `visible` lights (indices into `lights`).

@@ -56,16 +56,20 @@ Sphere sphere_of(const Camera& camera, double aspect, double begin, double end) 
     return {depth, std::hypot(end - depth, across * end)};
 }
 
-ShadowView cascade(const Basis& b, glm::dvec3 middle, double radius, const WorldBox& world, uint32_t side, uint32_t guard) {
+ShadowView cascade(const Basis& b, glm::dvec3 middle, double radius, const WorldBox& world, uint32_t side,
+                   uint32_t guard) {
     const double texel = 2 * radius / std::max(side - 2 * guard, 1u), half = texel * side / 2;
     const glm::dvec3 centre = world.centre();
     // In whole texels from the world's origin.
-    const auto snapped = [&](glm::dvec3 axis) { return std::round(glm::dot(axis, middle) / texel) * texel - glm::dot(axis, centre); };
+    const auto snapped = [&](glm::dvec3 axis) {
+        return std::round(glm::dot(axis, middle) / texel) * texel - glm::dot(axis, centre);
+    };
     // Along the light: all of the world, casters behind the view included.
     const double deep = 1.001 * glm::dot(glm::abs(b.forward), world.reach()) + 0.01;
     ShadowView view;
-    view.clip_from_centre = from_rows(glm::dvec4(b.right, -snapped(b.right)) / half, glm::dvec4(b.up, -snapped(b.up)) / half,
-                                      glm::dvec4(-b.forward, deep) / (2 * deep), {0, 0, 0, 1});
+    view.clip_from_centre =
+        from_rows(glm::dvec4(b.right, -snapped(b.right)) / half, glm::dvec4(b.up, -snapped(b.up)) / half,
+                  glm::dvec4(-b.forward, deep) / (2 * deep), {0, 0, 0, 1});
     view.texel = texel;
     view.depth_range = 2 * deep;
     return view;
@@ -105,8 +109,8 @@ void find_shadow_views(const PlacedLight& light, const PlacedCamera& camera, dou
     const double wider = double(side) / std::max(side - 2 * guard, 1u);
     switch (shadow_kind(light.light)) {
     case SHADOW_SPOT:
-        out.push_back(perspective(eye, basis_of(light.direction),
-                                  std::tan(double(light.light.outer_cone) + 1e-3) * wider, side));
+        out.push_back(
+            perspective(eye, basis_of(light.direction), std::tan(double(light.light.outer_cone) + 1e-3) * wider, side));
         return;
     case SHADOW_FACES:
         for (const int axis : {0, 1, 2})

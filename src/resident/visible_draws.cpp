@@ -39,9 +39,8 @@ void sort_by_distance(std::vector<VisibleDraw>& draws, const std::vector<Draw>& 
         for (; begin < end; ++begin)
             keys[begin].run = nearest;
     }
-    std::stable_sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
-        return std::tie(a.run, a.own) < std::tie(b.run, b.own);
-    });
+    std::stable_sort(keys.begin(), keys.end(),
+                     [&](const Key& a, const Key& b) { return std::tie(a.run, a.own) < std::tie(b.run, b.own); });
     for (size_t i = 0; i < keys.size(); ++i)
         draws[i] = {keys[i].draw, 0, all[keys[i].draw].first_index, all[keys[i].draw].index_count};
 }
@@ -56,7 +55,8 @@ void make_batches(VisibleDraws& out, const std::vector<Draw>& all, const DrawOpt
             ++last->command.instanceCount;
             continue;
         }
-        out.batches.push_back({one.draw, one.trimmed,
+        out.batches.push_back({one.draw,
+                               one.trimmed,
                                one.device_trimmed,
                                {one.index_count, 1, one.first_index, draw.vertex_offset, one.instance}});
     }

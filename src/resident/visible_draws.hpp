@@ -32,7 +32,7 @@ struct VisibleDraw {
 
 /// One draw call, of one object or of several that differ in nothing but their ObjectData.
 struct DrawBatch {
-    uint32_t draw = 0; ///< the first of them: pipeline, material and faces are those of all
+    uint32_t draw = 0;                            ///< the first of them: pipeline, material and faces are those of all
     bool trimmed = false, device_trimmed = false; ///< as VisibleDraw's
     VkDrawIndexedIndirectCommand command{};
 };
@@ -46,17 +46,15 @@ struct VisibleDraws {
     std::vector<uint32_t> place; ///< by index into Geometry::draws: index into `draws`, or no_image
     uint64_t triangles = 0;      ///< of all draws
 
-    const VisibleDraw* find(uint32_t draw) const {
-        return place[draw] == no_image ? nullptr : &draws[place[draw]];
-    }
+    const VisibleDraw* find(uint32_t draw) const { return place[draw] == no_image ? nullptr : &draws[place[draw]]; }
 };
 
 /// Where find_visible() writes what the device reads: each has room for every draw of the geometry.
 struct DrawBuffers {
-    shared::ObjectData* objects = nullptr;             ///< in the order of VisibleDraws::draws
-    VkDrawIndexedIndirectCommand* commands = nullptr;  ///< in the order of the batches
-    std::span<uint32_t> indices;                       ///< trimmed ones; what does not fit is drawn whole
-    uint64_t device_indices = 0;                       ///< room of the device for those it trims; the same
+    shared::ObjectData* objects = nullptr;            ///< in the order of VisibleDraws::draws
+    VkDrawIndexedIndirectCommand* commands = nullptr; ///< in the order of the batches
+    std::span<uint32_t> indices;                      ///< trimmed ones; what does not fit is drawn whole
+    uint64_t device_indices = 0;                      ///< room of the device for those it trims; the same
 };
 
 /// True where some of the draw's box may lie in the picture; never false where some of it does.

@@ -18,12 +18,15 @@ VisiblePixels::VisiblePixels(const gpu::Context& context, uint32_t most_draws)
                               VK_BUFFER_USAGE_CONDITIONAL_RENDERING_BIT_EXT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                               gpu::BufferPlace::device);
     for (gpu::Buffer& one : host_counts_)
-        one = gpu::Buffer(context, "visible pixels", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferPlace::readback);
+        one =
+            gpu::Buffer(context, "visible pixels", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferPlace::readback);
 }
 
 void VisiblePixels::reset(VkCommandBuffer commands) const { vkCmdResetQueryPool(commands, queries_, 0, most_); }
 
-void VisiblePixels::begin(VkCommandBuffer commands, uint32_t draw) const { vkCmdBeginQuery(commands, queries_, draw, 0); }
+void VisiblePixels::begin(VkCommandBuffer commands, uint32_t draw) const {
+    vkCmdBeginQuery(commands, queries_, draw, 0);
+}
 
 void VisiblePixels::end(VkCommandBuffer commands, uint32_t draw) const { vkCmdEndQuery(commands, queries_, draw); }
 

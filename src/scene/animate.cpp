@@ -72,19 +72,18 @@ Values hermite(const Keyframes& keys, size_t k, double t, double seconds) {
     const Values b = keys.value(k + 1), in = keys.part(k + 1, 0);
     Values result(keys.width);
     for (size_t i = 0; i < keys.width; ++i)
-        result[i] = (2 * t3 - 3 * t2 + 1) * a[i] + seconds * (t3 - 2 * t2 + t) * out[i] +
-                    (-2 * t3 + 3 * t2) * b[i] + seconds * (t3 - t2) * in[i];
+        result[i] = (2 * t3 - 3 * t2 + 1) * a[i] + seconds * (t3 - 2 * t2 + t) * out[i] + (-2 * t3 + 3 * t2) * b[i] +
+                    seconds * (t3 - t2) * in[i];
     return keys.rotation ? normalised(std::move(result), a) : result;
 }
 
 } // namespace
 
-std::vector<double> sample(const AnimationSampler& sampler, double time, size_t width,
-                           bool rotation) {
+std::vector<double> sample(const AnimationSampler& sampler, double time, size_t width, bool rotation) {
     const std::vector<float>& times = sampler.times;
     const Keyframes keys{sampler, width, rotation};
-    const auto after = std::upper_bound(times.begin(), times.end(), time,
-                                        [](double t, float key) { return t < double(key); });
+    const auto after =
+        std::upper_bound(times.begin(), times.end(), time, [](double t, float key) { return t < double(key); });
     if (after == times.begin())
         return keys.value(0);
     const size_t k = size_t(after - times.begin()) - 1;
@@ -107,8 +106,7 @@ Pose::Pose(const Scene& scene, double time, std::optional<uint32_t> animation) :
     if (!std::isfinite(time))
         throw Error(fmt::format("{}: the time {} is not finite", scene.name, time));
     if (animation && *animation >= scene.animations.size())
-        throw Error(fmt::format("{}: animation {}: the file has {}", scene.name, *animation,
-                                scene.animations.size()));
+        throw Error(fmt::format("{}: animation {}: the file has {}", scene.name, *animation, scene.animations.size()));
     for (uint32_t i = 0; i < scene.animations.size(); ++i)
         if (!animation || *animation == i)
             apply(i, time);
@@ -148,8 +146,7 @@ void Pose::apply(uint32_t index, double time) {
         if (rotation)
             trs.rotation = glm::dquat(values[3], values[0], values[1], values[2]);
         else
-            (channel.path == AnimationPath::scale ? trs.scale : trs.translation) = {
-                values[0], values[1], values[2]};
+            (channel.path == AnimationPath::scale ? trs.scale : trs.translation) = {values[0], values[1], values[2]};
     }
 }
 
@@ -164,8 +161,7 @@ std::vector<double> Pose::weights(uint32_t index) const {
     if (const auto found = weights_.find(index); found != weights_.end())
         return found->second;
     std::vector<double> weights(count);
-    const auto& given = !node.weights.empty() || count == 0 ? node.weights
-                                                            : scene_.meshes[*node.mesh].weights;
+    const auto& given = !node.weights.empty() || count == 0 ? node.weights : scene_.meshes[*node.mesh].weights;
     for (size_t i = 0; i < std::min(count, given.size()); ++i)
         weights[i] = double(given[i]);
     return weights;

@@ -22,11 +22,13 @@ void assign_material_shader(Scene& scene, std::string_view name, std::shared_ptr
         check_material(material, fmt::format("{}: material {} ({})", scene.name, m, name));
     }
     if (!found)
-        throw UsageError(fmt::format("--material {}: {} has no such material ({})", name, scene.name, fmt::join(names, ", ")));
+        throw UsageError(
+            fmt::format("--material {}: {} has no such material ({})", name, scene.name, fmt::join(names, ", ")));
     for (Mesh& mesh : scene.meshes)
         for (Primitive& primitive : mesh.primitives) {
             const TextureRef& normals = scene.materials.at(primitive.material).normal_texture;
-            if (changed[primitive.material] && primitive.tangents.empty() && !primitive.texcoords[normals.texcoord & 1].empty())
+            if (changed[primitive.material] && primitive.tangents.empty() &&
+                !primitive.texcoords[normals.texcoord & 1].empty())
                 generate_tangents(primitive, normals);
         }
 }

@@ -74,8 +74,8 @@ private:
             for (size_t v = 0; v < set.joints.size(); ++v)
                 for (int i = 0; i < 4; ++i)
                     if (set.weights[v][i] != 0 && set.joints[v][i] >= shape_.joints.size())
-                        throw Error(fmt::format("{}: vertex {} follows joint {}, but its skin has {}",
-                                                object, v, set.joints[v][i], shape_.joints.size()));
+                        throw Error(fmt::format("{}: vertex {} follows joint {}, but its skin has {}", object, v,
+                                                set.joints[v][i], shape_.joints.size()));
     }
 
     struct Active {
@@ -123,15 +123,14 @@ glm::dvec3 middle(const Mesh& mesh, const std::vector<std::vector<glm::dvec3>>& 
     return low.x <= high.x ? 0.5 * low + 0.5 * high : glm::dvec3(0);
 }
 
-std::vector<glm::vec3> to_float(const std::vector<glm::dvec3>& places, glm::dvec3 origin,
-                                const std::string& object) {
+std::vector<glm::vec3> to_float(const std::vector<glm::dvec3>& places, glm::dvec3 origin, const std::string& object) {
     std::vector<glm::vec3> out;
     out.reserve(places.size());
     for (const glm::dvec3& place : places) {
         const glm::vec3& p = out.emplace_back(place - origin);
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-            throw Error(fmt::format("{}: its vertex {} is deformed to a place that is not finite",
-                                    object, out.size() - 1));
+            throw Error(
+                fmt::format("{}: its vertex {} is deformed to a place that is not finite", object, out.size() - 1));
     }
     return out;
 }
@@ -158,11 +157,10 @@ bool has_joints(const Mesh& mesh) {
 }
 
 bool is_plain(const Mesh& mesh, const Shape& shape) {
-    const bool targets =
-        std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
-                    [](const Primitive& primitive) { return !primitive.morph_targets.empty(); });
-    return shape.joints.empty() && (!targets || std::all_of(shape.weights.begin(), shape.weights.end(),
-                                                            [](double w) { return w == 0; }));
+    const bool targets = std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                                     [](const Primitive& primitive) { return !primitive.morph_targets.empty(); });
+    return shape.joints.empty() &&
+           (!targets || std::all_of(shape.weights.begin(), shape.weights.end(), [](double w) { return w == 0; }));
 }
 
 uint64_t vertex_count(const Mesh& mesh) {
@@ -175,13 +173,11 @@ uint64_t vertex_count(const Mesh& mesh) {
 uint64_t deform_work(const Mesh& mesh) {
     uint64_t work = 0;
     for (const Primitive& primitive : mesh.primitives)
-        work += primitive.positions.size() *
-                (1 + primitive.morph_targets.size() + 4 * primitive.joint_sets.size());
+        work += primitive.positions.size() * (1 + primitive.morph_targets.size() + 4 * primitive.joint_sets.size());
     return work;
 }
 
-Deformed deform(const Mesh& mesh, const Shape& shape, const Shape* previous,
-                const std::string& object) {
+Deformed deform(const Mesh& mesh, const Shape& shape, const Shape* previous, const std::string& object) {
     Deformed result;
     result.mesh.name = mesh.name;
     std::vector<Deformer> deformers;

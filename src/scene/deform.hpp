@@ -31,7 +31,6 @@ struct Deformed {
 /// again. Where the joints mirror, triangles are turned round, so that fronts stay fronts.
 /// `previous`, when given, fills Primitive::previous_positions of what moved.
 /// Throws Error "`object`: REASON" for a joint that is not there or a vertex that is not finite.
-Deformed deform(const Mesh& mesh, const Shape& shape, const Shape* previous,
-                const std::string& object);
+Deformed deform(const Mesh& mesh, const Shape& shape, const Shape* previous, const std::string& object);
 
 } // namespace prelight

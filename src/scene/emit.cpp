@@ -53,10 +53,11 @@ void bounce(const Emitter& emitter, Particle& p, double time) {
 }
 
 /// An octahedron around the particle, drawn out backwards along its way.
-void add_shape(const Emitter& emitter, const Particle& p, const Particle& before, uint32_t number, const glm::dvec3& origin,
-               Primitive& out) {
+void add_shape(const Emitter& emitter, const Particle& p, const Particle& before, uint32_t number,
+               const glm::dvec3& origin, Primitive& out) {
     const glm::dvec3 ahead = unit_or(p.velocity, {0, 1, 0});
-    const glm::dvec3 side = glm::normalize(glm::cross(ahead, std::abs(ahead.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+    const glm::dvec3 side =
+        glm::normalize(glm::cross(ahead, std::abs(ahead.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
     const glm::dvec3 other = glm::cross(ahead, side);
     const double size = emitter.size, tail = size + glm::length(p.velocity) * emitter.streak;
     const glm::dvec3 corners[6] = {ahead * size, ahead * -tail, side * size, side * -size, other * size, other * -size};
@@ -73,7 +74,8 @@ void add_shape(const Emitter& emitter, const Particle& p, const Particle& before
         out.colours.emplace_back(colour / largest, 1.0f);
         out.texcoords[0].emplace_back(p.share, (number + 0.5) / emitter.count);
     }
-    for (const uint32_t i : {0u, 2u, 4u, 0u, 4u, 3u, 0u, 3u, 5u, 0u, 5u, 2u, 1u, 4u, 2u, 1u, 3u, 4u, 1u, 5u, 3u, 1u, 2u, 5u})
+    for (const uint32_t i :
+         {0u, 2u, 4u, 0u, 4u, 3u, 0u, 3u, 5u, 0u, 5u, 2u, 1u, 4u, 2u, 1u, 3u, 4u, 1u, 5u, 3u, 1u, 2u, 5u})
         out.indices.push_back(first + i);
 }
 
@@ -97,7 +99,8 @@ Particle particle_at(const Emitter& emitter, const glm::dmat4& node, uint32_t nu
         return axis * c + s * (std::cos(angle) * side + std::sin(angle) * other);
     };
     p.position = glm::dvec3(node[3]) + direction(-1) * (std::cbrt(thrown.unit()) * emitter.radius);
-    p.velocity = direction(std::cos(static_cast<double>(emitter.cone))) * thrown.uniform(emitter.speed_from, emitter.speed_to);
+    p.velocity =
+        direction(std::cos(static_cast<double>(emitter.cone))) * thrown.uniform(emitter.speed_from, emitter.speed_to);
     if (emitter.ground)
         bounce(emitter, p, p.share * lifetime);
     else
@@ -114,8 +117,9 @@ glm::vec3 particle_colour(const Emitter& emitter, double share) {
 
 Emission emit(const Emitter& emitter, const glm::dmat4& node, double time, const std::optional<glm::dmat4>& before,
               double interval, const std::string& object) {
-    if (emitter.colours.empty() || emitter.count == 0 || !(emitter.lifetime_from > 0) || !(emitter.lifetime_to >= emitter.lifetime_from) ||
-        !(emitter.range > 0) || (emitter.ground && (!(emitter.gravity > 0) || emitter.drag > 0)))
+    if (emitter.colours.empty() || emitter.count == 0 || !(emitter.lifetime_from > 0) ||
+        !(emitter.lifetime_to >= emitter.lifetime_from) || !(emitter.range > 0) ||
+        (emitter.ground && (!(emitter.gravity > 0) || emitter.drag > 0)))
         throw Error(object + ": its emitter is out of the ranges that prelight/emitter.hpp gives");
     Emission out;
     out.origin = glm::dvec3(node[3]);
@@ -133,7 +137,8 @@ Emission emit(const Emitter& emitter, const glm::dmat4& node, double time, const
         light.light.casts_shadow = emitter.casts_shadow;
         light.position = p.position;
         if (out.shapes)
-            add_shape(emitter, p, before ? particle_at(emitter, *before, i, time - interval) : p, i, out.origin, *out.shapes);
+            add_shape(emitter, p, before ? particle_at(emitter, *before, i, time - interval) : p, i, out.origin,
+                      *out.shapes);
     }
     return out;
 }

@@ -13,8 +13,8 @@ struct Particle {
     int64_t life = 0;                    ///< how many it has had
 };
 
-/// Particle `number` of an emitter at `node` (node → world), `time` seconds from the animations' start. A closed form: equal
-/// arguments, equal bytes.
+/// Particle `number` of an emitter at `node` (node → world), `time` seconds from the animations' start. A closed form:
+/// equal arguments, equal bytes.
 Particle particle_at(const Emitter& emitter, const glm::dmat4& node, uint32_t number, double time);
 
 /// The colour at a share of a life.
@@ -26,8 +26,8 @@ struct Emission {
     std::optional<Primitive> shapes; ///< octahedra around `origin`; absent: Emitter::size is 0
     glm::dvec3 origin{0};            ///< world
 };
-/// `node`, `before`: node → world now and `interval` seconds earlier; without `before` nothing has moved. Throws Error beginning with
-/// `object`: an emitter out of its ranges.
+/// `node`, `before`: node → world now and `interval` seconds earlier; without `before` nothing has moved. Throws Error
+/// beginning with `object`: an emitter out of its ranges.
 Emission emit(const Emitter& emitter, const glm::dmat4& node, double time, const std::optional<glm::dmat4>& before,
               double interval, const std::string& object);
 

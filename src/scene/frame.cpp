@@ -32,7 +32,8 @@ Used used_of(const Primitive& primitive) {
         if (!seen[i])
             continue;
         const glm::dvec3 p(primitive.positions[i]);
-        used.box = used.box.empty ? Box{p, p, false} : Box{glm::min(used.box.low, p), glm::max(used.box.high, p), false};
+        used.box =
+            used.box.empty ? Box{p, p, false} : Box{glm::min(used.box.low, p), glm::max(used.box.high, p), false};
         used.vertices.push_back(i);
     }
     return used;
@@ -50,7 +51,9 @@ std::vector<glm::dvec3> points_of(const World& world, const glm::dmat3& axes, gl
         if (used.empty())
             for (const Primitive& primitive : mesh.primitives)
                 used.push_back(used_of(primitive));
-        const auto add = [&](glm::dvec3 p) { points.push_back(to_view * (glm::dvec3(instance.transform * glm::dvec4(p, 1)) - centre)); };
+        const auto add = [&](glm::dvec3 p) {
+            points.push_back(to_view * (glm::dvec3(instance.transform * glm::dvec4(p, 1)) - centre));
+        };
         for (size_t p = 0; p < used.size(); ++p) {
             if (used[p].box.empty)
                 continue;
@@ -67,9 +70,9 @@ std::vector<glm::dvec3> points_of(const World& world, const glm::dmat3& axes, gl
     return points;
 }
 
-/// Where the camera may stand along one axis of the picture when what it sees must stay within a slope k = fit × tan(angle / 2) on both
-/// sides. A point (x, z) is inside when |x − c| ≤ k (d − z) for the camera at (c, d): so c + k d ≥ max(x + k z) and k d − c ≥ max(k z − x).
-/// The nearest such place fulfils both with equality.
+/// Where the camera may stand along one axis of the picture when what it sees must stay within a slope k = fit ×
+/// tan(angle / 2) on both sides. A point (x, z) is inside when |x − c| ≤ k (d − z) for the camera at (c, d): so c + k d
+/// ≥ max(x + k z) and k d − c ≥ max(k z − x). The nearest such place fulfils both with equality.
 struct Place {
     double across, distance;
 };
@@ -82,8 +85,8 @@ Place nearest_place(const std::vector<glm::dvec3>& points, int axis, double k) {
     return {0.5 * (right - left), 0.5 * (right + left) / k};
 }
 
-/// Where it has to stand across to see the points in the middle from `distance`, which is not below the nearest place's: that is the
-/// nearest place of a smaller slope.
+/// Where it has to stand across to see the points in the middle from `distance`, which is not below the nearest
+/// place's: that is the nearest place of a smaller slope.
 double middle_from(const std::vector<glm::dvec3>& points, int axis, double k, double distance) {
     double low = 0, high = k, across = nearest_place(points, axis, k).across;
     for (int i = 0; i < 14; ++i) {
@@ -98,7 +101,8 @@ double middle_from(const std::vector<glm::dvec3>& points, int axis, double k, do
 glm::dmat3 axes_of(const Framing& framing) {
     constexpr double degree = std::numbers::pi / 180;
     const double azimuth = framing.azimuth * degree, elevation = framing.elevation * degree;
-    const glm::dvec3 back(std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation));
+    const glm::dvec3 back(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                          std::cos(azimuth) * std::cos(elevation));
     const glm::dvec3 right(std::cos(azimuth), 0, -std::sin(azimuth));
     return {right, glm::cross(back, right), back};
 }

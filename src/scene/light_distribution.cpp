@@ -33,9 +33,10 @@ std::optional<std::string> light_fault(const Scene& scene, const Light& light) {
     if (width == 0 || height == 0 || image.rgba.size() != width * height * 4)
         return fmt::format("cookie: image {} has no pixels", light.cookie);
     if (light.kind == LightKind::point && width != 2 * height && width != 6 * height)
-        return fmt::format("cookie: image {} of {}x{} pixels is neither 2:1 (equirectangular) nor 6:1 (faces of a cube), as a "
-                           "point light's is",
-                           light.cookie, width, height);
+        return fmt::format(
+            "cookie: image {} of {}x{} pixels is neither 2:1 (equirectangular) nor 6:1 (faces of a cube), as a "
+            "point light's is",
+            light.cookie, width, height);
     if (light.kind == LightKind::spot && light.outer_cone > widest_cookie_cone)
         return fmt::format("cookie: an outer cone of {:.1f}° is wider than a picture can be thrown (85°)",
                            light.outer_cone * 57.29577951308232);

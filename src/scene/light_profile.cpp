@@ -83,7 +83,8 @@ public:
     }
     void end() {
         if (const auto word = next_word())
-            fail(fmt::format("\"{}\" comes after the last candela: there are more values than the angles ask for", shown(*word)));
+            fail(fmt::format("\"{}\" comes after the last candela: there are more values than the angles ask for",
+                             shown(*word)));
     }
 
 private:
@@ -111,12 +112,14 @@ private:
 
 /// Whatever stands before the numbers. True: TILT=INCLUDE.
 bool read_head(Reader& reader) {
-    constexpr std::string_view versions[] = {"IESNA86", "IESNA91", "IESNA:LM-63-1995", "IESNA:LM-63-2002", "IES:LM-63-2019"};
+    constexpr std::string_view versions[] = {"IESNA86", "IESNA91", "IESNA:LM-63-1995", "IESNA:LM-63-2002",
+                                             "IES:LM-63-2019"};
     bool first = true;
     while (const auto line = reader.line()) {
         if (line->find('\0') != std::string_view::npos)
             reader.fail("is not text: no LM-63 file");
-        if (first && line->starts_with("IES") && std::find(std::begin(versions), std::end(versions), *line) == std::end(versions))
+        if (first && line->starts_with("IES") &&
+            std::find(std::begin(versions), std::end(versions), *line) == std::end(versions))
             reader.fail(fmt::format("version \"{}\" is not read (1986, 1991, 1995, 2002 and 2019 are)", shown(*line)));
         first = false;
         if (line->starts_with("[BLOCK]"))
@@ -147,9 +150,10 @@ std::vector<std::pair<double, size_t>> all_round(const Reader& reader, const std
     const auto add = [&](double angle, size_t column) { round.emplace_back(std::fmod(angle + 360, 360.0), column); };
     const bool sides = first == 90 && last == 270; // alike on both sides of the plane 90° – 270°
     if (!sides && (first != 0 || (last != 0 && last != 90 && !(last >= 180 && last <= 360))))
-        reader.fail(fmt::format("horizontal angles {} … {}: no symmetry is known for that (0 alone, 0 … 90, 0 … 180, 0 … 360, "
-                                "90 … 270)",
-                                first, last));
+        reader.fail(
+            fmt::format("horizontal angles {} … {}: no symmetry is known for that (0 alone, 0 … 90, 0 … 180, 0 … 360, "
+                        "90 … 270)",
+                        first, last));
     for (size_t i = 0; i < angles.size(); ++i) {
         const double angle = angles[i];
         add(angle, i);
@@ -163,7 +167,9 @@ std::vector<std::pair<double, size_t>> all_round(const Reader& reader, const std
         }
     }
     std::stable_sort(round.begin(), round.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    round.erase(std::unique(round.begin(), round.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), round.end());
+    round.erase(
+        std::unique(round.begin(), round.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+        round.end());
     return round;
 }
 
@@ -196,7 +202,8 @@ LightProfile parse_profile(std::string_view text, const std::string& name) {
     LightProfile profile{.name = name, .text = std::string(text), .vertical = {}, .horizontal = {}, .candela = {}};
     profile.vertical = reader.ascending("vertical angle", rows);
     if (profile.vertical.front() < 0 || profile.vertical.back() > 180)
-        reader.fail(fmt::format("vertical angles {} … {} are not within 0 … 180", profile.vertical.front(), profile.vertical.back()));
+        reader.fail(fmt::format("vertical angles {} … {} are not within 0 … 180", profile.vertical.front(),
+                                profile.vertical.back()));
     const auto round = all_round(reader, reader.ascending("horizontal angle", columns));
     std::vector<double> values;
     for (size_t i = 0; i < rows * columns; ++i) {

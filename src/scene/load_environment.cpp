@@ -29,8 +29,8 @@ Image load_any(const std::filesystem::path& path) {
 void check_map(const std::string& name, std::string_view what, const Image& image) {
     constexpr uint32_t widest = 16384;
     if (image.height == 0 || image.width != 2 * image.height)
-        throw Error(fmt::format("{}: an environment {} is twice as wide as high, and this one has {}x{} pixels", name, what,
-                                image.width, image.height));
+        throw Error(fmt::format("{}: an environment {} is twice as wide as high, and this one has {}x{} pixels", name,
+                                what, image.width, image.height));
     if (image.width > widest)
         throw Error(fmt::format("{}: an environment {} of {}x{} pixels: {} wide is the most", name, what, image.width,
                                 image.height, widest));
@@ -53,7 +53,8 @@ void check_environment(const Environment& environment) {
     if (!environment.backdrop.pixels.empty())
         check_map(environment.name, "backdrop", environment.backdrop);
     if (!(environment.intensity >= 0) || !std::isfinite(environment.intensity) || !std::isfinite(environment.rotation))
-        throw Error(fmt::format("{}: the environment's intensity is negative, or it or its rotation is not finite", environment.name));
+        throw Error(fmt::format("{}: the environment's intensity is negative, or it or its rotation is not finite",
+                                environment.name));
 }
 
 } // namespace prelight

@@ -7,8 +7,7 @@
 namespace prelight {
 
 NodeTree::NodeTree(const Scene& scene, uint32_t root, Pose pose)
-    : scene_(scene), pose_(std::move(pose)), world_(scene.nodes.size(), glm::dmat4(1)),
-      joints_(scene.skins.size()) {
+    : scene_(scene), pose_(std::move(pose)), world_(scene.nodes.size(), glm::dmat4(1)), joints_(scene.skins.size()) {
     if (!scene.skins.empty()) { // joints may stand in another tree
         std::vector<bool> is_child(scene.nodes.size());
         for (const Node& node : scene.nodes)

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 #include <prelight/error.hpp>
 #include <prelight/framing.hpp>
 #include <prelight/scene.hpp>
-#include <map>
 #include <scene/deform.hpp>
 #include <scene/emit.hpp>
 #include <scene/enclosure.hpp>
@@ -75,8 +75,7 @@ double unit_determinant(const glm::dmat4& m) {
     for (int i = 0; i < 3; ++i) {
         // Divided by the largest part first: squares of very small or large numbers leave the
         // range.
-        const double largest =
-            std::max({std::abs(axes[i].x), std::abs(axes[i].y), std::abs(axes[i].z)});
+        const double largest = std::max({std::abs(axes[i].x), std::abs(axes[i].y), std::abs(axes[i].z)});
         if (largest == 0)
             return 0;
         axes[i] = glm::normalize(axes[i] / largest);
@@ -139,8 +138,8 @@ public:
         if (world_.triangles == 0)
             bounds_ = {glm::dvec3(0), glm::dvec3(0)};
         if (!bounds_.finite())
-            throw Error(fmt::format("{}: scene {}: a vertex's world position is not finite",
-                                    scene_.name, scene_index_));
+            throw Error(
+                fmt::format("{}: scene {}: a vertex's world position is not finite", scene_.name, scene_index_));
         world_.lights.insert(world_.lights.end(), particle_lights_.begin(), particle_lights_.end());
         std::stable_sort(world_.decals.begin(), world_.decals.end(),
                          [](const PlacedDecal& a, const PlacedDecal& b) { return a.decal.order < b.decal.order; });
@@ -153,8 +152,7 @@ public:
 private:
     void check_finite(const glm::dmat4& transform, uint32_t node) const {
         if (!is_finite(transform))
-            throw Error(
-                fmt::format("{}: node {}: its world transform is not finite", scene_.name, node));
+            throw Error(fmt::format("{}: node {}: its world transform is not finite", scene_.name, node));
     }
 
     /// All that KHR_node_visibility may hide.
@@ -221,8 +219,7 @@ private:
     std::pair<uint32_t, glm::dvec3> deformed(const Node& node, uint32_t index, const Shape& shape,
                                              const Shape& previous) {
         const std::optional<uint32_t> skin = shape.joints.empty() ? std::nullopt : node.skin;
-        const auto [found, is_new] =
-            made_.try_emplace({*node.mesh, skin, shape.weights, previous.weights});
+        const auto [found, is_new] = made_.try_emplace({*node.mesh, skin, shape.weights, previous.weights});
         if (!is_new)
             return found->second;
         const Mesh& mesh = scene_.meshes[*node.mesh];
@@ -257,9 +254,8 @@ private:
         if (transformed_ > max_exact_vertices) {
             const Bounds box = instance.deformed ? deformed_boxes_[*instance.deformed] : facts.box;
             for (uint32_t i = 0; i < 8; ++i)
-                add_point(transform,
-                          glm::dvec3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                                     i & 4 ? box.max.z : box.min.z));
+                add_point(transform, glm::dvec3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+                                                i & 4 ? box.max.z : box.min.z));
             return;
         }
         for (size_t p = 0; p < primitives.size(); ++p) {
@@ -276,14 +272,17 @@ private:
     /// Lights and shapes of an emitter's particles.
     void add_particles(const Emitter& emitter, uint32_t node) {
         if (uint64_t(6) * emitter.count > max_deformed_vertices - deformed_vertices_)
-            throw Error(fmt::format("{}: node {}: the scene's emitters have more particles than fit", scene_.name, node));
+            throw Error(
+                fmt::format("{}: node {}: the scene's emitters have more particles than fit", scene_.name, node));
         deformed_vertices_ += uint64_t(6) * emitter.count;
-        Emission emission = emit(emitter, now_.world(node), time_, before_ ? std::optional(before_->world(node)) : std::nullopt,
-                                 interval_, fmt::format("{}: node {}", scene_.name, node));
+        Emission emission =
+            emit(emitter, now_.world(node), time_, before_ ? std::optional(before_->world(node)) : std::nullopt,
+                 interval_, fmt::format("{}: node {}", scene_.name, node));
         particle_lights_.insert(particle_lights_.end(), emission.lights.begin(), emission.lights.end());
         if (!emission.shapes)
             return;
-        Instance instance{.node = node, .deformed = static_cast<uint32_t>(world_.deformed.size()), .receives_decals = false};
+        Instance instance{
+            .node = node, .deformed = static_cast<uint32_t>(world_.deformed.size()), .receives_decals = false};
         instance.transform[3] = glm::dvec4(emission.origin, 1);
         for (const glm::vec3& position : emission.shapes->positions)
             add_point(instance.transform, glm::dvec3(position));
@@ -295,9 +294,7 @@ private:
         deformed_boxes_.push_back(facts_of(mesh).box);
     }
 
-    void add_point(const glm::dmat4& transform, glm::dvec3 p) {
-        bounds_.add(glm::dvec3(transform * glm::dvec4(p, 1)));
-    }
+    void add_point(const glm::dmat4& transform, glm::dvec3 p) { bounds_.add(glm::dvec3(transform * glm::dvec4(p, 1))); }
 
     void add_defaults() {
         if (world_.cameras.empty()) {
@@ -335,12 +332,11 @@ private:
 
 } // namespace
 
-World resolve(const Scene& scene, std::optional<uint32_t> scene_index,
-              const std::optional<Moment>& moment, std::optional<uint32_t> animation) {
+World resolve(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
+              std::optional<uint32_t> animation) {
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
-        throw Error(
-            fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
+        throw Error(fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
     return Resolver(scene, index, moment, animation).run();
 }
 

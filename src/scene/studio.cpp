@@ -1,5 +1,6 @@
-// The built-in environment `studio`: a grey room with soft boxes, to judge materials in. Everything in it is grey, so that white
-// stays white; a white wall that faces the usual camera sends on a little less than 1: base colours come out as they are.
+// The built-in environment `studio`: a grey room with soft boxes, to judge materials in. Everything in it is grey, so
+// that white stays white; a white wall that faces the usual camera sends on a little less than 1: base colours come out
+// as they are.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,8 +24,8 @@ struct SoftBox {
     double edge;               ///< degrees over which it ends
 };
 
-/// Key from the upper left, a weaker and larger fill from the right, a strip from either side behind that draws the outline, one overhead,
-/// and a wide dim reflector behind the camera, so that rough metals that face it are not dull.
+/// Key from the upper left, a weaker and larger fill from the right, a strip from either side behind that draws the
+/// outline, one overhead, and a wide dim reflector behind the camera, so that rough metals that face it are not dull.
 constexpr std::array<SoftBox, 6> boxes{{
     {-40, 34, 40, 30, 5.6, 4},
     {74, 14, 26, 52, 2.4, 8},
@@ -59,7 +60,8 @@ double shine(const SoftBox& box, glm::dvec3 d) {
 
 /// The room without its lights: a floor that is brighter further out, walls that darken upwards to a grey ceiling.
 double room(double elevation) {
-    return elevation < 0 ? glm::mix(0.42, 0.12, smooth(0, 70, -elevation)) : glm::mix(0.42, 0.18, smooth(0, 65, elevation));
+    return elevation < 0 ? glm::mix(0.42, 0.12, smooth(0, 70, -elevation))
+                         : glm::mix(0.42, 0.18, smooth(0, 65, elevation));
 }
 
 template <class Radiance>

@@ -18,14 +18,12 @@ using namespace tangents;
 constexpr size_t max_compared = 256;
 
 /// The part of v in the plane with normal n, made a unit vector.
-glm::vec3 in_plane(const glm::vec3& v, const glm::vec3& n) {
-    return unit_or_zero(v - glm::dot(n, v) * n);
-}
+glm::vec3 in_plane(const glm::vec3& v, const glm::vec3& n) { return unit_or_zero(v - glm::dot(n, v) * n); }
 
 /// Tangent of some faces around a vertex: their directions of growing u in the vertex's plane,
 /// weighted with the corner's angle in that plane (Mikkelsen 2008, section 3.3).
-glm::vec3 average(std::span<const uint32_t> members, uint32_t vertex,
-                  const std::vector<Face>& faces, const Vertices& vertices) {
+glm::vec3 average(std::span<const uint32_t> members, uint32_t vertex, const std::vector<Face>& faces,
+                  const Vertices& vertices) {
     const glm::vec3& n = vertices.normals[vertex];
     const glm::vec3& origin = vertices.positions[vertex];
     glm::vec3 sum(0);
@@ -46,8 +44,7 @@ glm::vec3 average(std::span<const uint32_t> members, uint32_t vertex,
 /// Tangents of a group's faces, in the order of group.faces. A member averages over those of the
 /// others that do not point exactly the opposite way (MikkTSpace's angular threshold of 180°);
 /// faces without texture area go with all.
-std::vector<glm::vec3> group_tangents(const Group& group, const std::vector<Face>& faces,
-                                      const Vertices& vertices) {
+std::vector<glm::vec3> group_tangents(const Group& group, const std::vector<Face>& faces, const Vertices& vertices) {
     const size_t count = group.faces.size();
     const glm::vec3& n = vertices.normals[group.vertex];
     struct Frame {
@@ -56,21 +53,16 @@ std::vector<glm::vec3> group_tangents(const Group& group, const std::vector<Face
     };
     std::vector<Frame> frames;
     for (const uint32_t index : group.faces)
-        frames.push_back(
-            {in_plane(faces[index].s, n), in_plane(faces[index].t, n), faces[index].with_any});
+        frames.push_back({in_plane(faces[index].s, n), in_plane(faces[index].t, n), faces[index].with_any});
     const auto together = [](const Frame& a, const Frame& b, float threshold) {
-        return a.with_any || b.with_any ||
-               (glm::dot(a.s, b.s) > threshold && glm::dot(a.t, b.t) > threshold);
+        return a.with_any || b.with_any || (glm::dot(a.s, b.s) > threshold && glm::dot(a.t, b.t) > threshold);
     };
-    const auto apart = [&](const Frame& a, const Frame& b) {
-        return &a != &b && !together(a, b, -1.0f);
-    };
+    const auto apart = [&](const Frame& a, const Frame& b) { return &a != &b && !together(a, b, -1.0f); };
     // Directions that all lie well within 90° of one cannot oppose each other: the common case.
-    const Frame& first = *std::find_if(frames.begin(), frames.end(),
-                                       [](const Frame& frame) { return !frame.with_any; });
-    const bool close = std::all_of(frames.begin(), frames.end(), [&](const Frame& frame) {
-        return together(first, frame, 0.01f);
-    });
+    const Frame& first =
+        *std::find_if(frames.begin(), frames.end(), [](const Frame& frame) { return !frame.with_any; });
+    const bool close =
+        std::all_of(frames.begin(), frames.end(), [&](const Frame& frame) { return together(first, frame, 0.01f); });
     const glm::vec3 whole = average(group.faces, group.vertex, faces, vertices);
     std::vector<glm::vec3> result(count, whole);
     if (close || count > max_compared)
@@ -99,8 +91,7 @@ glm::vec3 make_sound(const glm::vec3& tangent, const glm::vec3& normal) {
 }
 
 /// One tangent for each index of the list.
-std::vector<glm::vec4> corner_tangents(const Vertices& vertices,
-                                       std::span<const uint32_t> indices) {
+std::vector<glm::vec4> corner_tangents(const Vertices& vertices, std::span<const uint32_t> indices) {
     const std::vector<uint32_t> welded = weld(vertices);
     std::vector<Face> faces = make_faces(vertices, indices, welded);
     const Groups grouped = build_groups(faces);
@@ -112,8 +103,7 @@ std::vector<glm::vec4> corner_tangents(const Vertices& vertices,
         for (size_t i = 0; i < values.size(); ++i) {
             const Face& face = faces[group.faces[i]];
             const size_t corner = 3 * size_t(face.triangle) + corner_at(face, group.vertex);
-            corners[corner] = {make_sound(values[i], vertices.normals[group.vertex]),
-                               group.preserving ? -1.0f : 1.0f};
+            corners[corner] = {make_sound(values[i], vertices.normals[group.vertex]), group.preserving ? -1.0f : 1.0f};
         }
     }
     // Corners of triangles without area take what the first regular triangle has at that vertex.
@@ -186,8 +176,7 @@ void generate_tangents(Primitive& primitive, const TextureRef& texture) {
             transformed.push_back(texture.uv_linear * uv);
         texcoords = &transformed;
     }
-    assign(primitive,
-           corner_tangents({primitive.positions, primitive.normals, *texcoords}, primitive.indices));
+    assign(primitive, corner_tangents({primitive.positions, primitive.normals, *texcoords}, primitive.indices));
 }
 
 } // namespace prelight

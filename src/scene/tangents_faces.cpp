@@ -19,8 +19,7 @@ Key key_of(const Vertices& vertices, uint32_t i) {
     const glm::vec3& n = vertices.normals[i];
     const glm::vec2& uv = vertices.texcoords[i];
     const auto bits = [](float x) { return std::bit_cast<uint32_t>(x + 0.0f); }; // −0 + 0 = 0
-    return {bits(p.x), bits(p.y), bits(p.z),  bits(n.x),
-            bits(n.y), bits(n.z), bits(uv.x), bits(uv.y)};
+    return {bits(p.x), bits(p.y), bits(p.z), bits(n.x), bits(n.y), bits(n.z), bits(uv.x), bits(uv.y)};
 }
 
 /// Solves for the directions of growing u and v (Mikkelsen 2008, section 3.1).
@@ -61,14 +60,12 @@ std::vector<HalfEdge> sorted_edges(std::span<const Face> faces) {
             const uint32_t to = faces[f].corners[(edge + 1) % 3];
             edges.push_back({std::min(from, to), std::max(from, to), f, edge, from < to});
         }
-    std::sort(edges.begin(), edges.end(),
-              [](const HalfEdge& a, const HalfEdge& b) { return a.key() < b.key(); });
+    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) { return a.key() < b.key(); });
     return edges;
 }
 
 /// Pairs the half-edges of one edge: each with the earliest unpaired one of opposite direction.
-void pair_up(std::span<const HalfEdge> edges, std::vector<Face>& faces,
-             std::vector<HalfEdge>& waiting) {
+void pair_up(std::span<const HalfEdge> edges, std::vector<Face>& faces, std::vector<HalfEdge>& waiting) {
     waiting.clear(); // all of one direction: an opposite one would have been paired
     size_t first = 0;
     for (const HalfEdge& edge : edges) {
@@ -87,8 +84,7 @@ void find_neighbours(std::vector<Face>& faces) {
     std::vector<HalfEdge> waiting;
     for (size_t begin = 0; begin < edges.size();) {
         size_t end = begin + 1;
-        while (end < edges.size() && edges[end].low == edges[begin].low &&
-               edges[end].high == edges[begin].high)
+        while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high)
             ++end;
         pair_up(std::span(edges).subspan(begin, end - begin), faces, waiting);
         begin = end;
@@ -97,9 +93,7 @@ void find_neighbours(std::vector<Face>& faces) {
 
 } // namespace
 
-bool not_zero(float x) {
-    return std::abs(x) > FLT_MIN;
-}
+bool not_zero(float x) { return std::abs(x) > FLT_MIN; }
 
 glm::vec3 unit_or_zero(const glm::vec3& v) {
     const bool zero = !not_zero(v.x) && !not_zero(v.y) && !not_zero(v.z);
@@ -131,9 +125,7 @@ std::vector<Face> make_faces(const Vertices& vertices, std::span<const uint32_t>
         for (size_t corner = 0; corner < 3; ++corner)
             face.corners[corner] = welded[indices[i + corner]];
         face.triangle = static_cast<uint32_t>(i / 3);
-        const auto position = [&](size_t corner) {
-            return vertices.positions[face.corners[corner]];
-        };
+        const auto position = [&](size_t corner) { return vertices.positions[face.corners[corner]]; };
         if (position(0) == position(1) || position(1) == position(2) || position(2) == position(0))
             continue;
         set_frame(face, vertices);

@@ -19,14 +19,13 @@ struct Vertices {
 
 /// One triangle with area. Edge i runs from corner i to corner i + 1.
 struct Face {
-    std::array<uint32_t, 3>
-        corners{}; ///< index of a representative vertex: equal where all is equal
+    std::array<uint32_t, 3> corners{}; ///< index of a representative vertex: equal where all is equal
     std::array<uint32_t, 3> neighbours{none, none, none}; ///< face across edge i
     glm::vec3 s{0};          ///< unit: the direction in which u grows, in the triangle's plane
     glm::vec3 t{0};          ///< unit: the direction in which v grows
     bool preserving = false; ///< texture coordinates are counter-clockwise like the triangle
-    bool with_any = true;  ///< texture coordinates span no area: joins whichever group comes first
-    uint32_t triangle = 0; ///< its place in the index list ÷ 3
+    bool with_any = true;    ///< texture coordinates span no area: joins whichever group comes first
+    uint32_t triangle = 0;   ///< its place in the index list ÷ 3
 };
 
 /// For each vertex the first one (in order of value) with the same position, normal and texture

@@ -6,9 +6,7 @@ namespace {
 
 class Builder {
 public:
-    explicit Builder(std::vector<Face>& all) : faces(all) {
-        result.of_corner.resize(faces.size(), {none, none, none});
-    }
+    explicit Builder(std::vector<Face>& all) : faces(all) { result.of_corner.resize(faces.size(), {none, none, none}); }
 
     Groups build() {
         for (uint32_t face = 0; face < faces.size(); ++face)
@@ -67,8 +65,6 @@ uint32_t corner_at(const Face& face, uint32_t vertex) {
     return face.corners[0] == vertex ? 0 : face.corners[1] == vertex ? 1 : 2;
 }
 
-Groups build_groups(std::vector<Face>& faces) {
-    return Builder(faces).build();
-}
+Groups build_groups(std::vector<Face>& faces) { return Builder(faces).build(); }
 
 } // namespace prelight::tangents

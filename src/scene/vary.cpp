@@ -19,7 +19,8 @@ void rotate_lights(std::span<PlacedLight> lights, glm::dvec3 centre, double angl
 void randomize_lights(std::span<PlacedLight> lights, uint64_t seed) {
     constexpr double pi = 3.14159265358979323846;
     // 8 = count · (4/3 π r³) / (10 m)³
-    const double unranged = std::cbrt(8 * 1000 / (4.0 / 3 * pi * static_cast<double>(std::max<size_t>(lights.size(), 8))));
+    const double unranged =
+        std::cbrt(8 * 1000 / (4.0 / 3 * pi * static_cast<double>(std::max<size_t>(lights.size(), 8))));
     Random random(seed);
     for (PlacedLight& placed : lights) {
         const double before = placed.light.range < 1e9f ? placed.light.range : unranged; // range² is finite

@@ -28,7 +28,8 @@ std::string contents_of(const Scene& scene) {
     add(meshes, "with a mesh that is hidden, flattened or in another scene");
     add(hidden, "hidden");
     if (parts.empty())
-        return scene.nodes.empty() ? "the file has no nodes" : fmt::format("the file has {} empty nodes", scene.nodes.size());
+        return scene.nodes.empty() ? "the file has no nodes"
+                                   : fmt::format("the file has {} empty nodes", scene.nodes.size());
     return fmt::format("the file has {}", fmt::join(parts, ", "));
 }
 

@@ -20,8 +20,9 @@ inline bool in_range(const std::string& range, const std::string& value) {
 
 /// Whether a setting may have the value: one of its words, or a number in one of its ranges "LOW … HIGH".
 inline bool allows(const SettingInfo& setting, const std::string& value) {
-    return std::any_of(setting.values.begin(), setting.values.end(),
-                       [&](const std::string& one) { return in_range(one, value) || (one == value && one.find(" … ") == std::string::npos); });
+    return std::any_of(setting.values.begin(), setting.values.end(), [&](const std::string& one) {
+        return in_range(one, value) || (one == value && one.find(" … ") == std::string::npos);
+    });
 }
 
 } // namespace prelight

@@ -45,8 +45,8 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
 inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vector<SettingInfo>& settings) {
     std::vector<SettingNeed> found = needs_of(key);
     std::erase_if(found, [&](const SettingNeed& need) {
-        return need.key != "shading" &&
-               std::none_of(settings.begin(), settings.end(), [&](const SettingInfo& one) { return one.key == need.key; });
+        return need.key != "shading" && std::none_of(settings.begin(), settings.end(),
+                                                     [&](const SettingInfo& one) { return one.key == need.key; });
     });
     return found;
 }
@@ -54,7 +54,8 @@ inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vect
 inline const char* shading_name(Shading shading) { return shading == Shading::ggx ? "ggx" : "phong"; }
 
 /// Why a setting makes no difference with the values in force: what it needs; empty where it does make one.
-inline std::optional<std::string> why_without_effect(const std::string& key, const std::map<std::string, std::string>& in_force,
+inline std::optional<std::string> why_without_effect(const std::string& key,
+                                                     const std::map<std::string, std::string>& in_force,
                                                      Shading shading, const std::vector<std::string>& views) {
     for (const SettingNeed& need : needs_of(key)) {
         const bool of_shading = need.key == "shading";
@@ -66,8 +67,9 @@ inline std::optional<std::string> why_without_effect(const std::string& key, con
         };
         if (has(need.values, value) || (!need.or_view.empty() && has(views, need.or_view)))
             continue;
-        return fmt::format("needs {}{}{}, and it is {}", of_shading ? "--shading " : need.key + "=", fmt::join(need.values, " or "),
-                           need.or_view.empty() ? "" : " or --view " + need.or_view, value);
+        return fmt::format("needs {}{}{}, and it is {}", of_shading ? "--shading " : need.key + "=",
+                           fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view,
+                           value);
     }
     return {};
 }

@@ -16,11 +16,11 @@ namespace {
 }
 
 const char* kind_of(mode_t mode) {
-    return S_ISDIR(mode)                     ? "a folder"
-           : S_ISFIFO(mode)                  ? "a pipe"
-           : S_ISSOCK(mode)                  ? "a socket"
+    return S_ISDIR(mode)                    ? "a folder"
+           : S_ISFIFO(mode)                 ? "a pipe"
+           : S_ISSOCK(mode)                 ? "a socket"
            : S_ISCHR(mode) || S_ISBLK(mode) ? "a device"
-                                             : "something else";
+                                            : "something else";
 }
 
 void check_regular(const struct stat& status) {
@@ -41,7 +41,7 @@ public:
     Descriptor& operator=(const Descriptor&) = delete;
 
     struct stat status() const {
-        struct stat status{};
+        struct stat status {};
         if (fstat(descriptor_, &status) != 0)
             fail_with_errno("cannot be read");
         return status;
@@ -78,7 +78,7 @@ auto naming(const std::filesystem::path& file, const Read& read) {
 } // namespace
 
 std::vector<uint8_t> read_bytes(const std::filesystem::path& file, uint64_t largest, size_t padding) {
-    struct stat named{};
+    struct stat named {};
     if (stat(file.c_str(), &named) != 0)
         fail_with_errno("cannot be opened");
     check_regular(named); // opening a device may already do something

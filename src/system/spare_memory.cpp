@@ -50,10 +50,12 @@ void add_process_limits(std::vector<MemoryRoom>& rooms) {
 void add_group(std::vector<MemoryRoom>& rooms, fs::path folder, const fs::path& root, const char* most,
                const char* used, const char* unused) {
     for (; folder.native().size() >= root.native().size(); folder = folder.parent_path()) {
-        const auto limit = number_after(kernel_text(folder / most), ""), taken = number_after(kernel_text(folder / used), "");
+        const auto limit = number_after(kernel_text(folder / most), ""),
+                   taken = number_after(kernel_text(folder / used), "");
         if (limit && taken && *limit < uint64_t(1) << 60)
-            rooms.push_back({less(*limit + number_after(kernel_text(folder / "memory.stat"), unused).value_or(0), *taken),
-                             "the memory limit of this control group"});
+            rooms.push_back(
+                {less(*limit + number_after(kernel_text(folder / "memory.stat"), unused).value_or(0), *taken),
+                 "the memory limit of this control group"});
     }
 }
 
@@ -89,7 +91,8 @@ std::vector<MemoryRoom> memory_rooms() {
 
 uint64_t spare_memory() {
     const std::vector<MemoryRoom> rooms = memory_rooms();
-    const auto least = std::min_element(rooms.begin(), rooms.end(), [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
+    const auto least =
+        std::min_element(rooms.begin(), rooms.end(), [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
     return least == rooms.end() ? uint64_t(1) << 30 : least->bytes;
 }
 

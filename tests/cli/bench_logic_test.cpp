@@ -229,10 +229,18 @@ struct Limits : testing::Test {
         jobs = {{.variant = {.renderer = "light-prepass"}},
                 {.variant = {.renderer = "plain-forward"}, .role = Role::unit},
                 {.variant = {.renderer = "light-prepass"}, .role = Role::no_lights},
-                {.variant = {.renderer = "light-prepass", .settings = lists("perfect", "8")}, .role = Role::perfect, .tile = 8},
-                {.variant = {.renderer = "light-prepass", .settings = lists("perfect", "16")}, .role = Role::perfect, .tile = 16},
-                {.variant = {.renderer = "light-prepass", .settings = lists("empty", "16")}, .role = Role::empty, .tile = 16},
-                {.variant = {.renderer = "deferred", .settings = lists("perfect", "32")}, .role = Role::perfect, .tile = 32}};
+                {.variant = {.renderer = "light-prepass", .settings = lists("perfect", "8")},
+                 .role = Role::perfect,
+                 .tile = 8},
+                {.variant = {.renderer = "light-prepass", .settings = lists("perfect", "16")},
+                 .role = Role::perfect,
+                 .tile = 16},
+                {.variant = {.renderer = "light-prepass", .settings = lists("empty", "16")},
+                 .role = Role::empty,
+                 .tile = 16},
+                {.variant = {.renderer = "deferred", .settings = lists("perfect", "32")},
+                 .role = Role::perfect,
+                 .tile = 32}};
         add(0, 200, {{"depth-normal", 40}, {"light-lists fill", 6}, {"light", 60}, {"material", 35}, {"tonemap", 5}});
         add(1, 40, {{"plain-forward", 30}});
         add(2, 90, {{"depth-normal", 40}, {"light", 1}, {"material", 35}});
@@ -305,7 +313,9 @@ TEST_F(Limits, LeavesGeometryOutWhereAPassLightsToo) {
 }
 
 TEST_F(Limits, InventNothingThatWasNotMeasured) {
-    std::erase_if(measured.runs, [](const app::Run& run) { return run.job->role == Role::perfect || run.job->role == Role::no_lights; });
+    std::erase_if(measured.runs, [](const app::Run& run) {
+        return run.job->role == Role::perfect || run.job->role == Role::no_lights;
+    });
     const auto figures = limit_figures(measured, jobs, true, missing);
     EXPECT_EQ(figures.at(0).light_over_limit(), std::nullopt);
     EXPECT_EQ(figures.at(0).no_lights_in_f(), std::nullopt);

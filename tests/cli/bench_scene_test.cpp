@@ -111,7 +111,8 @@ TEST_F(BenchScene, GivesFramesInUnitsOfF) {
         EXPECT_EQ(figures.at("frames_by"), "cpu_ms");
         EXPECT_EQ(figures.at("passes_by"), "cpu_ms");
         EXPECT_NEAR(figures.at("frame_in_f"), double(figures.at("frame_ms")) / double(figures.at("unit_ms")), 1e-9);
-        EXPECT_NEAR(figures.at("geometry_in_f"), double(figures.at("geometry_ms")) / double(figures.at("unit_pass_ms")), 1e-9);
+        EXPECT_NEAR(figures.at("geometry_in_f"), double(figures.at("geometry_ms")) / double(figures.at("unit_pass_ms")),
+                    1e-9);
         EXPECT_GT(figures.at("light_ms"), 0);
         EXPECT_EQ(figures.at("perfect_ms").is_null(), figures.at("light_over_limit").is_null());
     }
@@ -173,7 +174,8 @@ TEST_F(BenchScene, ABrowserShowsThePageWithoutAComplaint) {
     // One number of lights alone: a page without a chart.
     Json one = json();
     const Json lights = one.at("runs")[0].at("lights");
-    std::erase_if(one.at("runs").get_ref<Json::array_t&>(), [&](const Json& run) { return run.at("lights") != lights; });
+    std::erase_if(one.at("runs").get_ref<Json::array_t&>(),
+                  [&](const Json& run) { return run.at("lights") != lights; });
     one.erase("limit");
     std::ofstream(place / "one.json") << one;
     ASSERT_TRUE(succeeded(run({"bench", "report", "one.json", "-o", "one.html"}, place)));
@@ -182,9 +184,9 @@ TEST_F(BenchScene, ABrowserShowsThePageWithoutAComplaint) {
             GTEST_SKIP() << program << " is missing";
     const char* shots = std::getenv("PRELIGHT_TEST_PICTURES");
     for (const char* page : {"page.html", "one.html"}) {
-        const std::string command =
-            fmt::format("timeout -k 5 120 node '{}/tests/page/bench.js' '{}' {} > '{}' 2>&1", PRELIGHT_SOURCE_DIR,
-                        (place / page).string(), shots ? fmt::format("'{}/{}'", shots, page) : "", (place / "said").string());
+        const std::string command = fmt::format(
+            "timeout -k 5 120 node '{}/tests/page/bench.js' '{}' {} > '{}' 2>&1", PRELIGHT_SOURCE_DIR,
+            (place / page).string(), shots ? fmt::format("'{}/{}'", shots, page) : "", (place / "said").string());
         EXPECT_EQ(std::system(command.c_str()), 0) << page << ": " << bytes_of(place / "said");
     }
 }

@@ -13,9 +13,9 @@ using testing::HasSubstr;
 
 TEST(BenchEncodings, L1_PrintsATableAndWritesIt) {
     const TemporaryFolder folder;
-    const Result result = run({"bench", "encodings", "--size", "64x36", "--lights", "4", "--device", "cpu",
-                               "--validate", "--json", "e.json"},
-                              folder.path);
+    const Result result = run(
+        {"bench", "encodings", "--size", "64x36", "--lights", "4", "--device", "cpu", "--validate", "--json", "e.json"},
+        folder.path);
     ASSERT_TRUE(succeeded(result));
     EXPECT_THAT(result.out, HasSubstr("spheres, 4 lights, 64x36"));
     std::ifstream file(folder.path / "e.json");
@@ -51,7 +51,8 @@ TEST(BenchEncodings, RefusesInOneLine) {
     EXPECT_TRUE(failed_with(run({"bench", "encodings", "--json", "missing/e.json"}, folder.path), 1));
     EXPECT_TRUE(failed_with(run({"bench", "encodings", "--scene", "missing.glb"}, folder.path), 1));
     EXPECT_TRUE(failed_with(run({"bench", "encodings", "--json", "e.json"}, folder.path, {},
-                                {{"VK_DRIVER_FILES", "/nonexistent.json"}, {"VK_ICD_FILENAMES", "/nonexistent.json"}}), 1));
+                                {{"VK_DRIVER_FILES", "/nonexistent.json"}, {"VK_ICD_FILENAMES", "/nonexistent.json"}}),
+                            1));
     EXPECT_EQ(folder.entries(), 0u);
 }
 
@@ -87,8 +88,8 @@ TEST(BenchClaims, C1_PrintsEachClaimAndWritesIt) {
     std::map<std::string, nlohmann::json> claims;
     for (const nlohmann::json& row : json["claims"]) {
         claims[row["id"]] = row;
-        EXPECT_THAT(result.out, HasSubstr("\n" + row["id"].get<std::string>() + ": " +
-                                          row["verdict"].get<std::string>() + "\n"));
+        EXPECT_THAT(result.out,
+                    HasSubstr("\n" + row["id"].get<std::string>() + ": " + row["verdict"].get<std::string>() + "\n"));
         EXPECT_NE(row["source"], "");
         EXPECT_EQ(row["ratio"].is_null(), row["verdict"] == "not measured");
     }
@@ -101,9 +102,10 @@ TEST(BenchClaims, C1_PrintsEachClaimAndWritesIt) {
     for (const char* id : {"msaa-target", "five-targets", "no-msaa-light-buffers"})
         EXPECT_EQ(claims[id]["verdict"], "agrees");
     // Times: a null in JSON is what a figure that is not finite becomes.
-    for (const char* id : {"depth-against-ambient", "depth-against-normals", "frustum-ray", "ambient-first",
-                           "conditional-rendering", "index-trimming", "vertices-culled", "shadowed-directional-1",
-                           "shadowed-directional-2", "shadowed-directional-4", "shadowed-directional-8", "more-directionals"}) {
+    for (const char* id :
+         {"depth-against-ambient", "depth-against-normals", "frustum-ray", "ambient-first", "conditional-rendering",
+          "index-trimming", "vertices-culled", "shadowed-directional-1", "shadowed-directional-2",
+          "shadowed-directional-4", "shadowed-directional-8", "more-directionals"}) {
         EXPECT_GT(claims[id]["a"], 0) << id;
         EXPECT_GT(claims[id]["b"], 0) << id;
         EXPECT_GT(claims[id]["ratio"], 0) << id;
@@ -121,9 +123,9 @@ TEST(BenchClaims, C1_PrintsEachClaimAndWritesIt) {
 
 TEST(BenchClaims, C1_InventsNoFigureForOneLight) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run({"bench", "claims", "--size", "16x9", "--lights", "1", "--frames", "1", "--device",
-                               "cpu", "--json", "c.json"},
-                              folder.path)));
+    ASSERT_TRUE(succeeded(run(
+        {"bench", "claims", "--size", "16x9", "--lights", "1", "--frames", "1", "--device", "cpu", "--json", "c.json"},
+        folder.path)));
     std::ifstream file(folder.path / "c.json");
     for (const nlohmann::json& row : nlohmann::json::parse(file)["claims"])
         if (row["id"] == "multipass-lights" || row["id"] == "multipass-geometry") {

@@ -25,9 +25,7 @@ namespace fs = std::filesystem;
 /// A name that would end or confuse a page that did not take care of it.
 constexpr const char* awkward_scene = "x<!--<script>&amp;'\".glb";
 
-Json report_of(const fs::path& folder) {
-    return Json::parse(bytes_of(folder / "report.json"));
-}
+Json report_of(const fs::path& folder) { return Json::parse(bytes_of(folder / "report.json")); }
 
 std::vector<std::string> small_comparison(const std::vector<std::string>& more) {
     return joined({"compare", "spheres", "--size", "64x36", "--frames", "1"}, more);
@@ -39,12 +37,12 @@ protected:
     static void SetUpTestSuite() {
         folder_ = std::make_unique<TemporaryFolder>();
         ASSERT_TRUE(succeeded(run({"make", "spheres", "--lights", "4", "-o", awkward_scene}, folder_->path)));
-        made_ = run({"compare", awkward_scene, "--size", "160x90", "--frames", "3", "--light-counts", "1,4",
-                     "--renderers",
-                     "light-prepass,multipass@lights-per-pass=8@order=objects,z-prepass,"
-                     "light-prepass@model=full",
-                     "--device", "cpu", "--validate", "-o", "report"},
-                    folder_->path);
+        made_ =
+            run({"compare", awkward_scene, "--size", "160x90", "--frames", "3", "--light-counts", "1,4", "--renderers",
+                 "light-prepass,multipass@lights-per-pass=8@order=objects,z-prepass,"
+                 "light-prepass@model=full",
+                 "--device", "cpu", "--validate", "-o", "report"},
+                folder_->path);
     }
     static void TearDownTestSuite() { folder_.reset(); }
     void SetUp() override { ASSERT_TRUE(succeeded(made_)); }
@@ -56,9 +54,9 @@ protected:
 
 /// The keys that every run of every command has (`--stats`).
 void expect_stats(const Json& run) {
-    for (const char* key : {"device", "driver", "scene", "renderer", "preset", "settings", "size", "msaa",
-                            "shading", "lights", "triangles", "draws", "frames", "attachment_bytes",
-                            "device_bytes", "light_pixel_pairs"})
+    for (const char* key :
+         {"device", "driver", "scene", "renderer", "preset", "settings", "size", "msaa", "shading", "lights",
+          "triangles", "draws", "frames", "attachment_bytes", "device_bytes", "light_pixel_pairs"})
         EXPECT_TRUE(run.contains(key)) << key;
     for (const char* key : {"wall_ms", "cpu_ms", "gpu_ms"})
         expect_spread(run.at(key));
@@ -167,18 +165,18 @@ TEST_F(CompareReport, ABrowserShowsItWithoutAComplaint) {
             GTEST_SKIP() << program << " is missing";
     const char* shots = std::getenv("PRELIGHT_TEST_PICTURES");
     const fs::path said = folder_->path / "said";
-    const std::string command = fmt::format("timeout -k 5 240 node '{}/tests/page/report.js' '{}' {} > '{}' 2>&1",
-                                            PRELIGHT_SOURCE_DIR, report().string(),
-                                            shots ? fmt::format("'{}'", shots) : "", said.string());
+    const std::string command =
+        fmt::format("timeout -k 5 240 node '{}/tests/page/report.js' '{}' {} > '{}' 2>&1", PRELIGHT_SOURCE_DIR,
+                    report().string(), shots ? fmt::format("'{}'", shots) : "", said.string());
     EXPECT_EQ(std::system(command.c_str()), 0) << bytes_of(said);
 }
 
 TEST(Compare, ASlowFrameEndsTheLine) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run({"compare", "spheres", "--size", "64x36", "--frames", "3", "--frame-limit", "0",
-                               "--light-counts", "1,2,4,16", "--renderers", "light-prepass", "--lights", "4",
-                               "-o", "report"},
-                              folder.path)));
+    ASSERT_TRUE(
+        succeeded(run({"compare", "spheres", "--size", "64x36", "--frames", "3", "--frame-limit", "0", "--light-counts",
+                       "1,2,4,16", "--renderers", "light-prepass", "--lights", "4", "-o", "report"},
+                      folder.path)));
     const Json json = report_of(folder.path / "report");
     const Json& line = json.at("light_counts").at(0);
     EXPECT_EQ(line.at("points").size(), 1u);
@@ -199,8 +197,8 @@ TEST(Compare, ASlowFrameAtTheLastNumberEndsNothing) {
 TEST(Compare, TheMomentReachesThePictures) {
     const TemporaryFolder folder;
     const auto picture = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments = joined(
-            small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), more);
+        std::vector<std::string> arguments =
+            joined(small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), more);
         arguments[1] = "motion";
         EXPECT_TRUE(succeeded(run(arguments, folder.path)));
         EXPECT_GT(report_of(folder.path / "report").at("runs")[0].at("difference").at("psnr"), 40);
@@ -215,10 +213,10 @@ TEST(Compare, ATerminalSeesABar) {
     if (std::system("script --version > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "script, which makes a terminal, is missing";
     const TemporaryFolder folder;
-    const std::string command = fmt::format(
-        "cd '{}' && script -qec \"'{}' compare spheres --size 64x36 --frames 1 --light-counts none "
-        "--renderers light-prepass -o report\" /dev/null > said",
-        folder.path.string(), PRELIGHT_PROGRAM);
+    const std::string command =
+        fmt::format("cd '{}' && script -qec \"'{}' compare spheres --size 64x36 --frames 1 --light-counts none "
+                    "--renderers light-prepass -o report\" /dev/null > said",
+                    folder.path.string(), PRELIGHT_PROGRAM);
     ASSERT_EQ(std::system(command.c_str()), 0);
     const std::string said = bytes_of(folder.path / "said");
     EXPECT_THAT(said, HasSubstr("\r[")) << "redrawn in place";
@@ -234,8 +232,8 @@ TEST(Compare, AFileWithoutLightsGetsSome) {
     scene.lights.clear();
     save_glb(scene, folder.path / "dark.glb");
     const auto lights = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments = joined(
-            small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), more);
+        std::vector<std::string> arguments =
+            joined(small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), more);
         arguments[1] = "dark.glb";
         EXPECT_TRUE(succeeded(run(arguments, folder.path)));
         const Json json = report_of(folder.path / "report");
@@ -290,7 +288,8 @@ TEST(Compare, TellsEachStepWhereThereIsNoTerminal) {
         run(small_comparison({"--light-counts", "1,2", "--renderers", "light-prepass,deferred", "-o", "report"}),
             folder.path);
     ASSERT_TRUE(succeeded(result));
-    for (const char* step : {"%] 0:", ": reference\n", "picture of light-prepass\n", "picture of deferred\n", "frames with 1 light\n", "frames with 2 lights\n", " left: "})
+    for (const char* step : {"%] 0:", ": reference\n", "picture of light-prepass\n", "picture of deferred\n",
+                             "frames with 1 light\n", "frames with 2 lights\n", " left: "})
         EXPECT_THAT(result.err, HasSubstr(step));
 }
 
@@ -299,8 +298,22 @@ TEST(Compare, FinishedStepsAreFoundByTheNextRun) {
     const TemporaryFolder folder, cache;
     const std::map<std::string, std::string> environment{{"XDG_CACHE_HOME", cache.path}};
     const auto compare = [&](const char* frames) {
-        return std::vector<std::string>{"compare", "spheres", "--size", "64x36", "--lights", "3", "--light-counts", "1,2", "--frames", frames,
-                                        "--frame-limit", "1000", "--renderers", "light-prepass,deferred@light-culling=volumes", "-o", "report"};
+        return std::vector<std::string>{"compare",
+                                        "spheres",
+                                        "--size",
+                                        "64x36",
+                                        "--lights",
+                                        "3",
+                                        "--light-counts",
+                                        "1,2",
+                                        "--frames",
+                                        frames,
+                                        "--frame-limit",
+                                        "1000",
+                                        "--renderers",
+                                        "light-prepass,deferred@light-culling=volumes",
+                                        "-o",
+                                        "report"};
     };
     const auto kept = [&] { // the steps of one report
         for (std::error_code none; const auto& entry : fs::directory_iterator(cache.path / "prelight/compare", none))
@@ -318,8 +331,8 @@ TEST(Compare, FinishedStepsAreFoundByTheNextRun) {
     for (const auto& entry : fs::directory_iterator(folder.path)) // what a kill leaves goes with the test's folder
         fs::remove_all(entry.path());
     const Result other =
-        run(small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}),
-            folder.path, {}, environment);
+        run(small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), folder.path,
+            {}, environment);
     ASSERT_TRUE(succeeded(other));
     EXPECT_THAT(other.err, testing::Not(HasSubstr("finished steps"))) << "other arguments";
     EXPECT_EQ(killed_when(compare("3"), "times of 1").signal, SIGKILL);
@@ -346,13 +359,12 @@ TEST(Compare, FinishedStepsAreFoundByTheNextRun) {
 
 TEST(Compare, InterruptLeavesTheEarlierReportAndNothingHalf) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(
-        run(small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}),
-            folder.path)));
+    ASSERT_TRUE(succeeded(run(
+        small_comparison({"--light-counts", "none", "--renderers", "light-prepass", "-o", "report"}), folder.path)));
     const std::string before = bytes_of(folder.path / "report/report.json");
     for (const int signal : {SIGINT, SIGTERM}) {
-        Prelight program({"compare", "spheres", "--size", "64x36", "--frames", "100000000", "--frame-limit",
-                          "100000", "-o", "report"},
+        Prelight program({"compare", "spheres", "--size", "64x36", "--frames", "100000000", "--frame-limit", "100000",
+                          "-o", "report"},
                          folder.path);
         const auto half = [&] { // pictures lie there, under another name
             for (const auto& entry : fs::directory_iterator(folder.path)) {

@@ -9,10 +9,10 @@
 #include <gmock/gmock.h>
 #include <image/atomic_file.hpp>
 #include <memory_check.hpp>
-#include <system/spare_memory.hpp>
 #include <prelight/error.hpp>
-#include <thread>
 #include <sys/resource.h>
+#include <system/spare_memory.hpp>
+#include <thread>
 #include <unistd.h>
 #include <watchdog.hpp>
 
@@ -43,7 +43,8 @@ TEST(TooLittleMemory, IsToldBeforeTheDriverIsAsked) {
     if (address_sanitizer)
         GTEST_SKIP() << "AddressSanitizer wants terabytes of address space";
     const TemporaryFolder folder;
-    const Result result = run({"render", "spheres", "--size", "1280x720", "-o", "a.png"}, folder.path, {.address_space = uint64_t(400) << 20});
+    const Result result = run({"render", "spheres", "--size", "1280x720", "-o", "a.png"}, folder.path,
+                              {.address_space = uint64_t(400) << 20});
     EXPECT_TRUE(failed_with(result, 1));
     EXPECT_THAT(result.err, HasSubstr("a frame of 1280x720 needs about"));
     EXPECT_THAT(result.err, HasSubstr("of address space, ulimit -v leaves"));
@@ -91,8 +92,10 @@ int depth(volatile int* below) {
 
 TEST(LastWords, OfEverySignal) {
     GTEST_FLAG_SET(death_test_style, "fast");
-    for (const auto& [signal, words] : {std::pair(SIGSEGV, "^prelight: ended by SIGSEGV"), {SIGBUS, "^prelight: ended by SIGBUS"},
-                                        {SIGABRT, "^prelight: ended by SIGABRT"}, {SIGFPE, "^prelight: ended by SIGFPE"},
+    for (const auto& [signal, words] : {std::pair(SIGSEGV, "^prelight: ended by SIGSEGV"),
+                                        {SIGBUS, "^prelight: ended by SIGBUS"},
+                                        {SIGABRT, "^prelight: ended by SIGABRT"},
+                                        {SIGFPE, "^prelight: ended by SIGFPE"},
                                         {SIGILL, "^prelight: ended by SIGILL"}})
         expect_last_words([signal = signal] { std::raise(signal); }, words);
 }
@@ -126,7 +129,8 @@ TEST(LastWords, NoneOfARunThatWorksOrMeansToWait) {
             std::this_thread::sleep_for(std::chrono::seconds(4));
         }
         volatile uint64_t sum = 0;
-        for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(4); std::chrono::steady_clock::now() < end;)
+        for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(4);
+             std::chrono::steady_clock::now() < end;)
             sum = sum + 1;
         std::_Exit(7);
     };

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Line {
-    std::string place; ///< "docs/bench.md:12"
+    std::string place;   ///< "docs/bench.md:12"
     std::string command; ///< from the word "prelight" on
 };
 
@@ -38,8 +38,8 @@ std::vector<Line> commands_of(const fs::path& page) {
 /// What stands for something of the reader's own, as the pages write it.
 std::string filled_in(const std::string& word) {
     static const std::map<std::string, std::string> meanings{
-        {"SCENE", "city"}, {"S", "city"}, {"N", "16"}, {"WxH", "64x36"}, {"R", "deferred"}, {"W", "tiles"},
-        {"C", "tiles"}, {"T", "16"}, {"L", "grid"}, {"FILE", "a.json"}, {"PICTURE", "a.png"}, {"STATS", "a.json"}};
+        {"SCENE", "city"}, {"S", "city"}, {"N", "16"},   {"WxH", "64x36"},   {"R", "deferred"},    {"W", "tiles"},
+        {"C", "tiles"},    {"T", "16"},   {"L", "grid"}, {"FILE", "a.json"}, {"PICTURE", "a.png"}, {"STATS", "a.json"}};
     const size_t equals = word.rfind('=');
     const std::string last = equals == std::string::npos ? word : word.substr(equals + 1);
     const auto found = meanings.find(last);
@@ -69,7 +69,8 @@ void check(const app::RenderCommand& command) {
             return void(Settings(info, command.options));
     throw UsageError(command.renderer + ": no such renderer");
 }
-template <class Other> void check(const Other&) {}
+template <class Other>
+void check(const Other&) {}
 
 TEST(Docs, EveryCommandIsOneThatTheProgramTakes) {
     std::vector<fs::path> pages{PRELIGHT_SOURCE_DIR "/README.md", PRELIGHT_SOURCE_DIR "/OVERVIEW.md"};

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 /// A Radiance picture, flat, of grey light.
 std::string radiance(int width, int height, char mantissa = '\x80') {
-    std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
+    std::string text =
+        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
     for (int i = 0; i < width * height; ++i)
         text += {mantissa, mantissa, mantissa, '\x81'};
     return text;
@@ -55,8 +56,8 @@ TEST(Environment, TurnsTheSky) {
     save_exr(halves, folder.path / "sky.exr");
     ASSERT_TRUE(succeeded(run(render_with({"--environment", "sky.exr"}), folder.path)));
     const Image before = load_png(folder.path / "a.png");
-    ASSERT_TRUE(succeeded(
-        run(render_with({"--environment", "sky.exr", "--environment-rotation", "180"}), folder.path)));
+    ASSERT_TRUE(
+        succeeded(run(render_with({"--environment", "sky.exr", "--environment-rotation", "180"}), folder.path)));
     const Image after = load_png(folder.path / "a.png");
     EXPECT_NE(before.at(1, 1).r > before.at(1, 1).b, after.at(1, 1).r > after.at(1, 1).b);
 }
@@ -64,10 +65,12 @@ TEST(Environment, TurnsTheSky) {
 TEST(Environment, GoesWithCompareAndBenchToo) {
     const TemporaryFolder folder;
     write(folder.path / "sky.hdr", radiance(8, 4));
-    EXPECT_TRUE(succeeded(run({"compare", "spheres", "-o", "report", "--size", "32x18", "--frames", "1", "--light-counts", "none", "--renderers",
-                               "light-prepass,deferred", "--environment", "sky.hdr"},
-                              folder.path)));
-    EXPECT_TRUE(succeeded(run({"bench", "spheres", "--size", "32x18", "--frames", "1", "--environment", "sky.hdr"}, folder.path)));
+    EXPECT_TRUE(
+        succeeded(run({"compare", "spheres", "-o", "report", "--size", "32x18", "--frames", "1", "--light-counts",
+                       "none", "--renderers", "light-prepass,deferred", "--environment", "sky.hdr"},
+                      folder.path)));
+    EXPECT_TRUE(succeeded(
+        run({"bench", "spheres", "--size", "32x18", "--frames", "1", "--environment", "sky.hdr"}, folder.path)));
     const Result table = run({"bench", "encodings", "--environment", "sky.hdr"}, folder.path);
     EXPECT_EQ(table.status, 2);
     EXPECT_THAT(table.err, HasSubstr("--environment: goes with bench SCENE only"));
@@ -93,10 +96,12 @@ TEST(Environment, WhatIsWrongIsOneLine) {
     save_exr(bad, folder.path / "nan.exr");
     expect({"--environment", "none.hdr"}, 1, "none.hdr: cannot be opened");
     expect({"--environment", "sky.jpg"}, 1, "sky.jpg: an environment map ends in .hdr, .exr or .png");
-    expect({"--environment", "square.hdr"}, 1, "square.hdr: an environment map is twice as wide as high, and this one has 4x4");
+    expect({"--environment", "square.hdr"}, 1,
+           "square.hdr: an environment map is twice as wide as high, and this one has 4x4");
     expect({"--environment", "short.hdr"}, 1, "short.hdr: ends too early");
     expect({"--environment", "text.hdr"}, 1, "text.hdr: not a Radiance picture");
-    expect({"--environment", "negative.exr"}, 1, "negative.exr: a pixel of the environment map is negative or not finite");
+    expect({"--environment", "negative.exr"}, 1,
+           "negative.exr: a pixel of the environment map is negative or not finite");
     expect({"--environment", "nan.exr"}, 1, "nan.exr: a pixel of the environment map is negative or not finite");
     expect({"--environment-intensity", "-1"}, 2, "--environment-intensity -1");
     expect({"--environment-rotation", "north"}, 2, "--environment-rotation north");

@@ -68,16 +68,15 @@ class BeyondTheLimit : public testing::TestWithParam<std::tuple<const char*, con
 TEST_P(BeyondTheLimit, SizeIsRefused) {
     const auto [renderer, size] = GetParam();
     const TemporaryFolder folder;
-    const Result result = run(
-        {"render", "spheres", "-o", "a.png", "--renderer", renderer, "--size", size}, folder.path);
+    const Result result =
+        run({"render", "spheres", "-o", "a.png", "--renderer", renderer, "--size", size}, folder.path);
     EXPECT_TRUE(failed_with(result, 1));
     EXPECT_LT(result.peak_bytes, uint64_t(2) << 30);
     EXPECT_EQ(folder.entries(), 0u);
 }
 INSTANTIATE_TEST_SUITE_P(Sizes, BeyondTheLimit,
                          testing::Combine(testing::Values("light-prepass", "reference"),
-                                          testing::Values("4294967295x4294967295",
-                                                          "1000000x1000000", "2000000000x1")));
+                                          testing::Values("4294967295x4294967295", "1000000x1000000", "2000000000x1")));
 
 TEST(Failure, AFailureLeavesTheOldPictureAlone) {
     const TemporaryFolder folder;
@@ -96,8 +95,7 @@ TEST(Failure, AFullDiskIsReported) {
         GTEST_SKIP() << "no /dev/full here";
     // stdout cannot be redirected by the process helper, so a shell does it.
     const TemporaryFolder folder;
-    const std::string command =
-        std::string("'") + PRELIGHT_PROGRAM + "' renderers >/dev/full 2>/dev/null";
+    const std::string command = std::string("'") + PRELIGHT_PROGRAM + "' renderers >/dev/full 2>/dev/null";
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 1);
@@ -108,11 +106,10 @@ TEST(Failure, ATruncatedFileIsRefused) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run({"make", "spheres", "-o", "good.glb"}, folder.path)));
     const std::string good = bytes_of(folder.path / "good.glb");
-    for (const size_t size : {size_t(0), size_t(3), size_t(12), size_t(19), good.size() / 100,
-                              good.size() / 2, good.size() - 5}) {
+    for (const size_t size :
+         {size_t(0), size_t(3), size_t(12), size_t(19), good.size() / 100, good.size() / 2, good.size() - 5}) {
         write(folder.path / "cut.glb", std::string_view(good).substr(0, size));
-        const Result result =
-            run({"render", "cut.glb", "-o", "a.png", "--renderer", "reference"}, folder.path);
+        const Result result = run({"render", "cut.glb", "-o", "a.png", "--renderer", "reference"}, folder.path);
         EXPECT_TRUE(failed_with(result, 1)) << size << " bytes";
         EXPECT_THAT(result.err, HasSubstr("cut.glb"));
     }
@@ -122,11 +119,9 @@ TEST(Failure, ATruncatedFileIsRefused) {
 /// 0 or 1, in bounded time and memory; a picture only with 0, and then a whole one.
 void expect_bounded(const fs::path& scene, const char* renderer) {
     const TemporaryFolder folder;
-    const Limits limits = {.seconds = 60,
-                           .address_space = address_sanitizer ? 0 : uint64_t(16) << 30};
+    const Limits limits = {.seconds = 60, .address_space = address_sanitizer ? 0 : uint64_t(16) << 30};
     const Result result =
-        run({"render", scene, "-o", "a.png", "--size", "64x36", "--renderer", renderer},
-            folder.path, limits);
+        run({"render", scene, "-o", "a.png", "--size", "64x36", "--renderer", renderer}, folder.path, limits);
     SCOPED_TRACE(scene.filename().string() + " with " + renderer);
     if (result.status == 0) {
         EXPECT_TRUE(succeeded(result));

@@ -166,8 +166,11 @@ TEST_F(FirstSight, ViewFromTakesThePlaceOfACamera) {
     render({"--view-from", "90,0", "--view", "depth", "--renderer", "reference", "--size", "300x200"});
     const Covered side = covered(image());
     EXPECT_LT(side.width * 300 / (side.height * 200), 2.6) << "1 m deep and 0.4 m high, from the right";
-    EXPECT_EQ(run({"compare", "s.glb", "-o", "report", "--size", "32x18", "--frames", "1", "--light-counts", "none", "--renderers",
-                   "light-prepass", "--view-from", "0,90", "--exposure", "auto"}, folder.path).status, 0);
+    EXPECT_EQ(run({"compare", "s.glb", "-o", "report", "--size", "32x18", "--frames", "1", "--light-counts", "none",
+                   "--renderers", "light-prepass", "--view-from", "0,90", "--exposure", "auto"},
+                  folder.path)
+                  .status,
+              0);
     EXPECT_EQ(run({"bench", "s.glb", "--size", "32x18", "--frames", "1", "--fit", "0.5"}, folder.path).status, 0);
 }
 
@@ -186,7 +189,8 @@ TEST_F(FirstSight, AutoExposureIsPrintedAndCanBeGiven) {
     EXPECT_EQ(bytes, picture({"--exposure=" + ev}));
     EXPECT_EQ(bytes, picture({"--exposure", "auto", "--frames", "3"})) << "as the first frame";
     for (const char* renderer : {"deferred", "multipass", "reference"})
-        EXPECT_NEAR(std::stod(ev_of(render({"--exposure", "auto", "--renderer", renderer}))), std::stod(ev), 0.11) << renderer;
+        EXPECT_NEAR(std::stod(ev_of(render({"--exposure", "auto", "--renderer", renderer}))), std::stod(ev), 0.11)
+            << renderer;
     scene.lights[0].intensity *= 1024;
     save(scene);
     EXPECT_NEAR(std::stod(ev_of(render({"--exposure", "auto"}))), std::stod(ev) - 10, 0.11);
@@ -203,17 +207,24 @@ TEST_F(FirstSight, ABurntOutOrBlackPictureSaysSo) {
     save(scene);
     const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
     const Result dark = render({});
-    EXPECT_THAT(dark.err, testing::ContainsRegex("^warning: a.png: [0-9]+ % of the pixels are black: try --environment studio, or --exposure auto\n$"));
+    EXPECT_THAT(
+        dark.err,
+        testing::ContainsRegex(
+            "^warning: a.png: [0-9]+ % of the pixels are black: try --environment studio, or --exposure auto\n$"));
     const Result burnt = render({"--exposure", "12", "--environment", "studio"});
-    EXPECT_THAT(burnt.err, testing::ContainsRegex("^warning: a.png: [0-9]+ % of the pixels are burnt out: try --exposure auto\n$"));
+    EXPECT_THAT(burnt.err, testing::ContainsRegex(
+                               "^warning: a.png: [0-9]+ % of the pixels are burnt out: try --exposure auto\n$"));
     EXPECT_EQ(lines(burnt.err), 1);
     EXPECT_EQ(render({"--environment", "studio"}).err, "");
     EXPECT_EQ(render({"--view", "depth"}).err, "") << "only the final picture";
-    const Result linear = run({"render", "s.glb", "--size", "96x54", "-o", "a.exr", "--exposure", "12", "--environment", "studio"}, folder.path);
+    const Result linear =
+        run({"render", "s.glb", "--size", "96x54", "-o", "a.exr", "--exposure", "12", "--environment", "studio"},
+            folder.path);
     EXPECT_THAT(linear.err, HasSubstr("a.exr: "));
     EXPECT_THAT(linear.err, HasSubstr("burnt out"));
-    const Result compared = run({"compare", "s.glb", "-o", "report", "--size", "32x18", "--frames", "1", "--light-counts", "none",
-                                 "--renderers", "light-prepass"}, folder.path);
+    const Result compared = run({"compare", "s.glb", "-o", "report", "--size", "32x18", "--frames", "1",
+                                 "--light-counts", "none", "--renderers", "light-prepass"},
+                                folder.path);
     EXPECT_THAT(compared.err, Not(HasSubstr("black")));
 }
 

@@ -101,7 +101,8 @@ TEST(GuardedFiles, ThoseThatASceneNames) {
     std::ofstream(folder.path / "huge");
     fs::resize_file(folder.path / "huge", uint64_t(1) << 42);
     fs::create_symlink("round", folder.path / "round");
-    for (const auto& [uri, why] : {std::pair("pipe", "does not name a file"), {"huge", "is too large"}, {"round", "Too many levels"}}) {
+    for (const auto& [uri, why] :
+         {std::pair("pipe", "does not name a file"), {"huge", "is too large"}, {"round", "Too many levels"}}) {
         const Result result = scene(uri);
         EXPECT_TRUE(failed_with(result, 1)) << uri;
         EXPECT_THAT(result.err, HasSubstr("scene.gltf: buffer 0: "));
@@ -113,7 +114,9 @@ TEST(GuardedFiles, ThoseThatASceneNames) {
 TEST(MemoryLimit, TakesBytesAndLetters) {
     const TemporaryFolder folder;
     const auto limited = [&](const char* size) {
-        return run({"render", "spheres", "-o", "a.png", "--renderer", "reference", "--size", "8x8", "--memory-limit", size}, folder.path);
+        return run(
+            {"render", "spheres", "-o", "a.png", "--renderer", "reference", "--size", "8x8", "--memory-limit", size},
+            folder.path);
     };
     for (const char* size : {"1000000000", "900M", "2g", "1T", "5000000K"})
         EXPECT_TRUE(succeeded(limited(size))) << size;
@@ -131,8 +134,8 @@ TEST(MemoryLimit, LargeTexturesOpenAndAreScaledDownToIt) {
         GTEST_SKIP() << "the shared cases are not on this machine";
     const TemporaryFolder folder;
     for (const std::vector<std::string>& limit : {std::vector<std::string>{}, {"--memory-limit", "512M"}}) {
-        const std::vector<std::string> albedo{"render", scene.string(), "-o",         "a.png",    "--size", "16x16",
-                                              "--view", "albedo",       "--renderer", "reference"};
+        const std::vector<std::string> albedo{"render", scene.string(), "-o",     "a.png",      "--size",
+                                              "16x16",  "--view",       "albedo", "--renderer", "reference"};
         const Result result = run(joined(albedo, limit), folder.path);
         EXPECT_TRUE(succeeded(result));
         EXPECT_EQ(load_png(folder.path / "a.png").at(8, 8) * 255.0f, glm::vec3(200, 60, 60));

@@ -23,10 +23,9 @@ TEST(Inform, RenderHelpNamesEveryOption) {
     const Result result = run({"render", "--help"}, folder.path);
     ASSERT_TRUE(succeeded(result));
     for (const char* option :
-         {"--renderer", "--preset",      "--set",      "--size",    "--camera",
-          "--frames",   "--lights",      "--seed",     "--watch",   "--view",
-          "--msaa",     "--shading",     "--device",   "--tonemap", "--exposure",
-          "--stats",    "--count-pairs", "--validate", "-o",        "--material", "Examples:"})
+         {"--renderer", "--preset", "--set",         "--size",     "--camera",  "--frames",   "--lights",
+          "--seed",     "--watch",  "--view",        "--msaa",     "--shading", "--device",   "--tonemap",
+          "--exposure", "--stats",  "--count-pairs", "--validate", "-o",        "--material", "Examples:"})
         EXPECT_THAT(result.out, HasSubstr(option));
 }
 
@@ -35,8 +34,8 @@ TEST(Inform, CompareHelpNamesEveryOption) {
     const Result result = run({"compare", "--help"}, folder.path);
     ASSERT_TRUE(succeeded(result));
     for (const char* option :
-         {"--renderers", "--light-counts", "--frame-limit", "--frames", "--size", "--camera", "--time", "--animation", "--lights",
-          "--seed", "--shading", "--exposure", "--device", "--validate", "-o", "Examples:"})
+         {"--renderers", "--light-counts", "--frame-limit", "--frames", "--size", "--camera", "--time", "--animation",
+          "--lights", "--seed", "--shading", "--exposure", "--device", "--validate", "-o", "Examples:"})
         EXPECT_THAT(result.out, HasSubstr(option));
 }
 
@@ -45,8 +44,7 @@ TEST(Inform, DevicesMarksExactlyOneAsTaken) {
     const Result result = run({"devices"}, folder.path);
     ASSERT_TRUE(succeeded(result));
     size_t marked = 0;
-    for (size_t at = result.out.find("* "); at != std::string::npos;
-         at = result.out.find("* ", at + 1))
+    for (size_t at = result.out.find("* "); at != std::string::npos; at = result.out.find("* ", at + 1))
         marked += at == 0 || result.out[at - 1] == '\n';
     EXPECT_EQ(marked, 2u) << "one device and the legend\n" << result.out;
     for (const DeviceInfo& device : Device::list()) {
@@ -60,8 +58,7 @@ TEST(Inform, WithoutADriverDevicesAndRenderFailInOneLine) {
     const std::map<std::string, std::string> nothing = {{"VK_DRIVER_FILES", "/nonexistent.json"},
                                                         {"VK_ICD_FILENAMES", "/nonexistent.json"}};
     EXPECT_TRUE(failed_with(run({"devices"}, folder.path, {}, nothing), 1));
-    EXPECT_TRUE(failed_with(
-        run({"render", "spheres", "-o", "a.png", "--size", "64x36"}, folder.path, {}, nothing), 1));
+    EXPECT_TRUE(failed_with(run({"render", "spheres", "-o", "a.png", "--size", "64x36"}, folder.path, {}, nothing), 1));
     EXPECT_EQ(folder.entries(), 0u);
 }
 

@@ -20,9 +20,9 @@ class Interrupt : public testing::TestWithParam<int> {};
 
 TEST_P(Interrupt, MidRunLeavesNothing) {
     const TemporaryFolder folder;
-    Prelight program({"render", "spheres", "--size", "64x36", "--frames", "100000000", "-o",
-                      "a.png", "--stats", "a.json"},
-                     folder.path);
+    Prelight program(
+        {"render", "spheres", "--size", "64x36", "--frames", "100000000", "-o", "a.png", "--stats", "a.json"},
+        folder.path);
     std::this_thread::sleep_for(1s);
     ASSERT_TRUE(program.running()) << program.wait().err;
     program.send(GetParam());
@@ -73,8 +73,7 @@ TEST(Interrupt, WhileWritingLeavesNoHalfFile) {
 TEST(Watch, RendersAgainWhenTheFileChanges) {
     const TemporaryFolder folder;
     const auto make = [&](const char* lights) {
-        EXPECT_TRUE(
-            succeeded(run({"make", "lights", "--lights", lights, "-o", "s.glb"}, folder.path)));
+        EXPECT_TRUE(succeeded(run({"make", "lights", "--lights", lights, "-o", "s.glb"}, folder.path)));
     };
     make("4");
     Prelight program({"render", "s.glb", "--size", "64x36", "-o", "a.png", "--watch"}, folder.path);

@@ -121,7 +121,9 @@ TEST(Material, ProcessesThatCompileAtOnceDoNotDisturbEachOther) {
 TEST(Material, IsTakenUpUnderWatchAndAMistakeKeepsTheLastThatWorked) {
     const TemporaryFolder folder;
     const auto shade = [&](const char* colour) {
-        write(folder.path / "m.glsl", std::string("Surface surface(Point p) { return gltf_surface(p); }\nvec3 shade(Point p, Surface s, Light light) { return ") + colour + "; }\n");
+        write(folder.path / "m.glsl", std::string("Surface surface(Point p) { return gltf_surface(p); }\nvec3 "
+                                                  "shade(Point p, Surface s, Light light) { return ") +
+                                          colour + "; }\n");
     };
     const auto shows_floor = [&](int channel) {
         const glm::vec3 colour = load_png(folder.path / "a.png").at(32, 34);
@@ -148,7 +150,8 @@ TEST(Material, BuiltInOnesAreListedWithTheirParameters) {
     const TemporaryFolder folder;
     const Result all = run({"materials"}, folder.path);
     ASSERT_TRUE(succeeded(all));
-    for (const char* text : {"skin: ", "minnaert: ", "reflection: ", "fresnel-rim: ", "detailed: ", "blinn-phong: ", "roll_off = 0.4   (0 … 2)", "height_map: texture"})
+    for (const char* text : {"skin: ", "minnaert: ", "reflection: ", "fresnel-rim: ", "detailed: ", "blinn-phong: ",
+                             "roll_off = 0.4   (0 … 2)", "height_map: texture"})
         EXPECT_THAT(all.out, HasSubstr(text));
     const Result one = run({"materials", "skin"}, folder.path);
     ASSERT_TRUE(succeeded(one));

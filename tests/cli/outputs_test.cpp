@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 /// A glTF whose buffer and picture lie beside it. It need not be drawn: outputs are checked before it is read.
 void write_scene(const fs::path& folder) {
-    write(folder / "scene.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "data%20one.bin", "byteLength": 4}],
+    write(folder / "scene.gltf",
+          R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "data%20one.bin", "byteLength": 4}],
         "images": [{"uri": "wall.png"}], "extras": {"lights": [{"ies": "spot.ies"}]}})");
     for (const char* name : {"data one.bin", "wall.png", "spot.ies", "sky.hdr", "toon.glsl", "before.json"})
         write(folder / name, name);
@@ -49,15 +50,22 @@ TEST(Outputs, AnInputIsNeverOverwritten) {
     fs::create_symlink("scene.gltf", folder.path / "link.json");
     fs::create_hard_link(folder.path / "scene.gltf", folder.path / "hard.json");
     fs::create_symlink("data one.bin", folder.path / "bin.json");
-    const auto stats = [&](const char* file) { return std::vector<std::string>{"render", "scene.gltf", "-o", "a.png", "--stats", file}; };
-    for (const char* file : {"scene.gltf", "./scene.gltf", "link.json", "hard.json", "data one.bin", "bin.json", "spot.ies"})
+    const auto stats = [&](const char* file) {
+        return std::vector<std::string>{"render", "scene.gltf", "-o", "a.png", "--stats", file};
+    };
+    for (const char* file :
+         {"scene.gltf", "./scene.gltf", "link.json", "hard.json", "data one.bin", "bin.json", "spot.ies"})
         expect_refused(folder.path, stats(file), file);
     expect_refused(folder.path, {"render", "scene.gltf", "-o", "wall.png"}, "wall.png");
     expect_refused(folder.path, {"render", "scene.gltf", "-o", "a.png", "--view", "depth=wall.png"}, "wall.png");
-    expect_refused(folder.path, {"render", "spheres", "-o", "a.png", "--environment", "sky.hdr", "--stats", "sky.hdr"}, "sky.hdr");
-    expect_refused(folder.path, {"render", "spheres", "-o", "a.png", "--material", "floor=toon.glsl", "--stats", "toon.glsl"}, "toon.glsl");
+    expect_refused(folder.path, {"render", "spheres", "-o", "a.png", "--environment", "sky.hdr", "--stats", "sky.hdr"},
+                   "sky.hdr");
+    expect_refused(folder.path,
+                   {"render", "spheres", "-o", "a.png", "--material", "floor=toon.glsl", "--stats", "toon.glsl"},
+                   "toon.glsl");
     expect_refused(folder.path, {"bench", "scene.gltf", "--json", "data one.bin"}, "data one.bin");
-    expect_refused(folder.path, {"bench", "spheres", "--baseline", "before.json", "--json", "before.json"}, "before.json");
+    expect_refused(folder.path, {"bench", "spheres", "--baseline", "before.json", "--json", "before.json"},
+                   "before.json");
     expect_refused(folder.path, {"bench", "encodings", "--scene", "scene.gltf", "--json", "hard.json"}, "hard.json");
     fs::create_symlink("before.json", folder.path / "page.html");
     expect_refused(folder.path, {"bench", "report", "before.json", "-o", "page.html"}, "page.html");
@@ -71,7 +79,8 @@ TEST(Outputs, TwoOfThemAreNeverOneFile) {
     fs::create_symlink("new.png", folder.path / "to new.png");
     fs::create_directory_symlink(".", folder.path / "here");
     const auto both = [&](const char* output, const char* view) {
-        expect_refused(folder.path, {"render", "spheres", "-o", output, "--view", std::string("depth=") + view}, "two outputs");
+        expect_refused(folder.path, {"render", "spheres", "-o", output, "--view", std::string("depth=") + view},
+                       "two outputs");
     };
     both("b.png", "hard.png");
     both("new.png", "to new.png");
@@ -84,7 +93,8 @@ TEST(Outputs, ALinkStaysAndItsTargetIsWritten) {
     fs::create_directory(folder.path / "pictures");
     fs::create_symlink("pictures/b.png", folder.path / "a.png"); // nothing is there yet
     for (int round = 0; round < 2; ++round) {
-        ASSERT_TRUE(succeeded(run({"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", "a.png"}, folder.path)));
+        ASSERT_TRUE(succeeded(
+            run({"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", "a.png"}, folder.path)));
         EXPECT_TRUE(fs::is_symlink(folder.path / "a.png"));
         EXPECT_EQ(load_png(folder.path / "pictures/b.png").width, 16u);
         EXPECT_EQ(folder.entries(), 2u);
@@ -96,7 +106,8 @@ TEST(Outputs, ALinkStaysAndItsTargetIsWritten) {
 TEST(Outputs, NamesMayBeAsLongAsTheSystemHasThem) {
     const TemporaryFolder folder;
     const std::string longest = std::string(251, 'n') + ".png", longer = std::string(252, 'n') + ".png";
-    ASSERT_TRUE(succeeded(run({"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", longest}, folder.path)));
+    ASSERT_TRUE(
+        succeeded(run({"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", longest}, folder.path)));
     EXPECT_TRUE(fs::exists(folder.path / longest));
     const Result result = run({"render", "spheres", "-o", longer}, folder.path);
     EXPECT_TRUE(failed_with(result, 1));
@@ -105,7 +116,8 @@ TEST(Outputs, NamesMayBeAsLongAsTheSystemHasThem) {
 
 TEST(Outputs, ADeviceOrAPipeIsWrittenAndNotReplaced) {
     const TemporaryFolder folder;
-    const std::vector<std::string> render{"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", "a.png", "--stats"};
+    const std::vector<std::string> render{"render", "spheres", "--renderer", "reference", "--size",
+                                          "16x9",   "-o",      "a.png",      "--stats"};
     const auto stats = [&](const std::string& file) {
         std::vector<std::string> arguments = render;
         arguments.push_back(file);
@@ -130,9 +142,10 @@ TEST(Outputs, ADeviceOrAPipeIsWrittenAndNotReplaced) {
 }
 
 /// A program with a shell around it, which can set limits and close streams.
-Result in_shell(const fs::path& folder, const std::string& before, const std::string& arguments, const std::string& after = "") {
-    const std::string command = "cd '" + folder.string() + "' && " + before + " exec '" PRELIGHT_PROGRAM "' " + arguments + " " + after +
-                                " 2> '" + folder.string() + "/said'";
+Result in_shell(const fs::path& folder, const std::string& before, const std::string& arguments,
+                const std::string& after = "") {
+    const std::string command = "cd '" + folder.string() + "' && " + before + " exec '" PRELIGHT_PROGRAM "' " +
+                                arguments + " " + after + " 2> '" + folder.string() + "/said'";
     const int status = std::system(("exec bash -c \"" + command + "\"").c_str());
     Result result;
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -144,7 +157,8 @@ Result in_shell(const fs::path& folder, const std::string& before, const std::st
 
 TEST(Outputs, ALimitOfFileSizesIsTold) {
     const TemporaryFolder folder;
-    for (const char* command : {"make spheres -o a.glb", "render spheres --renderer reference --size 160x90 -o a.exr"}) {
+    for (const char* command :
+         {"make spheres -o a.glb", "render spheres --renderer reference --size 160x90 -o a.exr"}) {
         const Result result = in_shell(folder.path, "ulimit -f 8;", command); // KiB
         EXPECT_TRUE(failed_with(result, 1));
         EXPECT_THAT(result.err, AllOf(HasSubstr("prelight: a."), HasSubstr("(File too large)"), Not(HasSubstr("tmp"))));
@@ -176,8 +190,10 @@ TEST(Outputs, AFullDiskLeavesNothing) {
         GTEST_SKIP() << "no small file system can be mounted here";
     for (const char* command : {"a.glb", "a.exr", "a.png"}) {
         const std::string name = command;
-        const Result result = name == "a.glb" ? run({"make", "spheres", "-o", name}, folder.path)
-                                              : run({"render", "spheres", "--renderer", "reference", "--size", "320x180", "-o", name}, folder.path);
+        const Result result =
+            name == "a.glb"
+                ? run({"make", "spheres", "-o", name}, folder.path)
+                : run({"render", "spheres", "--renderer", "reference", "--size", "320x180", "-o", name}, folder.path);
         EXPECT_TRUE(failed_with(result, 1));
         EXPECT_THAT(result.err, HasSubstr(name + ": cannot be written (No space left on device)"));
         EXPECT_EQ(folder.entries(), 0u);
@@ -204,17 +220,23 @@ TEST(Outputs, ANameForManyPicturesIsRefused) {
         EXPECT_THAT(result.err, HasSubstr("names a series of pictures"));
     }
     EXPECT_TRUE(failed_with(run({"render", "spheres", "-o", "a.png", "--view", "depth=d-%d.png"}, folder.path), 2));
-    EXPECT_TRUE(succeeded(run({"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", "100%.png"}, folder.path)));
-    EXPECT_TRUE(succeeded(run({"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", "take #2.png"}, folder.path)));
+    EXPECT_TRUE(succeeded(
+        run({"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", "100%.png"}, folder.path)));
+    EXPECT_TRUE(succeeded(
+        run({"render", "spheres", "--renderer", "reference", "--size", "16x9", "-o", "take #2.png"}, folder.path)));
 }
 
 TEST(Outputs, WrongNamesHaveOneStatusAndCostNoTime) {
     const TemporaryFolder folder;
-    for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"render", "citty", "-o", "a.png"}, {"compare", "citty", "-o", "r"}, {"bench", "citty"},
-          {"bench", "encodings", "--scene", "citty"}, {"make", "citty", "-o", "a.glb"},
-          {"render", "city", "--renderer", "defered", "-o", "a.png"}, {"render", "city", "--view", "colour", "-o", "a.png"},
-          {"render", "city", "--set", "normals=oct33", "-o", "a.png"}, {"compare", "city", "--renderers", "defered", "-o", "r"}}) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"render", "citty", "-o", "a.png"},
+                                                      {"compare", "citty", "-o", "r"},
+                                                      {"bench", "citty"},
+                                                      {"bench", "encodings", "--scene", "citty"},
+                                                      {"make", "citty", "-o", "a.glb"},
+                                                      {"render", "city", "--renderer", "defered", "-o", "a.png"},
+                                                      {"render", "city", "--view", "colour", "-o", "a.png"},
+                                                      {"render", "city", "--set", "normals=oct33", "-o", "a.png"},
+                                                      {"compare", "city", "--renderers", "defered", "-o", "r"}}) {
         const Result result = run(arguments, folder.path);
         EXPECT_TRUE(failed_with(result, 2)) << testing::PrintToString(arguments);
         EXPECT_EQ(folder.entries(), 0u);

@@ -13,19 +13,14 @@
 namespace prelight::test {
 namespace {
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Only what is safe between fork and exec.
-[[noreturn]] void become(const std::vector<char*>& arguments, const std::vector<char*>& environment,
-                         const char* folder, const char* out, const char* err,
-                         uint64_t address_space) {
+[[noreturn]] void become(const std::vector<char*>& arguments, const std::vector<char*>& environment, const char* folder,
+                         const char* out, const char* err, uint64_t address_space) {
     const int out_file = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err_file = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    if (out_file < 0 || err_file < 0 || dup2(out_file, 1) < 0 || dup2(err_file, 2) < 0 ||
-        chdir(folder) != 0)
+    if (out_file < 0 || err_file < 0 || dup2(out_file, 1) < 0 || dup2(err_file, 2) < 0 || chdir(folder) != 0)
         _exit(126);
     if (address_space != 0) {
         const rlimit limit = {address_space, address_space};
@@ -118,9 +113,7 @@ bool Prelight::poll(bool block) {
     return true;
 }
 
-bool Prelight::running() {
-    return !poll(false);
-}
+bool Prelight::running() { return !poll(false); }
 
 Result Prelight::wait() {
     while (!poll(false)) {
@@ -155,20 +148,18 @@ bool eventually(const std::function<bool()>& condition) {
 testing::AssertionResult succeeded(const Result& result) {
     if (!result.timed_out && result.status == 0 && complaints(result.err).empty())
         return testing::AssertionSuccess();
-    return testing::AssertionFailure()
-           << (result.timed_out ? "timed out; " : "") << "status " << result.status << ", signal "
-           << result.signal << ", stderr: " << result.err;
+    return testing::AssertionFailure() << (result.timed_out ? "timed out; " : "") << "status " << result.status
+                                       << ", signal " << result.signal << ", stderr: " << result.err;
 }
 
 testing::AssertionResult failed_with(const Result& result, int status) {
     const std::vector<std::string> lines = complaints(result.err);
-    if (!result.timed_out && result.status == status && lines.size() == 1 &&
-        lines[0].rfind("prelight: ", 0) == 0 && lines[0].size() > 12 && result.err.back() == '\n')
+    if (!result.timed_out && result.status == status && lines.size() == 1 && lines[0].rfind("prelight: ", 0) == 0 &&
+        lines[0].size() > 12 && result.err.back() == '\n')
         return testing::AssertionSuccess();
-    return testing::AssertionFailure()
-           << (result.timed_out ? "timed out; " : "") << "expected status " << status
-           << " and one line, got status " << result.status << ", signal " << result.signal
-           << ", stderr: " << result.err;
+    return testing::AssertionFailure() << (result.timed_out ? "timed out; " : "") << "expected status " << status
+                                       << " and one line, got status " << result.status << ", signal " << result.signal
+                                       << ", stderr: " << result.err;
 }
 
 } // namespace prelight::test

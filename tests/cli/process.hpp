@@ -50,8 +50,8 @@ private:
 };
 
 /// Runs it to the end.
-Result run(std::vector<std::string> arguments, const std::filesystem::path& folder,
-           Limits limits = {}, const std::map<std::string, std::string>& environment = {});
+Result run(std::vector<std::string> arguments, const std::filesystem::path& folder, Limits limits = {},
+           const std::map<std::string, std::string>& environment = {});
 
 /// `arguments`, then `more`.
 std::vector<std::string> joined(std::vector<std::string> arguments, const std::vector<std::string>& more);

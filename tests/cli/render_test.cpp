@@ -86,10 +86,8 @@ TEST(Render, ExrStaysLinear) {
 TEST(Render, TonemapAndShadingAndExposureChangeThePicture) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run(small_render({"-o", "a.png"}), folder.path)));
-    for (const auto& [key, value] : {std::pair{"--tonemap", "aces"},
-                                     {"--tonemap", "none"},
-                                     {"--shading", "phong"},
-                                     {"--exposure", "-1.5"}}) {
+    for (const auto& [key, value] :
+         {std::pair{"--tonemap", "aces"}, {"--tonemap", "none"}, {"--shading", "phong"}, {"--exposure", "-1.5"}}) {
         ASSERT_TRUE(succeeded(run(small_render({"-o", "b.png", key, value}), folder.path))) << key;
         EXPECT_FALSE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png")) << value;
     }
@@ -97,10 +95,10 @@ TEST(Render, TonemapAndShadingAndExposureChangeThePicture) {
 
 TEST(Render, WritesEveryBufferOfOneFrame) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(
-        run(small_render({"-o", "final.png", "--view", "depth=depth.png", "--view", "normal=normal.png",
-                          "--view", "diffuse-light=diffuse.png", "--view", "specular-light=specular.png"}),
-            folder.path)));
+    ASSERT_TRUE(
+        succeeded(run(small_render({"-o", "final.png", "--view", "depth=depth.png", "--view", "normal=normal.png",
+                                    "--view", "diffuse-light=diffuse.png", "--view", "specular-light=specular.png"}),
+                      folder.path)));
     EXPECT_EQ(folder.entries(), 5u);
     std::vector<std::string> seen;
     for (const auto& entry : std::filesystem::directory_iterator(folder.path)) {
@@ -108,8 +106,7 @@ TEST(Render, WritesEveryBufferOfOneFrame) {
         EXPECT_EQ(image.width, 64u);
         EXPECT_GT(mean_and_deviation(image).second, 0.004) << entry.path() << " is flat";
         for (const std::string& other : seen)
-            EXPECT_FALSE(bytes_of(entry.path()) == other)
-                << entry.path() << " is another one's copy";
+            EXPECT_FALSE(bytes_of(entry.path()) == other) << entry.path() << " is another one's copy";
         seen.push_back(bytes_of(entry.path()));
     }
     // The same buffer in place of the picture.
@@ -119,8 +116,8 @@ TEST(Render, WritesEveryBufferOfOneFrame) {
 
 TEST(Render, StatsHoldWhatTheContractNames) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run({"render", "lights", "--lights", "16", "--size", "64x36", "-o",
-                               "a.png", "--frames", "3", "--stats", "a.json", "--count-pairs"},
+    ASSERT_TRUE(succeeded(run({"render", "lights", "--lights", "16", "--size", "64x36", "-o", "a.png", "--frames", "3",
+                               "--stats", "a.json", "--count-pairs"},
                               folder.path)));
     const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
     EXPECT_NE(stats.at("device").get<std::string>(), "");
@@ -153,8 +150,7 @@ TEST(Render, StatsHoldWhatTheContractNames) {
     EXPECT_GT(stats.at("attachment_bytes"), 64 * 36 * 8);
     EXPECT_GE(stats.at("device_bytes"), stats.at("attachment_bytes"));
     EXPECT_GT(stats.at("light_pixel_pairs").at("evaluated"), 0);
-    EXPECT_LE(stats.at("light_pixel_pairs").at("contributing"),
-              stats.at("light_pixel_pairs").at("evaluated"));
+    EXPECT_LE(stats.at("light_pixel_pairs").at("contributing"), stats.at("light_pixel_pairs").at("evaluated"));
     EXPECT_GE(stats.at("attachment_bytes_unshared"), 64 * 36 * 8);
     EXPECT_GE(stats.at("device_bytes_peak"), stats.at("device_bytes"));
     for (const char* key : {"allocations", "pipelines", "buffers", "images", "descriptor_pools"})
@@ -175,8 +171,9 @@ TEST(Render, StatsHoldWhatTheContractNames) {
 
 TEST(Render, StatsTellOfShadowsWhereThereAreAny) {
     const TemporaryFolder folder;
-    const Result result = run({"render", "shadows", "--size", "64x36", "--set", "shadows=on", "--set", "shadow-budget=512",
-                               "-o", "a.png", "--stats", "a.json"}, folder.path);
+    const Result result = run({"render", "shadows", "--size", "64x36", "--set", "shadows=on", "--set",
+                               "shadow-budget=512", "-o", "a.png", "--stats", "a.json"},
+                              folder.path);
     ASSERT_EQ(result.status, 0) << result.err;
     const Json shadows = Json::parse(bytes_of(folder.path / "a.json")).at("shadows");
     EXPECT_EQ(shadows.at("budget"), 512);
@@ -184,13 +181,17 @@ TEST(Render, StatsTellOfShadowsWhereThereAreAny) {
     EXPECT_GE(shadows.at("lights_reduced"), 2);
     EXPECT_EQ(shadows.at("lights_without"), 0);
     EXPECT_EQ(shadows.at("tiles_drawn"), 17); // 4 cascades, two cubes, a spot
-    EXPECT_NE(result.err.find(" of 4 lights have shadow maps with less than a texel for eight pixels across"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(" of 4 lights have shadow maps with less than a texel for eight pixels across"),
+              std::string::npos)
+        << result.err;
 }
 
 TEST(Render, ShadowsThatFitAreNotWorthANote) {
     const TemporaryFolder folder;
     for (const auto& [scene, lights] : {std::pair("shadows", "4"), {"lights", "16"}, {"city", "64"}}) {
-        const Result result = run({"render", scene, "--lights", lights, "--size", "64x36", "--set", "shadows=on", "-o", "a.png"}, folder.path);
+        const Result result =
+            run({"render", scene, "--lights", lights, "--size", "64x36", "--set", "shadows=on", "-o", "a.png"},
+                folder.path);
         EXPECT_EQ(result.status, 0) << result.err;
         EXPECT_EQ(result.err.find("shadow"), std::string::npos) << scene << ": " << result.err;
     }
@@ -198,9 +199,9 @@ TEST(Render, ShadowsThatFitAreNotWorthANote) {
 
 TEST(Render, PassCpuGivesEachPassAFigure) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run({"render", "spheres", "--size", "64x36", "-o", "a.png", "--frames", "3", "--stats",
-                               "a.json", "--pass-cpu"},
-                              folder.path)));
+    ASSERT_TRUE(succeeded(
+        run({"render", "spheres", "--size", "64x36", "-o", "a.png", "--frames", "3", "--stats", "a.json", "--pass-cpu"},
+            folder.path)));
     const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
     for (const Json& pass : stats.at("passes"))
         expect_spread(pass.at("cpu_ms"));
@@ -208,9 +209,9 @@ TEST(Render, PassCpuGivesEachPassAFigure) {
 
 TEST(Render, SettingsAndPresetsReachTheStats) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(run(
-        small_render({"-o", "a.png", "--stats", "a.json", "--set", "normals=oct32", "--shading", "phong"}),
-        folder.path)));
+    ASSERT_TRUE(succeeded(
+        run(small_render({"-o", "a.png", "--stats", "a.json", "--set", "normals=oct32", "--shading", "phong"}),
+            folder.path)));
     const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
     EXPECT_EQ(stats.at("settings").at("normals"), "oct32");
     EXPECT_EQ(stats.at("shading"), "phong");
@@ -255,21 +256,17 @@ TEST(Render, LightsAreAddedToAFileAndSetForABuiltin) {
 TEST(Render, AFileShowsWhatTheBuiltinSceneShows) {
     const TemporaryFolder folder;
     for (const char* name : {"spheres", "lights", "city"}) {
-        ASSERT_TRUE(succeeded(
-            run({"make", name, "--lights", "8", "--seed", "3", "-o", "s.glb"}, folder.path)));
-        ASSERT_TRUE(
-            succeeded(run({"render", "s.glb", "--size", "64x36", "-o", "file.png"}, folder.path)));
-        ASSERT_TRUE(succeeded(run({"render", name, "--lights", "8", "--seed", "3", "--size",
-                                   "64x36", "-o", "builtin.png"},
-                                  folder.path)));
-        const Image file = load_png(folder.path / "file.png"),
-                    builtin = load_png(folder.path / "builtin.png");
+        ASSERT_TRUE(succeeded(run({"make", name, "--lights", "8", "--seed", "3", "-o", "s.glb"}, folder.path)));
+        ASSERT_TRUE(succeeded(run({"render", "s.glb", "--size", "64x36", "-o", "file.png"}, folder.path)));
+        ASSERT_TRUE(succeeded(run(
+            {"render", name, "--lights", "8", "--seed", "3", "--size", "64x36", "-o", "builtin.png"}, folder.path)));
+        const Image file = load_png(folder.path / "file.png"), builtin = load_png(folder.path / "builtin.png");
         ASSERT_EQ(file.pixels.size(), builtin.pixels.size());
         // What glTF cannot say to the last bit may move an edge, never more.
         size_t different = 0;
         for (size_t i = 0; i < file.pixels.size(); ++i)
-            different += glm::any(glm::greaterThan(glm::abs(file.pixels[i] - builtin.pixels[i]),
-                                                   glm::vec3(2.5f / 255)));
+            different +=
+                glm::any(glm::greaterThan(glm::abs(file.pixels[i] - builtin.pixels[i]), glm::vec3(2.5f / 255)));
         EXPECT_LE(different, file.pixels.size() / 200) << name;
     }
 }
@@ -277,8 +274,7 @@ TEST(Render, AFileShowsWhatTheBuiltinSceneShows) {
 TEST(Render, MakeGivesTheSameBytesForTheSameSeed) {
     const TemporaryFolder folder;
     const auto make = [&](const char* seed, const char* file) {
-        EXPECT_TRUE(succeeded(
-            run({"make", "lights", "--lights", "9", "--seed", seed, "-o", file}, folder.path)));
+        EXPECT_TRUE(succeeded(run({"make", "lights", "--lights", "9", "--seed", seed, "-o", file}, folder.path)));
         return bytes_of(folder.path / file);
     };
     const std::string first = make("7", "a.glb");
@@ -296,9 +292,8 @@ TEST(Render, CamerasByNameAndIndex) {
 
 TEST(Render, ReferenceNeedsNoDevice) {
     const TemporaryFolder folder;
-    const Result result =
-        run(small_render({"-o", "a.png", "--renderer", "reference"}), folder.path, {},
-            {{"VK_DRIVER_FILES", "/nonexistent.json"}, {"VK_ICD_FILENAMES", "/nonexistent.json"}});
+    const Result result = run(small_render({"-o", "a.png", "--renderer", "reference"}), folder.path, {},
+                              {{"VK_DRIVER_FILES", "/nonexistent.json"}, {"VK_ICD_FILENAMES", "/nonexistent.json"}});
     ASSERT_TRUE(succeeded(result));
     EXPECT_GT(mean_and_deviation(load_png(folder.path / "a.png")).second, 0.02);
 }
@@ -307,10 +302,10 @@ TEST(Render, ValidationHasNothingToSay) {
     if (!std::filesystem::exists(PRELIGHT_BUILD_DIR "/layers"))
         GTEST_SKIP() << "the chromium package's validation layer is not installed";
     const TemporaryFolder folder;
-    const Result result = run({"render", "lights", "--lights", "16", "--size", "64x36", "--frames",
-                               "3", "-o", "a.png", "--view", "depth=d.png", "--view",
-                               "normal=n.png", "--view", "diffuse-light=l.png", "--validate"},
-                              folder.path);
+    const Result result =
+        run({"render", "lights", "--lights", "16", "--size", "64x36", "--frames", "3", "-o", "a.png", "--view",
+             "depth=d.png", "--view", "normal=n.png", "--view", "diffuse-light=l.png", "--validate"},
+            folder.path);
     EXPECT_TRUE(succeeded(result));
     EXPECT_TRUE(std::filesystem::exists(folder.path / "a.png"));
 }

@@ -17,7 +17,8 @@ using testing::StartsWith;
 
 /// One triangle, and a camera in front of it.
 Json triangle() {
-    return Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"name": "full", "nodes": [0, 1]}, {"name": "empty", "nodes": [1]}],
+    return Json::parse(
+        R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"name": "full", "nodes": [0, 1]}, {"name": "empty", "nodes": [1]}],
         "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 3]}],
         "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
@@ -28,7 +29,8 @@ Json triangle() {
 
 Json with_faulty_light() {
     Json json = triangle();
-    json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({{{"type", "ambient"}}, {{"type", "directional"}, {"intensity", 3}}});
+    json["extensions"]["KHR_lights_punctual"]["lights"] =
+        Json::array({{{"type", "ambient"}}, {{"type", "directional"}, {"intensity", 3}}});
     json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
     json["scenes"][0]["nodes"] = {0, 1, 2, 3};
@@ -107,7 +109,8 @@ TEST(SceneFile, WithoutTrianglesIsAnEmptyPictureInEveryRenderer) {
     for (const char* renderer : {"light-prepass", "deferred", "z-prepass", "multipass", "reference"}) {
         const Result result = files.render({"--renderer", renderer});
         ASSERT_TRUE(succeeded(result)) << renderer;
-        EXPECT_EQ(result.err, "warning: a.gltf: scene: no triangles, so the picture is empty; the file has 2 nodes with a light, 1 node with a camera\n");
+        EXPECT_EQ(result.err, "warning: a.gltf: scene: no triangles, so the picture is empty; the file has 2 nodes "
+                              "with a light, 1 node with a camera\n");
         const Image image = load_png(files.path / "a.png");
         for (const glm::vec3& pixel : image.pixels)
             ASSERT_EQ(pixel, glm::vec3(0)) << renderer;
@@ -127,7 +130,9 @@ TEST(SceneFile, WithoutTrianglesGoesThroughCompareAndBench) {
     Json json = triangle();
     json["nodes"][0].erase("mesh");
     files.write("a.gltf", json.dump());
-    const Result compared = run({"compare", "a.gltf", "-o", "report", "--size", "64x36", "--frames", "1", "--light-counts", "none", "--renderers", "light-prepass,deferred"}, files.path);
+    const Result compared = run({"compare", "a.gltf", "-o", "report", "--size", "64x36", "--frames", "1",
+                                 "--light-counts", "none", "--renderers", "light-prepass,deferred"},
+                                files.path);
     EXPECT_EQ(compared.status, 0) << compared.err;
     const Result bench = run({"bench", "a.gltf", "--size", "64x36", "--frames", "1", "--lights", "4"}, files.path);
     EXPECT_EQ(bench.status, 0) << bench.err;
@@ -144,7 +149,8 @@ TEST(SceneFile, NamesAreEscapedInEveryMessage) {
     files.write(name, "no glTF");
     const Result failed = run({"render", name, "-o", "a.png"}, files.path);
     EXPECT_TRUE(failed_with(failed, 1));
-    EXPECT_EQ(failed.err, "prelight: a\\x1b[31m\\nb.gltf: file: is no glTF file: it is neither GLB nor a JSON object\n");
+    EXPECT_EQ(failed.err,
+              "prelight: a\\x1b[31m\\nb.gltf: file: is no glTF file: it is neither GLB nor a JSON object\n");
 }
 
 } // namespace

@@ -15,9 +15,7 @@ struct Wrong {
     const char* expected;  ///< a part of the message
 };
 
-void PrintTo(const Wrong& wrong, std::ostream* stream) {
-    *stream << wrong.arguments;
-}
+void PrintTo(const Wrong& wrong, std::ostream* stream) { *stream << wrong.arguments; }
 
 std::vector<std::string> split(const std::string& text) {
     std::istringstream stream(text);
@@ -72,16 +70,13 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"BenchSceneOutput", "bench lights -o a.html", "-o: goes with bench report only"},
         Wrong{"BenchReportOfNothing", "bench report -o a.html", "no file"},
         Wrong{"BenchReportFormat", "bench report a.json -o a.png", ".html"},
-        Wrong{"BenchReportWithoutPage", "bench report a.json", ".html"},
-        Wrong{"BenchOfNothing", "bench", "WHAT"},
+        Wrong{"BenchReportWithoutPage", "bench report a.json", ".html"}, Wrong{"BenchOfNothing", "bench", "WHAT"},
         Wrong{"BenchSize", "bench encodings --size 64", "--size 64"},
         Wrong{"BenchFrames", "bench claims --frames 0", "--frames 0"},
         Wrong{"BenchCamera", "bench encodings --size 64x36 --camera magic --json a.json", "magic"},
         Wrong{"BenchDevice", "bench encodings --device magic --json a.json", "magic"},
-        Wrong{"UnknownMaterial", "materials marble", "marble"},
-        Wrong{"NoScene", "render -o a.png", "SCENE"}, //
-        Wrong{"NoOutput", "render city", "--output"},
-        Wrong{"TwoScenes", "render city spheres -o a.png", "spheres"},
+        Wrong{"UnknownMaterial", "materials marble", "marble"}, Wrong{"NoScene", "render -o a.png", "SCENE"}, //
+        Wrong{"NoOutput", "render city", "--output"}, Wrong{"TwoScenes", "render city spheres -o a.png", "spheres"},
         Wrong{"UnknownOption", "render city -o a.png --sharp", "--sharp"},
         Wrong{"MaterialWithoutFile", "render city -o a.png --material a", "--material"},
         Wrong{"TimeNegative", "render motion -o a.png --time=-1", "--time -1"},
@@ -132,15 +127,22 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"MsaaZero", "render city -o a.png --msaa 0", "--msaa 0"},
         Wrong{"RendererUnknown", "render city -o a.png --renderer magic", "light-prepass"},
         Wrong{"PresetUnknown", "render city -o a.png --preset magic", "magic"},
-        Wrong{"SetOfTheOtherModel", "render spheres -o a.png --set specular-gate=step", "--set specular-gate=step: needs --shading phong, and it is ggx"},
+        Wrong{"SetOfTheOtherModel", "render spheres -o a.png --set specular-gate=step",
+              "--set specular-gate=step: needs --shading phong, and it is ggx"},
         Wrong{"SetThatNeedsAnother", "render spheres -o a.png --set light-culling=volumes --set tile-size=16",
               "--set tile-size=16: needs light-culling=tiles or clusters, and it is volumes"},
-        Wrong{"SetOfShadows", "render spheres -o a.png --renderer multipass --set shadow-filter=hard", "needs shadows=on"},
-        Wrong{"SetOfTheReference", "render spheres -o a.png --renderer reference --shading phong --set model=nv", "needs --shading ggx"},
-        Wrong{"SetInAPresetsModel", "render spheres -o a.png --preset round2 --set model=nv", "needs --shading ggx, and it is phong"},
-        Wrong{"BenchSetWithoutEffect", "bench lights --size 64x36 --light-counts 4 --renderers light-prepass@preset=prelighting@tile-size=16 --json a.json",
+        Wrong{"SetOfShadows", "render spheres -o a.png --renderer multipass --set shadow-filter=hard",
+              "needs shadows=on"},
+        Wrong{"SetOfTheReference", "render spheres -o a.png --renderer reference --shading phong --set model=nv",
+              "needs --shading ggx"},
+        Wrong{"SetInAPresetsModel", "render spheres -o a.png --preset round2 --set model=nv",
+              "needs --shading ggx, and it is phong"},
+        Wrong{"BenchSetWithoutEffect",
+              "bench lights --size 64x36 --light-counts 4 --renderers light-prepass@preset=prelighting@tile-size=16 "
+              "--json a.json",
               "needs light-culling=tiles or clusters, and it is rectangles"},
-        Wrong{"CompareSetWithoutEffect", "compare lights --size 32x18 --light-counts none --renderers light-prepass@ssao-radius=2 -o out",
+        Wrong{"CompareSetWithoutEffect",
+              "compare lights --size 32x18 --light-counts none --renderers light-prepass@ssao-radius=2 -o out",
               "needs ssao=half or full or --view ambient-occlusion"},
         Wrong{"SetWithoutValue", "render city -o a.png --set normals", "KEY=VALUE"},
         Wrong{"SetUnknownKey", "render city -o a.png --set magic=1", "magic"},
@@ -157,12 +159,10 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"CameraUnknown", "render spheres -o a.png --size 64x36 --camera magic", "magic"},
         Wrong{"CameraBeyond", "render spheres -o a.png --size 64x36 --camera 99", "99"},
         Wrong{"WatchBuiltin", "render city -o a.png --watch", "--watch"},
-        Wrong{"MakeUnknown", "make magic -o a.glb", "city"},
-        Wrong{"MakeNoOutput", "make city", "--output"},
+        Wrong{"MakeUnknown", "make magic -o a.glb", "city"}, Wrong{"MakeNoOutput", "make city", "--output"},
         Wrong{"MakeFormat", "make city -o a.gltf", ".glb"},
         Wrong{"MakeLightsBeyond", "make city -o a.glb --lights 65537", "65"},
-        Wrong{"RenderersUnknown", "renderers magic", "light-prepass"},
-        Wrong{"DevicesArgument", "devices now", "now"}),
+        Wrong{"RenderersUnknown", "renderers magic", "light-prepass"}, Wrong{"DevicesArgument", "devices now", "now"}),
     [](const auto& kind) { return std::string(kind.param.name); });
 
 } // namespace

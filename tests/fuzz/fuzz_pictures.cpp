@@ -13,7 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
             return 0;
         for (const uint32_t halvings : {0u, 1u}) {
             const TextureImage image = images::decode(bytes, halvings, images::Texels::colour);
-            if (image.width != images::halved(cost.width, halvings) || image.height != images::halved(cost.height, halvings) ||
+            if (image.width != images::halved(cost.width, halvings) ||
+                image.height != images::halved(cost.height, halvings) ||
                 image.rgba.size() != size_t(image.width) * image.height * 4)
                 __builtin_trap();
         }

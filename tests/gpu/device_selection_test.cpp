@@ -43,8 +43,8 @@ std::string taken(const std::vector<gpu::Candidate>& all, const std::string& sel
 }
 
 TEST(DeviceRanking, AutoPrefersDiscreteThenIntegratedThenVirtualThenSoftware) {
-    std::vector<Made> all{{"strange", "other"}, {"soft", "software"}, {"virt", "virtual"},
-                          {"intel", "integrated"}, {"big", "discrete"}, {"big2", "discrete"}};
+    std::vector<Made> all{{"strange", "other"},    {"soft", "software"}, {"virt", "virtual"},
+                          {"intel", "integrated"}, {"big", "discrete"},  {"big2", "discrete"}};
     for (const char* expected : {"big", "big2", "intel", "virt", "soft", "strange"}) {
         EXPECT_EQ(taken(machine(all), "auto"), expected);
         std::erase_if(all, [&](const Made& m) { return m.name == std::string(expected); });
@@ -57,8 +57,11 @@ TEST(DeviceRanking, AutoPassesOverWhatCannotBeUsed) {
 
 TEST(DeviceRanking, AutoWithoutAUsableDeviceSaysWhy) {
     EXPECT_THAT([] { gpu::choose({}, "auto"); }, ThrowsMessage<Error>(HasSubstr("no device")));
-    EXPECT_THAT([] { gpu::choose(machine({{"old", "discrete", false}}), "auto"); },
-                ThrowsMessage<Error>(testing::AllOf(HasSubstr("old"), HasSubstr("1.3 is needed"))));
+    EXPECT_THAT(
+        [] {
+            gpu::choose(machine({{"old", "discrete", false}}), "auto");
+        },
+        ThrowsMessage<Error>(testing::AllOf(HasSubstr("old"), HasSubstr("1.3 is needed"))));
 }
 
 TEST(DeviceRanking, CpuIsTheFirstUsableSoftwareDevice) {

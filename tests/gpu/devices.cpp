@@ -13,13 +13,9 @@ struct Holder : testing::Environment {
 
 } // namespace
 
-void PrintTo(Driver driver, std::ostream* out) {
-    *out << (driver == Driver::lavapipe ? "lavapipe" : "swiftshader");
-}
+void PrintTo(Driver driver, std::ostream* out) { *out << (driver == Driver::lavapipe ? "lavapipe" : "swiftshader"); }
 
-std::string driver_name(const testing::TestParamInfo<Driver>& info) {
-    return testing::PrintToString(info.param);
-}
+std::string driver_name(const testing::TestParamInfo<Driver>& info) { return testing::PrintToString(info.param); }
 
 bool swiftshader_installed() { return std::filesystem::exists(swiftshader_driver_file); }
 

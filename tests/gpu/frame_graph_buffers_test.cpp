@@ -30,8 +30,8 @@ protected:
         return pass;
     }
 };
-INSTANTIATE_TEST_SUITE_P(Drivers, FrameGraphBuffers,
-                         testing::Values(Driver::lavapipe, Driver::swiftshader), driver_name);
+INSTANTIATE_TEST_SUITE_P(Drivers, FrameGraphBuffers, testing::Values(Driver::lavapipe, Driver::swiftshader),
+                         driver_name);
 
 TEST_P(FrameGraphBuffers, AWriteIsSeenByTheNextPassAndByTheHost) {
     const gpu::Buffer first = make("first"), second = make("second");

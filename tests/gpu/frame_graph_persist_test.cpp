@@ -24,7 +24,8 @@ void clear_depth(VkCommandBuffer commands, float depth, VkRect2D area) {
 }
 
 class FrameGraphPersistTest : public OnEachDevice {};
-INSTANTIATE_TEST_SUITE_P(Drivers, FrameGraphPersistTest, testing::Values(Driver::lavapipe, Driver::swiftshader), driver_name);
+INSTANTIATE_TEST_SUITE_P(Drivers, FrameGraphPersistTest, testing::Values(Driver::lavapipe, Driver::swiftshader),
+                         driver_name);
 
 TEST_P(FrameGraphPersistTest, WhatOneFrameDrewIsThereInTheNext) {
     FrameGraph graph(context());
@@ -52,7 +53,8 @@ TEST_P(FrameGraphPersistTest, WhatOneFrameDrewIsThereInTheNext) {
 TEST_P(FrameGraphPersistTest, AColourImageIsEmptyBeforeItsFirstFrame) {
     FrameGraph graph(context());
     const graph::ImageDesc colours{VK_FORMAT_R16G16B16A16_SFLOAT, {64, 32}};
-    const ImageId early = graph.image("early", colours), image = graph.image("columns", colours), seen = graph.image("seen", colours);
+    const ImageId early = graph.image("early", colours), image = graph.image("columns", colours),
+                  seen = graph.image("seen", colours);
     graph.pass("early").colour(early, Load::clear, {9, 9, 9, 9}).record([](const auto&) {});
     int32_t column = 0;
     graph::Pass& pass = graph.pass("one column");

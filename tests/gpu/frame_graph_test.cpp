@@ -19,8 +19,7 @@ constexpr graph::ImageDesc floats{VK_FORMAT_R32_SFLOAT, {64, 64}};
 class FrameGraphTest : public OnEachDevice {
 protected:
     /// An image that a pass clears to `value`.
-    ImageId cleared(FrameGraph& graph, const std::string& name, float value,
-                    const graph::ImageDesc& desc = floats) {
+    ImageId cleared(FrameGraph& graph, const std::string& name, float value, const graph::ImageDesc& desc = floats) {
         const ImageId image = graph.image(name, desc);
         graph.pass("clear " + name).colour(image, Load::clear, {value}).record([](const auto&) {});
         return image;
@@ -35,8 +34,7 @@ protected:
         return image;
     }
 };
-INSTANTIATE_TEST_SUITE_P(Drivers, FrameGraphTest,
-                         testing::Values(Driver::lavapipe, Driver::swiftshader), driver_name);
+INSTANTIATE_TEST_SUITE_P(Drivers, FrameGraphTest, testing::Values(Driver::lavapipe, Driver::swiftshader), driver_name);
 
 std::vector<std::string> names(const FrameGraph& graph) {
     std::vector<std::string> all;
@@ -53,8 +51,11 @@ TEST_P(FrameGraphTest, PassesThatNobodyNeedsAreCulled) {
     const ImageId used = cleared(graph, "used", 1);
     const ImageId feeds_unused = cleared(graph, "feeds unused", 2);
     const ImageId unused = graph.image("unused", floats);
-    graph.pass("unused").colour(unused, Load::discard).sample(0, feeds_unused)
-        .prepare([&](const auto&) { prepared = true; }).record([&](const auto&) { recorded = true; });
+    graph.pass("unused")
+        .colour(unused, Load::discard)
+        .sample(0, feeds_unused)
+        .prepare([&](const auto&) { prepared = true; })
+        .record([&](const auto&) { recorded = true; });
     const ImageId kept = mixed(graph, "kept", {used, used, used}, 0);
     graph.keep(kept);
     mixed(graph, "after", {kept, kept, kept}, 0);
@@ -82,8 +83,7 @@ TEST_P(FrameGraphTest, OnlyKeptImagesAreReadBack) {
     graph.keep(kept);
     graph.compile();
     run_frame(context(), graph);
-    EXPECT_THAT([&] { graph.read_back(first); },
-                testing::ThrowsMessage<Error>(testing::HasSubstr("first")));
+    EXPECT_THAT([&] { graph.read_back(first); }, testing::ThrowsMessage<Error>(testing::HasSubstr("first")));
 }
 
 TEST_P(FrameGraphTest, ImagesWhoseLifetimesDoNotMeetShareMemory) {
@@ -163,8 +163,8 @@ TEST_P(FrameGraphTest, LoadKeepsOrClears) {
         auto program = std::make_shared<std::unique_ptr<Program>>();
         pass.prepare([=, this](const graph::PassInterface& interface) {
             EXPECT_THAT(interface.colour_formats, ElementsAre(colours.format));
-            *program = std::make_unique<Program>(context(), "constant.frag", interface.inputs,
-                                                 interface.colour_formats);
+            *program =
+                std::make_unique<Program>(context(), "constant.frag", interface.inputs, interface.colour_formats);
         });
         pass.record([=](const graph::PassContext& c) {
             EXPECT_EQ(c.extent.width, 64);

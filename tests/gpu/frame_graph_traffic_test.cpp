@@ -24,7 +24,12 @@ TEST_F(FrameGraphTraffic, CountsEachImageOnceByItsFormat) {
     const ImageId small = graph.image("small", ImageDesc{VK_FORMAT_R8_UNORM, {8, 4}});   // 1
     const ImageId nobody = graph.image("nobody", {VK_FORMAT_R32_SFLOAT, extent});
     graph.pass("fill").colour(normal, Load::clear).depth_write(depth).record(nothing);
-    graph.pass("light").colour(light, Load::clear).blends().depth_test(depth).sample(0, depth).sample(1, normal)
+    graph.pass("light")
+        .colour(light, Load::clear)
+        .blends()
+        .depth_test(depth)
+        .sample(0, depth)
+        .sample(1, normal)
         .record(nothing);
     graph.pass("more light").colour(light, Load::keep).depth_write(depth, Load::keep).record(nothing);
     graph.pass("shrink").colour(small, Load::discard).sample(0, light).record(nothing);

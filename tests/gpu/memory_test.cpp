@@ -14,8 +14,7 @@ class DeviceMemory : public OnEachDevice {
 protected:
     uint64_t held() { return context().device_bytes(); }
 };
-INSTANTIATE_TEST_SUITE_P(Drivers, DeviceMemory, testing::Values(Driver::lavapipe, Driver::swiftshader),
-                         driver_name);
+INSTANTIATE_TEST_SUITE_P(Drivers, DeviceMemory, testing::Values(Driver::lavapipe, Driver::swiftshader), driver_name);
 
 TEST_P(DeviceMemory, BuffersAreCountedUntilTheyGo) {
     const uint64_t start = held();
@@ -130,9 +129,9 @@ TEST(OutOfMemory, IsAnErrorThatNamesTheDeviceAndTheSize) {
     const gpu::Context context({.select = "cpu"});
     const uint32_t type = context.memory_type(0xffffffffu, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     const uint64_t exabyte = uint64_t(1) << 60;
-    EXPECT_THAT([&] { gpu::Allocation(context, exabyte, type, false); },
-                testing::ThrowsMessage<Error>(
-                    testing::AllOf(HasSubstr(context.name()), HasSubstr(std::to_string(exabyte)))));
+    EXPECT_THAT(
+        [&] { gpu::Allocation(context, exabyte, type, false); },
+        testing::ThrowsMessage<Error>(testing::AllOf(HasSubstr(context.name()), HasSubstr(std::to_string(exabyte)))));
     EXPECT_EQ(context.device_bytes(), 0);
 }
 

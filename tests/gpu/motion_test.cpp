@@ -25,7 +25,8 @@ TEST(MotionConstants, PreviousClipSpaceIsThatOfThePreviousCamera) {
         camera.ymag = 3;
         const glm::dvec3 far_off(10'000, 0, -7'000);
         PlacedCamera now = look_at(camera, far_off + glm::dvec3(1, 2, 8), far_off);
-        const PlacedCamera before = look_at(camera, far_off + glm::dvec3(0.5, 1.5, 8.25), far_off + glm::dvec3(0.1, 0, 0));
+        const PlacedCamera before =
+            look_at(camera, far_off + glm::dvec3(0.5, 1.5, 8.25), far_off + glm::dvec3(0.1, 0, 0));
         shared::FrameConstants still{}, moved{}, expected{};
         resident::fill_camera(still, now, 320, 180);
         EXPECT_EQ(still.previous_clip_from_world, still.clip_from_world);
@@ -94,7 +95,8 @@ TEST_F(Motion, PreviousVerticesAreThereOnlyWhenAskedForAndMoved) {
     EXPECT_NE(moved.previous(), moved.positions.handle());
     EXPECT_EQ(moved.previous_positions.size(), 6 * sizeof(glm::vec3));
     std::swap(world.instances[0], world.instances[1]); // what moves comes first
-    EXPECT_EQ(resident::upload_geometry(context(), world, true, false, {}, {}).previous_positions.size(), 6 * sizeof(glm::vec3));
+    EXPECT_EQ(resident::upload_geometry(context(), world, true, false, {}, {}).previous_positions.size(),
+              6 * sizeof(glm::vec3));
 }
 
 } // namespace

@@ -48,8 +48,8 @@ glm::ivec4 numbers(NormalEncoding encoding, glm::ivec4 codes) {
 
 struct Expected {
     NormalEncoding encoding;
-    double mean, max;   ///< degrees, measured by NormalEncoding.*AngularError
-    double may_differ;  ///< share of codes that may be one step away
+    double mean, max;    ///< degrees, measured by NormalEncoding.*AngularError
+    double may_differ;   ///< share of codes that may be one step away
     double apart = 3e-5; ///< degrees between the two decoders: some units in the last place of a float
 };
 // The octahedral encodings round to whole steps themselves, xy16f to whole halves; the XYZ encodings
@@ -58,11 +58,13 @@ struct Expected {
 // angles are held to the same bounds. Arc tangents of spherical and squares of xy16f may differ in the
 // last place, and with them what lies between two codes. Vulkan lets sines be off by 2⁻¹¹, 0.028°;
 // SwiftShader's are by 0.0056°.
-constexpr Expected expected_errors[] = {
-    {NormalEncoding::oct24, 0.0209, 0.0592, 0.0001},     {NormalEncoding::oct32, 0.0013, 0.0037, 0.0001},
-    {NormalEncoding::rgb10a2, 0.0422, 0.0960, 0.65},     {NormalEncoding::rgb8, 0.1697, 0.3843, 0.0001},
-    {NormalEncoding::spherical, 0.0221, 0.0492, 0.003, 0.0057},  {NormalEncoding::oct16, 0.3368, 0.9510, 0.0001},
-    {NormalEncoding::xy16f, 0.0271, 0.8930, 0.003}};
+constexpr Expected expected_errors[] = {{NormalEncoding::oct24, 0.0209, 0.0592, 0.0001},
+                                        {NormalEncoding::oct32, 0.0013, 0.0037, 0.0001},
+                                        {NormalEncoding::rgb10a2, 0.0422, 0.0960, 0.65},
+                                        {NormalEncoding::rgb8, 0.1697, 0.3843, 0.0001},
+                                        {NormalEncoding::spherical, 0.0221, 0.0492, 0.003, 0.0057},
+                                        {NormalEncoding::oct16, 0.3368, 0.9510, 0.0001},
+                                        {NormalEncoding::xy16f, 0.0271, 0.8930, 0.003}};
 
 class NormalEncodingOnDevice : public OnEachDevice {};
 
@@ -112,8 +114,8 @@ TEST_P(NormalEncodingOnDevice, L1_AgreesWithTheCpu) {
         EXPECT_LE(roughness, 1e-5);
     }
 }
-INSTANTIATE_TEST_SUITE_P(Drivers, NormalEncodingOnDevice,
-                         testing::Values(Driver::lavapipe, Driver::swiftshader), driver_name);
+INSTANTIATE_TEST_SUITE_P(Drivers, NormalEncodingOnDevice, testing::Values(Driver::lavapipe, Driver::swiftshader),
+                         driver_name);
 
 } // namespace
 } // namespace prelight

@@ -75,12 +75,15 @@ glm::dvec3 spherical_by_definition(glm::dvec3 n) {
 }
 /// The pair of halves beside (x, y), out of four, with the smallest angle.
 glm::dvec3 xy16f_by_definition(glm::dvec3 n) {
-    const auto step = [](double v) { return std::exp2(std::max(std::floor(std::log2(std::max(std::abs(v), 1e-9))), -14.0) - 10); };
+    const auto step = [](double v) {
+        return std::exp2(std::max(std::floor(std::log2(std::max(std::abs(v), 1e-9))), -14.0) - 10);
+    };
     glm::dvec3 nearest(0);
     double least = 180;
     for (const double a : {0, 1})
         for (const double b : {0, 1}) {
-            const double x = (std::floor(n.x / step(n.x)) + a) * step(n.x), y = (std::floor(n.y / step(n.y)) + b) * step(n.y);
+            const double x = (std::floor(n.x / step(n.x)) + a) * step(n.x),
+                         y = (std::floor(n.y / step(n.y)) + b) * step(n.y);
             const glm::dvec3 back(x, y, std::copysign(std::sqrt(std::max(1 - x * x - y * y, 0.0)), n.z));
             if (angle(n, back) < least) {
                 least = angle(n, back);
@@ -101,8 +104,8 @@ Figures measure(Ours ours, Definition definition) {
         figures.ours.add(angle(n, ours(n)));
         figures.by_definition.add(angle(n, definition(glm::dvec3(n))));
     }
-    std::printf("    mean %.6f° max %.6f° (by definition %.6f° and %.6f°)\n", figures.ours.mean(),
-                figures.ours.max, figures.by_definition.mean(), figures.by_definition.max);
+    std::printf("    mean %.6f° max %.6f° (by definition %.6f° and %.6f°)\n", figures.ours.mean(), figures.ours.max,
+                figures.by_definition.mean(), figures.by_definition.max);
     return figures;
 }
 void expect_as_defined(const Figures& f) {
@@ -115,8 +118,7 @@ TEST(NormalEncoding, Oct24AngularError) {
 }
 
 TEST(NormalEncoding, Oct32AngularError) {
-    const Figures f =
-        measure(through_oct32, [](glm::dvec3 n) { return octahedral_by_definition(n, 32767); });
+    const Figures f = measure(through_oct32, [](glm::dvec3 n) { return octahedral_by_definition(n, 32767); });
     expect_as_defined(f);
     EXPECT_NEAR(f.ours.mean(), 0.0013, 0.00005);
     EXPECT_NEAR(f.ours.max, 0.0037, 0.00005);
@@ -230,8 +232,7 @@ TEST(NormalEncoding, RoughnessInEightBits) {
     double worst = 0;
     for (uint32_t i = 0; i <= 1'000'000; ++i) {
         const double roughness = 0.089 + (1 - 0.089) * i / 1e6;
-        const float back =
-            shared::roughness_decode(stored(shared::roughness_encode(static_cast<float>(roughness)), 8));
+        const float back = shared::roughness_decode(stored(shared::roughness_encode(static_cast<float>(roughness)), 8));
         worst = std::max(worst, std::abs(back / roughness - 1));
     }
     // 255 even steps of the logarithm between 0.089 and 1; half a step is the largest error.
@@ -247,7 +248,8 @@ TEST(NormalEncoding, RoughnessInEightBits) {
 TEST(LinearDepth, L2_PackedIntoFourBytesIsExact) {
     const auto through = [](float z) {
         const glm::vec4 e = shared::linear_depth_encode(DEPTH_RGBA8, z);
-        return shared::linear_depth_decode(DEPTH_RGBA8, {stored(e.x, 8), stored(e.y, 8), stored(e.z, 8), stored(e.w, 8)});
+        return shared::linear_depth_decode(DEPTH_RGBA8,
+                                           {stored(e.x, 8), stored(e.y, 8), stored(e.z, 8), stored(e.w, 8)});
     };
     EXPECT_EQ(through(0), 0) << "no surface";
     for (uint32_t i = 0; i < 1'000'000; ++i) {

@@ -1,14 +1,17 @@
 // Renderers on one device share what is built of equal descriptions, and nothing else.
 #include "devices.hpp"
-#include <gpu/descriptors.hpp>
 #include <functional>
+#include <gpu/descriptors.hpp>
 #include <gpu/pipeline_library.hpp>
 
 namespace prelight {
 namespace {
 
 gpu::GraphicsPipelineDesc tonemap_like() {
-    return {.name = "a", .vertex = "fullscreen.vert", .fragment = "background.frag", .colour_formats = {VK_FORMAT_R8G8B8A8_UNORM}};
+    return {.name = "a",
+            .vertex = "fullscreen.vert",
+            .fragment = "background.frag",
+            .colour_formats = {VK_FORMAT_R8G8B8A8_UNORM}};
 }
 
 class Library : public OnDevice {
@@ -42,10 +45,21 @@ TEST_F(Library, EqualPipelinesAreBuiltOnce) {
     EXPECT_EQ(calls, 1);
     // Whatever differs is another pipeline.
     std::vector<std::shared_ptr<const gpu::BuiltPipeline>> others;
-    for (const std::function<void(gpu::GraphicsPipelineDesc&)>& change : std::initializer_list<std::function<void(gpu::GraphicsPipelineDesc&)>>{
-             [](auto& d) { d.fragment = "tonemap.frag"; }, [](auto& d) { d.fragment_code = {1, 2}; }, [](auto& d) { d.fragment_code = {1, 3}; },
-             [](auto& d) { d.constants = {{0, 1}}; }, [](auto& d) { d.colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}; },
-             [](auto& d) { d.depth_bounds = true; }, [](auto& d) { d.slope_bias = 1; }, [](auto& d) { d.push_stage = VK_SHADER_STAGE_VERTEX_BIT; },
+    for (const std::function<void(gpu::GraphicsPipelineDesc&)>& change :
+         std::initializer_list<std::function<void(gpu::GraphicsPipelineDesc&)>>{
+             [](auto& d) { d.fragment = "tonemap.frag"; },
+             [](auto& d) {
+                 d.fragment_code = {1, 2};
+             },
+             [](auto& d) {
+                 d.fragment_code = {1, 3};
+             },
+             [](auto& d) {
+                 d.constants = {{0, 1}};
+             },
+             [](auto& d) { d.colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}; },
+             [](auto& d) { d.depth_bounds = true; }, [](auto& d) { d.slope_bias = 1; },
+             [](auto& d) { d.push_stage = VK_SHADER_STAGE_VERTEX_BIT; },
              [](auto& d) { d.attributes = {{.offset = 4}}; }, [](auto& d) { d.blend = gpu::Blend::add; }}) {
         desc = tonemap_like();
         change(desc);

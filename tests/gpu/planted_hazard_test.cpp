@@ -96,17 +96,14 @@ protected:
     }
     std::unique_ptr<gpu::Context> device_;
 };
-INSTANTIATE_TEST_SUITE_P(Drivers, PlantedHazard, testing::Values(Driver::lavapipe, Driver::swiftshader),
-                         driver_name);
+INSTANTIATE_TEST_SUITE_P(Drivers, PlantedHazard, testing::Values(Driver::lavapipe, Driver::swiftshader), driver_name);
 
 /// Draws, then reads in a compute shader.
 std::vector<std::string> write_then_read(const gpu::Context& device, bool with_barrier) {
     const Picture picture(device);
-    const gpu::Buffer target(device, "target", 64 * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                             gpu::BufferPlace::readback);
-    const std::vector<gpu::Binding> bindings{
-        gpu::Binding::storage(0, target.handle()),
-        gpu::Binding::sampled(1, picture.view, VK_IMAGE_LAYOUT_GENERAL)};
+    const gpu::Buffer target(device, "target", 64 * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::readback);
+    const std::vector<gpu::Binding> bindings{gpu::Binding::storage(0, target.handle()),
+                                             gpu::Binding::sampled(1, picture.view, VK_IMAGE_LAYOUT_GENERAL)};
     const VkDescriptorSetLayout layout = gpu::make_set_layout(device, "read", bindings);
     const gpu::DescriptorSets sets(device, "read", layout, {{bindings}});
     const Program program(device, "read_image.comp", layout);
@@ -114,21 +111,18 @@ std::vector<std::string> write_then_read(const gpu::Context& device, bool with_b
         picture.barrier(commands, VK_IMAGE_LAYOUT_UNDEFINED, 0, 0, output, write);
         picture.clear(commands);
         if (with_barrier)
-            picture.barrier(commands, VK_IMAGE_LAYOUT_GENERAL, output, write,
-                            VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+            picture.barrier(commands, VK_IMAGE_LAYOUT_GENERAL, output, write, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
         program.run(commands, sets[0]);
     });
     return device.validation_messages();
 }
 
 TEST_P(PlantedHazard, AReadAfterRenderingIsReported) {
-    EXPECT_THAT(write_then_read(*device_, false),
-                Contains(AllOf(HasSubstr("READ_AFTER_WRITE"), HasSubstr("hazard"))));
+    EXPECT_THAT(write_then_read(*device_, false), Contains(AllOf(HasSubstr("READ_AFTER_WRITE"), HasSubstr("hazard"))));
 }
 
-TEST_P(PlantedHazard, AReadAfterRenderingWithABarrierIsNot) {
-    EXPECT_THAT(write_then_read(*device_, true), IsEmpty());
-}
+TEST_P(PlantedHazard, AReadAfterRenderingWithABarrierIsNot) { EXPECT_THAT(write_then_read(*device_, true), IsEmpty()); }
 
 std::vector<std::string> write_then_write(const gpu::Context& device, bool with_barrier) {
     const Picture picture(device);

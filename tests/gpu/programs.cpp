@@ -49,8 +49,8 @@ void Program::make_compute(const gpu::Context& context, VkShaderModule shader) {
     info.stage = stage_info(VK_SHADER_STAGE_COMPUTE_BIT, shader);
     info.layout = layout_;
     VkPipeline handle = VK_NULL_HANDLE;
-    gpu::check(vkCreateComputePipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr,
-                                        &handle), "test pipeline");
+    gpu::check(vkCreateComputePipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle),
+               "test pipeline");
     pipeline_ = {context.device(), handle};
 }
 
@@ -60,18 +60,14 @@ void Program::make_graphics(const gpu::Context& context, VkShaderModule shader,
     const gpu::UniqueShaderModule vertex = make_module(context, gpu::find_shader("fullscreen.vert"));
     const std::array stages{stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex),
                             stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, shader)};
-    const VkPipelineVertexInputStateCreateInfo input{
-        VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-    VkPipelineInputAssemblyStateCreateInfo assembly{
-        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    const VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
     viewport.viewportCount = viewport.scissorCount = 1;
-    VkPipelineRasterizationStateCreateInfo raster{
-        VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.lineWidth = 1;
-    VkPipelineMultisampleStateCreateInfo samples{
-        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
     samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
     VkPipelineColorBlendAttachmentState write_all{};
     write_all.colorWriteMask = 0xf;
@@ -98,13 +94,13 @@ void Program::make_graphics(const gpu::Context& context, VkShaderModule shader,
     info.pDynamicState = &dynamic;
     info.layout = layout_;
     VkPipeline handle = VK_NULL_HANDLE;
-    gpu::check(vkCreateGraphicsPipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr,
-                                         &handle), "test pipeline");
+    gpu::check(vkCreateGraphicsPipelines(context.device(), context.pipeline_cache(), 1, &info, nullptr, &handle),
+               "test pipeline");
     pipeline_ = {context.device(), handle};
 }
 
-void Program::run(VkCommandBuffer commands, VkDescriptorSet set, std::array<float, 4> push,
-                  uint32_t groups_x, uint32_t groups_y) const {
+void Program::run(VkCommandBuffer commands, VkDescriptorSet set, std::array<float, 4> push, uint32_t groups_x,
+                  uint32_t groups_y) const {
     vkCmdBindPipeline(commands, point_, pipeline_);
     vkCmdBindDescriptorSets(commands, point_, layout_, 0, 1, &set, 0, nullptr);
     vkCmdPushConstants(commands, layout_, push_stages, 0, 16, push.data());
@@ -114,8 +110,8 @@ void Program::run(VkCommandBuffer commands, VkDescriptorSet set, std::array<floa
         vkCmdDraw(commands, 3, 1, 0, 0);
 }
 
-void run_program(graph::Pass& pass, const gpu::Context& context, const std::string& shader,
-                 std::array<float, 4> push, uint32_t groups_x, uint32_t groups_y) {
+void run_program(graph::Pass& pass, const gpu::Context& context, const std::string& shader, std::array<float, 4> push,
+                 uint32_t groups_x, uint32_t groups_y) {
     auto program = std::make_shared<std::unique_ptr<Program>>();
     pass.prepare([=, &context](const graph::PassInterface& interface) {
         *program = std::make_unique<Program>(context, shader, interface.inputs, interface.colour_formats);

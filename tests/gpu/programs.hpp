@@ -20,13 +20,12 @@ public:
     Program(const gpu::Context& context, std::string_view shader, VkDescriptorSetLayout set,
             std::span<const VkFormat> colour_formats = {});
     /// One workgroup for each of x × y × 1, or one full-screen triangle.
-    void run(VkCommandBuffer commands, VkDescriptorSet set, std::array<float, 4> push = {},
-             uint32_t groups_x = 1, uint32_t groups_y = 1) const;
+    void run(VkCommandBuffer commands, VkDescriptorSet set, std::array<float, 4> push = {}, uint32_t groups_x = 1,
+             uint32_t groups_y = 1) const;
 
 private:
     void make_compute(const gpu::Context& context, VkShaderModule shader);
-    void make_graphics(const gpu::Context& context, VkShaderModule shader,
-                       std::span<const VkFormat> colour_formats);
+    void make_graphics(const gpu::Context& context, VkShaderModule shader, std::span<const VkFormat> colour_formats);
     gpu::UniquePipelineLayout layout_;
     gpu::UniquePipeline pipeline_;
     VkPipelineBindPoint point_ = VK_PIPELINE_BIND_POINT_COMPUTE;

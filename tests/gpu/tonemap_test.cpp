@@ -86,15 +86,14 @@ TEST_P(TonemapPass, AgreesWithTheCpu) {
     for (const auto& texel : bytes)
         ASSERT_EQ(texel[3], 255);
 }
-INSTANTIATE_TEST_SUITE_P(
-    Drivers, TonemapPass,
-    testing::Values(Case{Driver::lavapipe, Tonemap::pbr_neutral, "lavapipe_pbr_neutral"},
-                    Case{Driver::lavapipe, Tonemap::aces, "lavapipe_aces"},
-                    Case{Driver::lavapipe, Tonemap::none, "lavapipe_none"},
-                    Case{Driver::swiftshader, Tonemap::pbr_neutral, "swiftshader_pbr_neutral"},
-                    Case{Driver::swiftshader, Tonemap::aces, "swiftshader_aces"},
-                    Case{Driver::swiftshader, Tonemap::none, "swiftshader_none"}),
-    [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(Drivers, TonemapPass,
+                         testing::Values(Case{Driver::lavapipe, Tonemap::pbr_neutral, "lavapipe_pbr_neutral"},
+                                         Case{Driver::lavapipe, Tonemap::aces, "lavapipe_aces"},
+                                         Case{Driver::lavapipe, Tonemap::none, "lavapipe_none"},
+                                         Case{Driver::swiftshader, Tonemap::pbr_neutral, "swiftshader_pbr_neutral"},
+                                         Case{Driver::swiftshader, Tonemap::aces, "swiftshader_aces"},
+                                         Case{Driver::swiftshader, Tonemap::none, "swiftshader_none"}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 } // namespace
 } // namespace prelight

@@ -32,8 +32,7 @@ VKAPI_ATTR void VKAPI_CALL vkCmdPipelineBarrier2(VkCommandBuffer commands, const
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreatePipelineCache(VkDevice device, const VkPipelineCacheCreateInfo* info,
-                                                     const VkAllocationCallbacks* allocator,
-                                                     VkPipelineCache* cache) {
+                                                     const VkAllocationCallbacks* allocator, VkPipelineCache* cache) {
     if (prelight::VulkanSpy* spy = prelight::VulkanSpy::active()) {
         const auto* data = static_cast<const std::byte*>(info->pInitialData);
         spy->pipeline_caches.emplace_back(data, data + info->initialDataSize);

@@ -16,8 +16,8 @@ public:
     VulkanSpy& operator=(const VulkanSpy&) = delete;
     static VulkanSpy*& active();
 
-    std::vector<VkBufferMemoryBarrier2> buffer_barriers;   ///< of vkCmdPipelineBarrier2, in order
-    std::vector<std::vector<std::byte>> pipeline_caches;   ///< initial data of vkCreatePipelineCache
+    std::vector<VkBufferMemoryBarrier2> buffer_barriers; ///< of vkCmdPipelineBarrier2, in order
+    std::vector<std::vector<std::byte>> pipeline_caches; ///< initial data of vkCreatePipelineCache
 };
 
 } // namespace prelight

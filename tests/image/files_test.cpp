@@ -69,13 +69,11 @@ TEST(AtomicFile, NamesTheFileAndTheReason) {
     const TemporaryFolder folder;
     const auto in_missing = folder.path / "missing" / "a.png";
     const std::string message = message_of([&] { AtomicFile file(in_missing); });
-    EXPECT_EQ(message, in_missing.string() + ": folder " + (folder.path / "missing").string() +
-                           " does not exist");
+    EXPECT_EQ(message, in_missing.string() + ": folder " + (folder.path / "missing").string() + " does not exist");
     EXPECT_THAT(message_of([&] { AtomicFile file(folder.path); }), HasSubstr("is a folder"));
     EXPECT_THAT(message_of([&] { AtomicFile file(folder.path / ""); }), HasSubstr("not the name"));
     write_text(folder.path / "plain", "");
-    EXPECT_THAT(message_of([&] { AtomicFile file(folder.path / "plain" / "a.png"); }),
-                HasSubstr("is not a folder"));
+    EXPECT_THAT(message_of([&] { AtomicFile file(folder.path / "plain" / "a.png"); }), HasSubstr("is not a folder"));
 }
 
 TEST(Png, KeepsBytesAndRoundsToNearest) {

@@ -44,7 +44,8 @@ TEST(Hdr, FlatPixelsAreMantissaTimesPowerOfTwo) {
 
 TEST(Hdr, RunsOfBothKindsAreTakenApart) {
     // Ten pixels: red in a run, green pixel by pixel, blue in two runs.
-    const std::string row = bytes({2, 2, 0, 10, 138, 128, 10, 0, 16, 32, 48, 64, 80, 96, 112, 128, 144, 132, 64, 134, 32, 138, 129});
+    const std::string row =
+        bytes({2, 2, 0, 10, 138, 128, 10, 0, 16, 32, 48, 64, 80, 96, 112, 128, 144, 132, 64, 134, 32, 138, 129});
     const Image image = load(head + "-Y 2 +X 10\n" + row + row);
     for (uint32_t y = 0; y < 2; ++y)
         for (uint32_t x = 0; x < 10; ++x)
@@ -62,16 +63,19 @@ TEST(Hdr, ExposureOfTheHeaderIsDividedOut) {
 
 TEST(Hdr, WhatIsWrongIsSaidInOneLine) {
     EXPECT_THAT(error_of("\x89PNG"), HasSubstr("a.hdr: not a Radiance picture"));
-    EXPECT_THAT(error_of("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\nabcd"), HasSubstr("its pixels are not RGBE"));
+    EXPECT_THAT(error_of("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\nabcd"),
+                HasSubstr("its pixels are not RGBE"));
     EXPECT_THAT(error_of("#?RADIANCE\nEXPOSURE=no\n\n-Y 1 +X 1\nabcd"), HasSubstr("EXPOSURE is no number above 0"));
-    for (const char* size : {"+Y 1 +X 1", "-Y 0 +X 1", "-Y 1 +X 99999", "-Y 60000 +X 60000", "-Y 1", "-Y 1 +X 1 ", "-Y -3 +X 1"})
+    for (const char* size :
+         {"+Y 1 +X 1", "-Y 0 +X 1", "-Y 1 +X 99999", "-Y 60000 +X 60000", "-Y 1", "-Y 1 +X 1 ", "-Y -3 +X 1"})
         EXPECT_THAT(error_of(head + size + "\nabcd"), HasSubstr("a size as this is not read")) << size;
     EXPECT_THAT(error_of(head + "-Y 1 +X 2\nabcdef"), HasSubstr("ends too early"));
     EXPECT_THAT(error_of(head + "-Y 8192 +X 16384\nabcd"), HasSubstr("ends too early")); // before its memory is taken
     EXPECT_THAT(error_of(head + "-Y 1 +X 10\n" + bytes({2, 2, 0, 11, 138, 128})), HasSubstr("a row is not as wide"));
     EXPECT_THAT(error_of(head + "-Y 1 +X 10\n" + bytes({2, 2, 0, 10, 139, 128})), HasSubstr("a row is not as wide"));
     EXPECT_THAT(error_of(head + "-Y 1 +X 10\n" + bytes({2, 2, 0, 10, 0})), HasSubstr("a row is not as wide"));
-    EXPECT_THAT(error_of(head + "-Y 1 +X 3\n" + bytes({5, 0, 0, 129, 1, 1, 1, 200})), HasSubstr("a row is not as wide"));
+    EXPECT_THAT(error_of(head + "-Y 1 +X 3\n" + bytes({5, 0, 0, 129, 1, 1, 1, 200})),
+                HasSubstr("a row is not as wide"));
     EXPECT_THROW(load_hdr("/no/such/file.hdr"), Error);
 }
 

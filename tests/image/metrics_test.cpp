@@ -37,9 +37,7 @@ double mean(const Image& map) {
 // Values by hand from the paper's equations, in a separate script: cmax = 41.2755 (green against
 // blue), black against white: HyAB 100, 100^0.7 = 25.1189, beyond the knee of 16.5102.
 TEST(Flip, UniformColoursByHand) {
-    const auto flip = [](glm::vec3 a, glm::vec3 b) {
-        return mean(flip_map(filled(40, 30, a), filled(40, 30, b)));
-    };
+    const auto flip = [](glm::vec3 a, glm::vec3 b) { return mean(flip_map(filled(40, 30, a), filled(40, 30, b))); };
     EXPECT_NEAR(flip({0, 0, 0}, {1, 1, 1}), 0.967381, 1e-4);
     EXPECT_NEAR(flip({0, 1, 0}, {0, 0, 1}), 1, 1e-4);
     EXPECT_NEAR(flip({1, 0, 0}, {0, 1, 0}), 0.986662, 1e-4);
@@ -79,8 +77,7 @@ TEST(Flip, StepEdgeByHand) {
             step.at(x, y) = glm::vec3(1);
     double right = 0, all = 0;
     for (int x = -10; x <= 10; ++x) {
-        const double weight =
-            std::exp(-std::numbers::pi * std::numbers::pi * x * x / (67.0 * 67.0 * 0.0047));
+        const double weight = std::exp(-std::numbers::pi * std::numbers::pi * x * x / (67.0 * 67.0 * 0.0047));
         all += weight;
         right += x > 0 ? weight : 0;
     }
@@ -127,8 +124,7 @@ TEST(Compare, GivesTheMapWhoseMeanFlipIs) {
 TEST(Compare, PsnrByHand) {
     // Reference 0.5 everywhere: exposed to 1. The picture is 0.45, exposed to 0.9: the error is 0.1
     // in every value, PSNR 20 dB. sRGB of 0.9 is 0.954687: off by 11.55 of 255 in every pixel.
-    const Comparison result =
-        compare(filled(32, 32, glm::vec3(0.45f)), filled(32, 32, glm::vec3(0.5f)));
+    const Comparison result = compare(filled(32, 32, glm::vec3(0.45f)), filled(32, 32, glm::vec3(0.5f)));
     EXPECT_NEAR(result.psnr, 20, 1e-4);
     EXPECT_EQ(result.off_share, 1);
     EXPECT_NEAR(result.block, 11.555, 0.01);

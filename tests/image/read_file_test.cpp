@@ -89,7 +89,8 @@ TEST(ReadFile, TheSystemsReasonIsTold) {
         chmod(folder.path.c_str(), 0755);
         const pid_t child = fork();
         if (child == 0)
-            _exit(setuid(65534) == 0 && reason_of(folder.path / "plain") == "cannot be opened (Permission denied)" ? 0 : 1);
+            _exit(setuid(65534) == 0 && reason_of(folder.path / "plain") == "cannot be opened (Permission denied)" ? 0
+                                                                                                                   : 1);
         int status = -1;
         waitpid(child, &status, 0);
         EXPECT_EQ(status, 0);

@@ -10,8 +10,7 @@ namespace prelight {
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        std::string name =
-            (std::filesystem::temp_directory_path() / "prelight-test-XXXXXX").string();
+        std::string name = (std::filesystem::temp_directory_path() / "prelight-test-XXXXXX").string();
         if (!mkdtemp(name.data()))
             ADD_FAILURE() << "no temporary folder";
         path = name;

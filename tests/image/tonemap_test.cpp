@@ -17,9 +17,7 @@ void expect_near(glm::vec3 got, glm::vec3 want, float bound = 2e-6f) {
         EXPECT_NEAR(got[channel], want[channel], bound) << "channel " << channel;
 }
 
-glm::vec3 encoded(glm::vec3 linear) {
-    return {srgb_encode(linear.r), srgb_encode(linear.g), srgb_encode(linear.b)};
-}
+glm::vec3 encoded(glm::vec3 linear) { return {srgb_encode(linear.r), srgb_encode(linear.g), srgb_encode(linear.b)}; }
 
 TEST(Srgb, KnownValuesAndInverse) {
     // IEC 61966-2-1: 18 % grey and the end of the linear part.
@@ -33,9 +31,7 @@ TEST(Srgb, KnownValuesAndInverse) {
     }
 }
 
-TEST(Tonemap, NoneClampsAndEncodes) {
-    expect_near(mapped({0.18f, 2, -1}, Tonemap::none), {0.461356f, 1, 0}, 1e-5f);
-}
+TEST(Tonemap, NoneClampsAndEncodes) { expect_near(mapped({0.18f, 2, -1}, Tonemap::none), {0.461356f, 1, 0}, 1e-5f); }
 
 TEST(Tonemap, PbrNeutralLeavesBaseColoursButF90) {
     // The specification: output = input − F90 where every channel lies in 0.08 … 0.8.

@@ -29,7 +29,8 @@ Environment sky_of(const std::function<glm::dvec3(glm::dvec3)>& radiance, uint32
 glm::dvec3 window_sky(glm::dvec3 d) {
     const double up = 0.5 + 0.5 * std::tanh(4 * d.y);
     const double window = std::exp((glm::dot(d, glm::normalize(glm::dvec3(0.5, 0.5, 1))) - 1) / 0.03);
-    return glm::mix(glm::dvec3(0.2, 0.17, 0.13), glm::dvec3(0.3, 0.5, 0.9), up) + 8.0 * window * glm::dvec3(1, 0.9, 0.7);
+    return glm::mix(glm::dvec3(0.2, 0.17, 0.13), glm::dvec3(0.3, 0.5, 0.9), up) +
+           8.0 * window * glm::dvec3(1, 0.9, 0.7);
 }
 
 /// ∫ f dω over the sphere around the z axis `up`, by a midpoint rule of 1.4°.
@@ -45,7 +46,8 @@ glm::dvec3 integral(const std::function<glm::dvec3(glm::dvec3)>& f) {
 }
 
 /// What a metal really sends on of the environment: glTF 2.0's D, V and F over all directions.
-glm::dvec3 true_reflection(const reference::EnvironmentLight& light, glm::dvec3 n, glm::dvec3 v, double roughness, glm::dvec3 f0) {
+glm::dvec3 true_reflection(const reference::EnvironmentLight& light, glm::dvec3 n, glm::dvec3 v, double roughness,
+                           glm::dvec3 f0) {
     const double a2 = std::pow(roughness, 4), nv = glm::dot(n, v);
     return integral([&](glm::dvec3 l) {
         const double nl = glm::dot(n, l);
@@ -73,7 +75,8 @@ double split_sum_error(double roughness) {
                 continue;
             const glm::dvec3 n(p, std::sqrt(1 - glm::dot(p, p)));
             const glm::dvec3 is = true_reflection(light, n, v, roughness, f0);
-            const glm::dvec3 split = reference::environment_share(f0, 1, roughness, n.z) * light.mirrored(reference::mirror_direction(n, v, roughness), roughness);
+            const glm::dvec3 split = reference::environment_share(f0, 1, roughness, n.z) *
+                                     light.mirrored(reference::mirror_direction(n, v, roughness), roughness);
             off += glm::dot(is - split, is - split) / 3;
             whole += (is.r + is.g + is.b) / 3;
             ++count;
@@ -100,7 +103,8 @@ TEST(SplitSum, OfOneRadianceIsTheDirectionalReflectance) {
             const glm::dvec3 n(0, 0, 1), v(std::sqrt(1 - nv * nv), 0, nv);
             for (const double f0 : {0.04, 1.0}) {
                 const double is = true_reflection(light, n, v, roughness, glm::dvec3(f0)).r;
-                EXPECT_NEAR(reference::environment_share(glm::dvec3(f0), 1, roughness, nv).r, is, 0.06) << roughness << " " << nv << " " << f0;
+                EXPECT_NEAR(reference::environment_share(glm::dvec3(f0), 1, roughness, nv).r, is, 0.06)
+                    << roughness << " " << nv << " " << f0;
             }
             EXPECT_NEAR(light.mirrored(n, roughness).r, 1, 1e-9);
         }
@@ -114,7 +118,8 @@ TEST(Irradiance, OfNineHarmonicsLiesThisFarFromTheCosineIntegral) {
     for (int i = 0; i < normals; ++i) { // a spiral over the sphere
         const double z = 1 - (2 * i + 1.0) / normals, round = 2.399963 * i;
         const glm::dvec3 n(std::sqrt(1 - z * z) * std::cos(round), z, std::sqrt(1 - z * z) * std::sin(round));
-        const glm::dvec3 is = integral([&](glm::dvec3 l) { return std::max(glm::dot(n, l), 0.0) * light.radiance(l); }) / pi;
+        const glm::dvec3 is =
+            integral([&](glm::dvec3 l) { return std::max(glm::dot(n, l), 0.0) * light.radiance(l); }) / pi;
         const double off = glm::length(light.lambert(n) - is) / glm::length(is);
         worst = std::max(worst, off);
         mean += off / normals;
@@ -125,9 +130,11 @@ TEST(Irradiance, OfNineHarmonicsLiesThisFarFromTheCosineIntegral) {
 }
 
 TEST(Irradiance, IsExactForWhatTheHarmonicsHold) {
-    const Environment sky = sky_of([](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.y, 1 + d.x * d.z, 1 + 0.4 * (3 * d.z * d.z - 1)); });
+    const Environment sky =
+        sky_of([](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.y, 1 + d.x * d.z, 1 + 0.4 * (3 * d.z * d.z - 1)); });
     const reference::EnvironmentLight light(&sky);
-    for (const glm::dvec3& n : {glm::dvec3(0, 1, 0), glm::normalize(glm::dvec3(1, 0.5, -2)), glm::normalize(glm::dvec3(-1, 1, 1))}) {
+    for (const glm::dvec3& n :
+         {glm::dvec3(0, 1, 0), glm::normalize(glm::dvec3(1, 0.5, -2)), glm::normalize(glm::dvec3(-1, 1, 1))}) {
         const glm::dvec3 got = light.lambert(n);
         EXPECT_NEAR(got.r, 1 + 0.5 * n.y * 2 / 3, 1e-3);
         EXPECT_NEAR(got.g, 1 + n.x * n.z / 4, 1e-3);
@@ -167,7 +174,8 @@ TEST(Studio, ShowsWhiteAsWhiteFromTheFrontAndLeavesFormFromTheOtherSides) {
         return wall_under(light, {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)});
     };
     const double front = from(25, 15), above = from(0, 90), below = from(0, -90);
-    std::printf("    front %.3f, left %.3f, right %.3f, behind %.3f, above %.3f, below %.3f\n", front, from(-60, 15), from(90, 0), from(-155, 0), above, below);
+    std::printf("    front %.3f, left %.3f, right %.3f, behind %.3f, above %.3f, below %.3f\n", front, from(-60, 15),
+                from(90, 0), from(-155, 0), above, below);
     const auto shine = [&](double azimuth, double elevation) {
         const double a = azimuth * pi / 180, e = elevation * pi / 180;
         return light.radiance({std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)}).g;
@@ -187,7 +195,8 @@ TEST(Studio, ShowsWhiteAsWhiteFromTheFrontAndLeavesFormFromTheOtherSides) {
 TEST(Studio, ItsHarmonicsLieWithinAFewPercentOfTheIntegral) {
     const Environment studio = make_environment("studio");
     const reference::EnvironmentLight light(&studio);
-    for (const glm::dvec3& n : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::normalize(glm::dvec3(-1, 0.5, 1)), glm::normalize(glm::dvec3(1, -0.3, -1))})
+    for (const glm::dvec3& n : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::normalize(glm::dvec3(-1, 0.5, 1)),
+                                glm::normalize(glm::dvec3(1, -0.3, -1))})
         EXPECT_NEAR(light.lambert(n).g / wall_under(light, n), 1, 0.06);
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-ReferencePicture shown(const TestWorld& test, const PlacedCamera& camera, uint32_t width = 32,
-                       uint32_t height = 32, const ReferenceForm& form = {}) {
+ReferencePicture shown(const TestWorld& test, const PlacedCamera& camera, uint32_t width = 32, uint32_t height = 32,
+                       const ReferenceForm& form = {}) {
     return render_reference(test.world, camera, width, height, 0, form);
 }
 
@@ -21,8 +21,7 @@ TEST(Geometry, PositionDepthAndNormalOfEachPixel) {
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             const size_t i = size_t(y) * width + x;
-            EXPECT_NEAR(glm::distance(picture.position[i], on_plane(5, 0.8, x, y, width, height)),
-                        0, 1e-12);
+            EXPECT_NEAR(glm::distance(picture.position[i], on_plane(5, 0.8, x, y, width, height)), 0, 1e-12);
             EXPECT_NEAR(picture.depth[i], 5, 1e-12);
             EXPECT_NEAR(glm::distance(picture.normal[i], {0, 0, 1}), 0, 1e-12);
             EXPECT_NEAR(glm::distance(picture.geometric_normal[i], {0, 0, 1}), 0, 1e-12);
@@ -32,8 +31,7 @@ TEST(Geometry, PositionDepthAndNormalOfEachPixel) {
 TEST(Geometry, OrthographicCamera) {
     TestWorld test;
     test.add(square(100));
-    PlacedCamera camera = look_at({.kind = ProjectionKind::orthographic, .ymag = 3, .znear = 0},
-                                  {1, 2, 5}, {1, 2, 0});
+    PlacedCamera camera = look_at({.kind = ProjectionKind::orthographic, .ymag = 3, .znear = 0}, {1, 2, 5}, {1, 2, 0});
     const auto picture = shown(test, camera, 8, 4);
     for (uint32_t y = 0; y < 4; ++y)
         for (uint32_t x = 0; x < 8; ++x) {
@@ -110,8 +108,7 @@ TEST(Geometry, NormalsOfNonUniformScale) {
 uint32_t add_bumps(TestWorld& test) {
     std::vector<uint8_t> rgba;
     for (uint32_t i = 0; i < 16; ++i) {
-        const uint8_t texel[4] = {uint8_t(128 + (i * 37) % 90), uint8_t(128 - (i * 53) % 90),
-                                  uint8_t(220), 255};
+        const uint8_t texel[4] = {uint8_t(128 + (i * 37) % 90), uint8_t(128 - (i * 53) % 90), uint8_t(220), 255};
         rgba.insert(rgba.end(), texel, texel + 4);
     }
     return test.add_image(4, 4, rgba);
@@ -120,12 +117,10 @@ uint32_t add_bumps(TestWorld& test) {
 TEST(Geometry, MirroredInstanceIsTheMirroredPicture) {
     const auto world_with = [](double mirror) {
         auto test = std::make_unique<TestWorld>();
-        Material material{
-            .base_colour = {0.9f, 0.5f, 0.3f, 1}, .metallic = 0.2f, .roughness = 0.4f};
+        Material material{.base_colour = {0.9f, 0.5f, 0.3f, 1}, .metallic = 0.2f, .roughness = 0.4f};
         material.normal_texture.image = add_bumps(*test);
         test->add_material(material);
-        const glm::dmat4 place =
-            glm::rotate(glm::scale(glm::dmat4(1), {mirror, 1, 1}), 0.7, glm::dvec3(1, 2, 3));
+        const glm::dmat4 place = glm::rotate(glm::scale(glm::dmat4(1), {mirror, 1, 1}), 0.7, glm::dvec3(1, 2, 3));
         test->add(sphere(), place);
         test->add_light({.intensity = 5}, {mirror * 1.5, 1, 2});
         return test;
@@ -159,8 +154,7 @@ TEST(Geometry, NormalMapBendsTheNormal) {
     // w = −1 turns the bitangent round; a rotation by 90° about z turns everything along.
     for (glm::vec4& tangent : test.scene.meshes[0].primitives[0].tangents)
         tangent.w = -1;
-    test.world.instances[0].transform =
-        glm::rotate(glm::dmat4(1), 1.5707963267948966, glm::dvec3(0, 0, 1));
+    test.world.instances[0].transform = glm::rotate(glm::dmat4(1), 1.5707963267948966, glm::dvec3(0, 0, 1));
     const glm::dvec3 turned = glm::normalize(glm::dvec3(-0.5, 0.5, tz));
     EXPECT_NEAR(glm::distance(shown(test, front_camera(3)).normal[0], turned), 0, 1e-9);
 }
@@ -177,9 +171,7 @@ TEST(Geometry, AlphaMaskOpensHoles) {
     test.add(square(1));
     const ReferenceForm form{.bilinear_level0 = false};
     const PlacedCamera camera = front_camera(2);
-    const auto at = [&](uint32_t x, uint32_t y) {
-        return shown(test, camera, 32, 32, form).instance[y * 32 + x];
-    };
+    const auto at = [&](uint32_t x, uint32_t y) { return shown(test, camera, 32, 32, form).instance[y * 32 + x]; };
     EXPECT_EQ(at(10, 16), 1u);
     EXPECT_EQ(at(22, 16), 0u);
     // Factor and vertex colour count too: 0.8 · 1 · 0.7 = 0.56 ≥ 0.5, 0.8 · 0.6 = 0.48 is not.
@@ -203,8 +195,7 @@ TEST(Geometry, TenKilometresFromTheOriginNothingIsLost) {
         test->add(square(20), glm::translate(glm::dmat4(1), where + glm::dvec3(0, 0, -1.03)));
         for (int i = 0; i < 20; ++i)
             test->add_light({.intensity = 2, .range = 4},
-                            where + glm::dvec3(std::sin(i * 2.0) * 2, std::cos(i * 3.0) * 2,
-                                               1 + std::sin(i * 5.0)));
+                            where + glm::dvec3(std::sin(i * 2.0) * 2, std::cos(i * 3.0) * 2, 1 + std::sin(i * 5.0)));
         return test;
     };
     const glm::dvec3 far(10000.123, -7000.77, 3000.5);
@@ -239,11 +230,9 @@ TEST(Geometry, TwoRunsGiveTheSameBytes) {
     test.add(sphere(128));
     test.add(square(20), glm::translate(glm::dmat4(1), {0, 0, -1}));
     for (int i = 0; i < 300; ++i)
-        test.add_light({.intensity = 1, .range = 2},
-                       {std::sin(i * 1.0) * 3, std::cos(i * 1.7) * 3, std::sin(i * 0.3)});
+        test.add_light({.intensity = 1, .range = 2}, {std::sin(i * 1.0) * 3, std::cos(i * 1.7) * 3, std::sin(i * 0.3)});
     const auto a = shown(test, front_camera(4), 160, 90), b = shown(test, front_camera(4), 160, 90);
-    EXPECT_EQ(std::memcmp(a.linear.pixels.data(), b.linear.pixels.data(),
-                          a.linear.pixels.size() * sizeof(glm::vec3)),
+    EXPECT_EQ(std::memcmp(a.linear.pixels.data(), b.linear.pixels.data(), a.linear.pixels.size() * sizeof(glm::vec3)),
               0);
 }
 

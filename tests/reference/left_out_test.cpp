@@ -20,8 +20,7 @@ ReferencePicture wall() {
     picture.shadow_mask.assign(pixels, 0);
     picture.mask_outcome.assign(pixels, 0);
     for (size_t i = 0; i < pixels; ++i)
-        picture.position.push_back(
-            {static_cast<double>(i % wall_size), static_cast<double>(i / wall_size), 0});
+        picture.position.push_back({static_cast<double>(i % wall_size), static_cast<double>(i / wall_size), 0});
     return picture;
 }
 
@@ -32,9 +31,7 @@ uint32_t count(const ReferencePicture& picture) {
     return std::accumulate(left_out.begin(), left_out.end(), 0u);
 }
 
-TEST(LeftOut, NothingOnAFlatWall) {
-    EXPECT_EQ(count(wall()), 0u);
-}
+TEST(LeftOut, NothingOnAFlatWall) { EXPECT_EQ(count(wall()), 0u); }
 
 TEST(LeftOut, OtherInstanceMaskOrShadow) {
     ReferencePicture picture = wall();

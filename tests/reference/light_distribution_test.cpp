@@ -14,7 +14,8 @@ constexpr double pi = std::numbers::pi;
 
 double linear(double e) { return e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4); }
 uint8_t code(double linear) {
-    return uint8_t(std::lround(255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055)));
+    return uint8_t(
+        std::lround(255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055)));
 }
 
 /// Each channel is brightest towards one axis.
@@ -50,9 +51,11 @@ TEST(LightDistribution, AnEquirectangularPictureIsSeenFromTheLight) {
     TestWorld test;
     const uint32_t image = add_picture(test, 256, 128, [](double u, double v) {
         const double longitude = (u - 0.5) * 2 * pi, latitude = (0.5 - v) * pi; // the middle along −Z, right of it +X
-        return glm::dvec3(std::sin(longitude) * std::cos(latitude), std::sin(latitude), -std::cos(longitude) * std::cos(latitude));
+        return glm::dvec3(std::sin(longitude) * std::cos(latitude), std::sin(latitude),
+                          -std::cos(longitude) * std::cos(latitude));
     });
-    const LightDistribution light = made(test, {{.kind = LightKind::point, .cookie = image}, glm::dvec3(0), {0, 0, -1}, {0, 1, 0}});
+    const LightDistribution light =
+        made(test, {{.kind = LightKind::point, .cookie = image}, glm::dvec3(0), {0, 0, -1}, {0, 1, 0}});
     for (const glm::dvec3& d : all_around())
         EXPECT_LT(glm::distance(light.factor(d, 0), colour_of(d)), 0.012) << d.x << ' ' << d.y << ' ' << d.z;
 }
@@ -64,17 +67,23 @@ TEST(LightDistribution, AStripOfSixIsACubeSeenFromItsMiddle) {
         const double right = 2 * (u * 6 - face) - 1, up = 1 - 2 * v;
         // As one who stands in it and turns his head: +X is right of −Z.
         const glm::dvec3 ahead[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-        const glm::dvec3 over = face == 2 ? glm::dvec3(0, 0, 1) : face == 3 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+        const glm::dvec3 over = face == 2   ? glm::dvec3(0, 0, 1)
+                                : face == 3 ? glm::dvec3(0, 0, -1)
+                                            : glm::dvec3(0, 1, 0);
         return ahead[face] + right * glm::cross(ahead[face], over) + up * over;
     });
-    const LightDistribution light = made(test, {{.kind = LightKind::point, .cookie = image}, glm::dvec3(0), {0, 0, -1}, {0, 1, 0}});
+    const LightDistribution light =
+        made(test, {{.kind = LightKind::point, .cookie = image}, glm::dvec3(0), {0, 0, -1}, {0, 1, 0}});
     for (const glm::dvec3& d : all_around())
         EXPECT_LT(glm::distance(light.factor(d, 0), colour_of(d)), 0.015) << d.x << ' ' << d.y << ' ' << d.z;
     // No seam: on both sides of each edge and corner the same, on the small levels too.
     for (const double spread : {0.0, 0.2, 0.7})
-        for (const glm::dvec3& edge : {glm::dvec3(1, 1, 0.3), {1, -1, 0.2}, {-1, 0.1, 1}, {0.4, 1, -1}, {-0.3, -1, -1}, {1, 0.5, -1}}) {
-            const glm::dvec3 a = glm::normalize(edge * (1.0 + 1e-7 * glm::dvec3(1, 0, 0))), b = glm::normalize(edge * (1.0 - 1e-7 * glm::dvec3(1, 0, 0)));
-            EXPECT_LT(glm::distance(light.factor(a, spread), light.factor(b, spread)), spread > 0 ? 0.04 : 0.01) << edge.x << ' ' << edge.y << ' ' << edge.z;
+        for (const glm::dvec3& edge :
+             {glm::dvec3(1, 1, 0.3), {1, -1, 0.2}, {-1, 0.1, 1}, {0.4, 1, -1}, {-0.3, -1, -1}, {1, 0.5, -1}}) {
+            const glm::dvec3 a = glm::normalize(edge * (1.0 + 1e-7 * glm::dvec3(1, 0, 0))),
+                             b = glm::normalize(edge * (1.0 - 1e-7 * glm::dvec3(1, 0, 0)));
+            EXPECT_LT(glm::distance(light.factor(a, spread), light.factor(b, spread)), spread > 0 ? 0.04 : 0.01)
+                << edge.x << ' ' << edge.y << ' ' << edge.z;
         }
 }
 
@@ -83,8 +92,11 @@ TEST(LightDistribution, ASpotsPictureFillsTheSquareAroundItsCone) {
     const uint32_t image = test.add_image(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0});
     const double tangent = std::tan(0.5);
     // Looks down, +Y of its node is world −Z: as one who hangs from the ceiling with his head to the back.
-    const LightDistribution light = made(test, {{.kind = LightKind::spot, .outer_cone = 0.5f, .cookie = image}, glm::dvec3(0), {0, -1, 0}, {0, 0, -1}});
-    const auto at = [&](double right, double up) { return light.factor(glm::normalize(glm::dvec3(right * tangent, -1, -up * tangent)), 0); };
+    const LightDistribution light = made(
+        test, {{.kind = LightKind::spot, .outer_cone = 0.5f, .cookie = image}, glm::dvec3(0), {0, -1, 0}, {0, 0, -1}});
+    const auto at = [&](double right, double up) {
+        return light.factor(glm::normalize(glm::dvec3(right * tangent, -1, -up * tangent)), 0);
+    };
     EXPECT_LT(glm::distance(at(-0.6, 0.6), {1, 0, 0}), 1e-6);
     EXPECT_LT(glm::distance(at(0.6, 0.6), {0, 1, 0}), 1e-6);
     EXPECT_LT(glm::distance(at(-0.6, -0.6), {0, 0, 1}), 1e-6);
@@ -100,10 +112,11 @@ TEST(LightDistribution, LevelsFollowTheAngleOfAPixel) {
     for (int i = 0; i < 64 * 64; ++i)
         rgba.insert(rgba.end(), 3, (i % 64 + i / 64) % 2 ? 255 : 0), rgba.push_back(255);
     const uint32_t image = test.add_image(64, 64, rgba);
-    const LightDistribution light = made(test, {{.kind = LightKind::spot, .outer_cone = float(pi / 4), .cookie = image}, glm::dvec3(0)});
-    const double texel = 2.0 / 64; // on the axis, as an angle
+    const LightDistribution light =
+        made(test, {{.kind = LightKind::spot, .outer_cone = float(pi / 4), .cookie = image}, glm::dvec3(0)});
+    const double texel = 2.0 / 64;                                                  // on the axis, as an angle
     const glm::dvec3 d = glm::normalize(glm::dvec3(0.5 * texel, -0.5 * texel, -1)); // the middle of a dark texel
-    EXPECT_NEAR(light.factor(d, 0).r, 0, 1e-6); // the cone is a float
+    EXPECT_NEAR(light.factor(d, 0).r, 0, 1e-6);                                     // the cone is a float
     EXPECT_NEAR(light.factor(d, texel / 2).r, 0, 1e-6);
     EXPECT_NEAR(light.factor(d, texel * 1.41421356).r, 0.25, 1e-3) << "half way to level 1, which is grey";
     EXPECT_NEAR(light.factor(d, texel * 2).r, 0.5, 1e-3);
@@ -132,8 +145,8 @@ TEST(LightDistribution, LevelsOfAnySizeAreMeans) {
 TEST(LightDistribution, AProfileIsMixedBetweenItsAngles) {
     TestWorld test;
     // Vertical 10, 30, 90; horizontal 0 and 90 of four alike quarters.
-    const auto profile = std::make_shared<const LightProfile>(parse_profile(
-        "TILT=NONE\n1 1 1 3 2 1 2 0 0 0 1 1 0\n10 30 90 0 90\n80 40 10  20 0 0\n", "a"));
+    const auto profile = std::make_shared<const LightProfile>(
+        parse_profile("TILT=NONE\n1 1 1 3 2 1 2 0 0 0 1 1 0\n10 30 90 0 90\n80 40 10  20 0 0\n", "a"));
     const LightDistribution light = made(test, {{.kind = LightKind::point, .profile = profile}, glm::dvec3(0)});
     const auto at = [&](double off_axis, double around) { // degrees
         const double a = off_axis * pi / 180, b = around * pi / 180;
@@ -158,7 +171,8 @@ TEST(LightDistribution, ThePictureIsOnTheWall) {
     test.add_material({.metallic = 0, .roughness = 1});
     test.add(square(2));
     const uint32_t image = test.add_image(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
-    test.add_light({.kind = LightKind::spot, .intensity = 50, .inner_cone = 0.5f, .outer_cone = 0.6f, .cookie = image}, {0, 0, 3});
+    test.add_light({.kind = LightKind::spot, .intensity = 50, .inner_cone = 0.5f, .outer_cone = 0.6f, .cookie = image},
+                   {0, 0, 3});
     const ReferencePicture picture = render_reference(test.world, front_camera(5), 64, 64, 0, {});
     const auto colour = [&](uint32_t x, uint32_t y) {
         const glm::vec3 c = picture.linear.pixels[y * 64 + x];

@@ -36,8 +36,7 @@ TEST(LightTree, FindsExactlyTheLightsThatReach) {
     std::vector<uint32_t> found;
     size_t total = 0;
     for (int i = 0; i < 300; ++i) {
-        const glm::dvec3 point(static_cast<double>(random() % 1000) / 10 - 50,
-                               static_cast<double>(random() % 60) / 10,
+        const glm::dvec3 point(static_cast<double>(random() % 1000) / 10 - 50, static_cast<double>(random() % 60) / 10,
                                static_cast<double>(random() % 1000) / 10 - 50);
         std::vector<uint32_t> want;
         for (uint32_t l = 0; l < world.lights.size(); ++l) {

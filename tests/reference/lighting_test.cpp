@@ -8,8 +8,7 @@ using Fresnel = ReferenceForm::Fresnel;
 
 void expect_near(glm::vec3 got, glm::dvec3 want, double relative, const char* what) {
     for (int channel = 0; channel < 3; ++channel)
-        EXPECT_NEAR(static_cast<double>(got[channel]), want[channel],
-                    relative * std::abs(want[channel]) + 1e-12)
+        EXPECT_NEAR(static_cast<double>(got[channel]), want[channel], relative * std::abs(want[channel]) + 1e-12)
             << what << ", channel " << channel;
 }
 
@@ -21,10 +20,8 @@ struct OnePoint : TestWorld {
         add(square(4));
         if (!with_lights)
             return;
-        add_light({.colour = {1, 0.8f, 0.6f}, .intensity = 10, .range = 5, .shininess = 0.02f},
-                  {0.5, 1, 1.5});
-        add_light({.colour = {0.2f, 0.5f, 1}, .intensity = 6, .shininess = 0.01f},
-                  {-1.2, -0.4, 0.8});
+        add_light({.colour = {1, 0.8f, 0.6f}, .intensity = 10, .range = 5, .shininess = 0.02f}, {0.5, 1, 1.5});
+        add_light({.colour = {0.2f, 0.5f, 1}, .intensity = 6, .shininess = 0.01f}, {-1.2, -0.4, 0.8});
     }
     glm::vec3 colour(const ReferenceForm& form, double exposure = 0) const {
         return render_reference(world, camera, 1, 1, exposure, form).linear.at(0, 0);
@@ -70,8 +67,8 @@ TEST(Lighting, AmbientAsMaterialTermAndAsLight) {
     dark.world.ambient = {0.1f, 0.2f, 0.3f};
     for (const Shading shading : {Shading::ggx, Shading::phong})
         expect_near(dark.colour({.shading = shading}), {0.0828, 0.0856, 0.0684}, 1e-6, "material");
-    expect_near(dark.colour({.shading = Shading::phong, .ambient_as_light = true}),
-                {0.056, 0.056, 0.042}, 1e-6, "phong, light");
+    expect_near(dark.colour({.shading = Shading::phong, .ambient_as_light = true}), {0.056, 0.056, 0.042}, 1e-6,
+                "phong, light");
 }
 
 TEST(Lighting, PhongFormsByHand) {
@@ -108,8 +105,8 @@ TEST(Lighting, GreyReflectanceByHand) {
 TEST(Lighting, OneLightMakesWeightedExact) {
     OnePoint test;
     test.world.lights.pop_back();
-    expect_near(test.colour({.fresnel = Fresnel::weighted}),
-                glm::dvec3(test.colour({.fresnel = Fresnel::full})), 1e-6, "one light");
+    expect_near(test.colour({.fresnel = Fresnel::weighted}), glm::dvec3(test.colour({.fresnel = Fresnel::full})), 1e-6,
+                "one light");
 }
 
 // measure.md: a plane under a light matches the closed form within 0.1 %. With a smooth dielectric
@@ -128,11 +125,9 @@ TEST(Lighting, PlaneUnderOneLightIsTheClosedForm) {
     for (uint32_t y = 0; y < rows; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             const glm::dvec3 p = on_plane(8, 0.8, x, y, width, rows);
-            const double r2 = (p.x - 3) * (p.x - 3) + (p.y - 1) * (p.y - 1),
-                         d2 = r2 + height * height;
+            const double r2 = (p.x - 3) * (p.x - 3) + (p.y - 1) * (p.y - 1), d2 = r2 + height * height;
             const double share = d2 / (range * range);
-            const double want =
-                intensity * height / std::pow(d2, 1.5) * std::max(0.0, 1 - share * share);
+            const double want = intensity * height / std::pow(d2, 1.5) * std::max(0.0, 1 - share * share);
             const double got = double(picture.linear.at(x, y).r) / 0.5;
             if (got > want * 1.001) {
                 ++in_highlight;
@@ -149,8 +144,8 @@ TEST(Lighting, DirectionalAndExposure) {
     test.add_material({.base_colour = glm::vec4(1), .metallic = 0, .roughness = 0});
     test.add(square(10));
     // 60° from the normal: N·L = 0.5, 3 lux.
-    test.add_light({.kind = LightKind::directional, .colour = {1, 0.5f, 0.25f}, .intensity = 3},
-                   {1000, 1000, -1000}, {std::sqrt(3.0), 0, -1});
+    test.add_light({.kind = LightKind::directional, .colour = {1, 0.5f, 0.25f}, .intensity = 3}, {1000, 1000, -1000},
+                   {std::sqrt(3.0), 0, -1});
     const ReferenceForm form{.shading = Shading::phong};
     const auto picture = render_reference(test.world, front_camera(4), 16, 9, 2, form);
     for (const glm::vec3& pixel : picture.linear.pixels)
@@ -162,10 +157,7 @@ TEST(Lighting, SpotConeFromInnerToOuterEdge) {
     test.add_material({.metallic = 0, .roughness = 0});
     test.add(square(10));
     const double inner = 0.3, outer = 0.5, height = 2;
-    test.add_light({.kind = LightKind::spot,
-                    .intensity = 5,
-                    .inner_cone = float(inner),
-                    .outer_cone = float(outer)},
+    test.add_light({.kind = LightKind::spot, .intensity = 5, .inner_cone = float(inner), .outer_cone = float(outer)},
                    {0, 0, height}, {0, 0, -1});
     const ReferenceForm form{.shading = Shading::phong};
     const uint32_t width = 101, rows = 3;
@@ -178,8 +170,8 @@ TEST(Lighting, SpotConeFromInnerToOuterEdge) {
         const double theta = std::atan2(std::abs(p.x), height);
         const double d2 = p.x * p.x + height * height;
         const double lambert = 5 * height / std::pow(d2, 1.5);
-        const double cone = std::clamp(
-            (std::cos(theta) - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 0.0, 1.0);
+        const double cone =
+            std::clamp((std::cos(theta) - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 0.0, 1.0);
         const double got = double(picture.linear.at(x, 1).g);
         if (std::abs(p.x) < 0.1)
             continue; // the highlight

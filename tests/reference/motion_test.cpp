@@ -60,8 +60,8 @@ TEST(ReferenceMotion, PreviousStateIsTheEarlierWorld) {
             for (size_t p = 0; p < mesh.primitives.size(); ++p) {
                 const Primitive& primitive = mesh.primitives[p];
                 moved_meshes += !primitive.previous_positions.empty();
-                const auto& places = primitive.previous_positions.empty() ? primitive.positions
-                                                                          : primitive.previous_positions;
+                const auto& places =
+                    primitive.previous_positions.empty() ? primitive.positions : primitive.previous_positions;
                 for (size_t v = 0; v < places.size(); ++v) {
                     const glm::dvec4 told = a.previous_transform.value_or(a.transform) * glm::dvec4(places[v], 1);
                     const glm::dvec4 was = b.transform * glm::dvec4(earlier.primitives[p].positions[v], 1);

@@ -60,8 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Each, ReferenceFormOf,
                          testing::Values(Words{"none", {}}, Words{"weighted", {{"model", "weighted"}}},
                                          Words{"antialiased", {{"specular-antialiasing", "on"}}},
                                          Words{"nv", {{"model", "nv"}}}, Words{"mono", {{"model", "mono"}}},
-                                         Words{"full", {{"model", "full"}}},
-                                         Words{"step", {{"specular-gate", "step"}}},
+                                         Words{"full", {{"model", "full"}}}, Words{"step", {{"specular-gate", "step"}}},
                                          Words{"reflection", {{"specular-vector", "reflection"}}},
                                          Words{"luv", {{"specular", "luv"}}},
                                          Words{"luminance", {{"specular", "luminance"}, {"ambient", "light"}}},
@@ -71,8 +70,8 @@ INSTANTIATE_TEST_SUITE_P(Each, ReferenceFormOf,
                                          Words{"ambient", {{"ambient", "light"}}}));
 
 TEST(ReferenceFormDefaults, UnknownKeysAndValuesMeanNothing) {
-    const ReferenceForm form = reference_form(
-        Shading::ggx, {{"light-culling", "tiles"}, {"ambient", "per-object"}, {"model", "auto"}});
+    const ReferenceForm form =
+        reference_form(Shading::ggx, {{"light-culling", "tiles"}, {"ambient", "per-object"}, {"model", "auto"}});
     EXPECT_EQ(form.fresnel, ReferenceForm::Fresnel::full);
     EXPECT_FALSE(form.ambient_as_light);
 }

@@ -28,25 +28,21 @@ struct TwoLights : TestWorld {
         texture.sampler.mag = Filter::nearest;
         add(square(4));
         add(sphere(16), glm::scale(glm::translate(glm::dmat4(1), {0, 0, 0.5}), glm::dvec3(0.3)));
-        add_light({.colour = {1, 0.8f, 0.6f}, .intensity = 10, .range = 5, .shininess = 0.02f},
-                  {0.5, 1, 1.5});
-        add_light({.colour = {0.2f, 0.5f, 1}, .intensity = 6, .shininess = 0.01f},
-                  {-1.2, -0.4, 0.8});
+        add_light({.colour = {1, 0.8f, 0.6f}, .intensity = 10, .range = 5, .shininess = 0.02f}, {0.5, 1, 1.5});
+        add_light({.colour = {0.2f, 0.5f, 1}, .intensity = 6, .shininess = 0.01f}, {-1.2, -0.4, 0.8});
         world.ambient = {0.02f, 0.03f, 0.04f};
         world.triangles = 2 + 16 * 16;
     }
     Image linear(std::map<std::string, std::string> settings, Shading shading) const {
-        const auto renderer = make_reference_renderer(
-            {.width = 32, .height = 18, .shading = shading, .settings = settings});
+        const auto renderer =
+            make_reference_renderer({.width = 32, .height = 18, .shading = shading, .settings = settings});
         renderer->set_world(world);
         renderer->render(camera);
         return renderer->read("linear");
     }
 };
 
-bool same(const Image& a, const Image& b) {
-    return a.pixels == b.pixels;
-}
+bool same(const Image& a, const Image& b) { return a.pixels == b.pixels; }
 
 TEST(ReferenceRenderer, EverySettingReachesTheForm) {
     const TwoLights test;
@@ -130,8 +126,7 @@ TEST(ReferenceRenderer, ViewsAreReadableAndAsked) {
             EXPECT_LE(high, 1) << view;
         }
     }
-    EXPECT_TRUE(
-        same(renderer->read("final"), tonemap(renderer->read("linear"), Tonemap::pbr_neutral)));
+    EXPECT_TRUE(same(renderer->read("final"), tonemap(renderer->read("linear"), Tonemap::pbr_neutral)));
     EXPECT_THROW(renderer->read("stencil"), UsageError);
 
     const auto plain = make_reference_renderer({.width = 8, .height = 8});
@@ -143,8 +138,7 @@ TEST(ReferenceRenderer, ViewsAreReadableAndAsked) {
 
 TEST(ReferenceRenderer, Stats) {
     const TwoLights test;
-    const auto renderer =
-        make_reference_renderer({.width = 32, .height = 18, .settings = {{"model", "nv"}}});
+    const auto renderer = make_reference_renderer({.width = 32, .height = 18, .settings = {{"model", "nv"}}});
     renderer->set_world(test.world);
     renderer->render(test.camera, 3);
     const Stats stats = renderer->stats();

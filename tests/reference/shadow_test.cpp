@@ -16,19 +16,16 @@ TEST(Shadows, OfASquareLiesWhereTheRaysSay) {
     test.add_light({.intensity = 10}, {0, 0, 2});
     const uint32_t size = 200;
     const auto lit = render_reference(test.world, front_camera(3), size, size, 0, {});
-    const auto shadowed =
-        render_reference(test.world, front_camera(3), size, size, 0, with_shadows);
+    const auto shadowed = render_reference(test.world, front_camera(3), size, size, 0, with_shadows);
     uint32_t dark = 0;
     for (uint32_t y = 0; y < size; ++y)
         for (uint32_t x = 0; x < size; ++x) {
             const size_t i = size_t(y) * size + x;
-            const double reach =
-                std::max(std::abs(shadowed.position[i].x), std::abs(shadowed.position[i].y));
+            const double reach = std::max(std::abs(shadowed.position[i].x), std::abs(shadowed.position[i].y));
             const bool in_shadow = shadowed.instance[i] == 0 && reach < 0.4;
             if (std::abs(reach - 0.4) < 1e-3)
                 continue;
-            EXPECT_EQ(shadowed.linear.pixels[i], in_shadow ? glm::vec3(0) : lit.linear.pixels[i])
-                << x << ", " << y;
+            EXPECT_EQ(shadowed.linear.pixels[i], in_shadow ? glm::vec3(0) : lit.linear.pixels[i]) << x << ", " << y;
             EXPECT_EQ(shadowed.shadow_mask[i] != 0, in_shadow);
             EXPECT_EQ(lit.shadow_mask[i], 0u);
             dark += in_shadow;
@@ -61,8 +58,8 @@ TEST(Shadows, PassThroughHolesAndAreCastByBackFaces) {
         masked.alpha_mode = AlphaMode::mask;
         test.add_material(masked);
         // Out of the camera's sight, its back to the plane's light side.
-        test.add(square(5), glm::rotate(glm::translate(glm::dmat4(1), {0, 0, 6}), 3.14159265358979,
-                                        glm::dvec3(1, 0, 0)));
+        test.add(square(5),
+                 glm::rotate(glm::translate(glm::dmat4(1), {0, 0, 6}), 3.14159265358979, glm::dvec3(1, 0, 0)));
         test.add_light({.intensity = 100}, {0, 0, 8});
         const auto picture = render_reference(test.world, front_camera(4), 8, 8, 0, with_shadows);
         EXPECT_EQ(picture.linear.at(4, 4).r > 0, hole);

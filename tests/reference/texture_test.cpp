@@ -10,8 +10,7 @@ struct Strip : ::testing::Test {
     Scene scene;
     TextureRef ref;
     Strip() {
-        scene.images.push_back(
-            {"strip", 4, 1, {0, 0, 0, 255, 51, 0, 0, 170, 102, 0, 0, 85, 255, 0, 0, 0}});
+        scene.images.push_back({"strip", 4, 1, {0, 0, 0, 255, 51, 0, 0, 170, 102, 0, 0, 85, 255, 0, 0, 0}});
         ref.image = 0;
     }
     double red(double u, bool bilinear = true, Encoding encoding = Encoding::linear) const {
@@ -24,8 +23,7 @@ TEST_F(Strip, TexelsSitAtHalfCoordinates) {
     EXPECT_NEAR(red(0.375), 51, 1e-9);
     EXPECT_NEAR(red(0.5), 76.5, 1e-9);
     EXPECT_NEAR(red(0.4375), 51 + 0.25 * 51, 1e-9);
-    EXPECT_NEAR(Textures(scene, true).sample(ref, {0.5, 0.5}, Encoding::linear).a * 255, 127.5,
-                1e-9);
+    EXPECT_NEAR(Textures(scene, true).sample(ref, {0.5, 0.5}, Encoding::linear).a * 255, 127.5, 1e-9);
 }
 
 TEST_F(Strip, Wraps) {

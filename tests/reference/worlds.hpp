@@ -32,12 +32,10 @@ struct TestWorld {
         place(static_cast<uint32_t>(scene.meshes.size() - 1), transform);
     }
     void place(uint32_t mesh, const glm::dmat4& transform) {
-        world.instances.push_back({.mesh = mesh,
-                                   .transform = transform,
-                                   .mirrored = glm::determinant(glm::dmat3(transform)) < 0});
+        world.instances.push_back(
+            {.mesh = mesh, .transform = transform, .mirrored = glm::determinant(glm::dmat3(transform)) < 0});
     }
-    PlacedLight& add_light(const Light& light, glm::dvec3 position,
-                           glm::dvec3 direction = {0, 0, -1}) {
+    PlacedLight& add_light(const Light& light, glm::dvec3 position, glm::dvec3 direction = {0, 0, -1}) {
         world.lights.push_back({light, position, glm::normalize(direction)});
         return world.lights.back();
     }
@@ -66,8 +64,7 @@ inline Primitive sphere(uint32_t segments = 64) {
         for (uint32_t s = 0; s <= segments; ++s) {
             const float theta = 3.14159265f * static_cast<float>(r) / static_cast<float>(rings);
             const float phi = 6.2831853f * static_cast<float>(s) / static_cast<float>(segments);
-            const glm::vec3 point(std::sin(theta) * std::sin(phi), std::cos(theta),
-                                  std::sin(theta) * std::cos(phi));
+            const glm::vec3 point(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
             primitive.positions.push_back(point);
             primitive.normals.push_back(point);
             primitive.tangents.push_back({std::cos(phi), 0, -std::sin(phi), 1});
@@ -91,11 +88,9 @@ inline PlacedCamera front_camera(double distance, double yfov = 0.8) {
 }
 
 /// World position of a pixel's centre on the plane z = 0 for `front_camera`.
-inline glm::dvec3 on_plane(double distance, double yfov, uint32_t x, uint32_t y, uint32_t width,
-                           uint32_t height) {
+inline glm::dvec3 on_plane(double distance, double yfov, uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     const double half = std::tan(yfov / 2) * distance;
-    return {(2 * (x + 0.5) / width - 1) * half * width / height,
-            (1 - 2 * (y + 0.5) / height) * half, 0};
+    return {(2 * (x + 0.5) / width - 1) * half * width / height, (1 - 2 * (y + 0.5) / height) * half, 0};
 }
 
 } // namespace prelight

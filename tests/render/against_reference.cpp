@@ -62,7 +62,7 @@ ReferenceForm form_of(const Shot& shot) {
     form.shading = shot.shading;
     form.fresnel = packed                                ? Fresnel::mono
                    : is(shot, "model", "nv") || no_alpha ? Fresnel::nv
-                   : shot.renderer == "light-prepass" ? Fresnel::weighted
+                   : shot.renderer == "light-prepass"    ? Fresnel::weighted
                                                          : Fresnel::full;
     form.mono_specular = packed;
     form.gate_by_step = is(shot, "specular-gate", "step");
@@ -123,8 +123,8 @@ Comparison against_reference(Device& device, const Shot& shot) {
         Image difference(picture.width, picture.height);
         const std::vector<uint8_t> out = reference.left_out();
         for (size_t i = 0; i < difference.pixels.size(); ++i)
-            difference.pixels[i] = out[i] ? glm::vec3(0, 0, 0.3f)
-                                          : glm::abs(picture.pixels[i] - reference.linear.pixels[i]) * 20.0f;
+            difference.pixels[i] =
+                out[i] ? glm::vec3(0, 0, 0.3f) : glm::abs(picture.pixels[i] - reference.linear.pixels[i]) * 20.0f;
         save_png(difference, base.string() + ".difference.png");
     }
     return compare(picture, reference.linear, reference.left_out());
@@ -148,8 +148,8 @@ void expect_within(const Comparison& c, const Bound& bound) {
     EXPECT_LE(c.off_share, bound.off_share);
     EXPECT_LE(c.block, bound.block) << "at pixel " << c.block_x << ", " << c.block_y;
     EXPECT_LE(c.left_out_share, bound.left_out);
-    std::printf("    %.1f dB, %.3f %% off, block %.2f/255, FLIP %.4f, %.1f %% left out\n", c.psnr,
-                c.off_share * 100, c.block, c.flip, c.left_out_share * 100);
+    std::printf("    %.1f dB, %.3f %% off, block %.2f/255, FLIP %.4f, %.1f %% left out\n", c.psnr, c.off_share * 100,
+                c.block, c.flip, c.left_out_share * 100);
 }
 
 } // namespace prelight

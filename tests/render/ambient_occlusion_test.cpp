@@ -1,5 +1,5 @@
-// [E1] Ambient occlusion from depth and normals: what planes, corners and edges must look like, how it lies against rays, and that it
-// takes from ambient light alone.
+// [E1] Ambient occlusion from depth and normals: what planes, corners and edges must look like, how it lies against
+// rays, and that it takes from ambient light alone.
 #include "every_way.hpp"
 #include "garden.hpp"
 #include <cmath>
@@ -70,21 +70,29 @@ TEST(AmbientOcclusion, ALonePlaneIsOpenEverywhere) {
     flat_lens.ymag = 4;
     flat_lens.zfar = 100;
     const PlacedCamera cameras[] = {look_at(lens, {0, 1.7, 0}, {3, 0, -4}), look_at(lens, {0, 1.7, 0}, {3, 1.5, -4}),
-                                    look_at(lens, {0, 0.2, 0}, {0.1, 0, 0.02}), look_at(flat_lens, {0, 10, 0}, {3, 0, -14})};
-    for (const Way& way : std::initializer_list<Way>{{"light-prepass", {}},
-                                                     {"light-prepass", {{"normals", "oct32"}, {"depth", "r32f"}, {"normal-space", "view"}}},
-                                                     {"light-prepass", {{"normals", "oct16"}, {"position", "matrix"}}},
-                                                     {"deferred", {}},
-                                                     {"deferred", {{"g-buffer", "killzone2"}}}})
+                                    look_at(lens, {0, 0.2, 0}, {0.1, 0, 0.02}),
+                                    look_at(flat_lens, {0, 10, 0}, {3, 0, -14})};
+    for (const Way& way : std::initializer_list<Way>{
+             {"light-prepass", {}},
+             {"light-prepass", {{"normals", "oct32"}, {"depth", "r32f"}, {"normal-space", "view"}}},
+             {"light-prepass", {{"normals", "oct16"}, {"position", "matrix"}}},
+             {"deferred", {}},
+             {"deferred", {{"g-buffer", "killzone2"}}}})
         for (const char* resolution : {"half", "full"})
             for (const PlacedCamera& camera : cameras) {
-                Shot shot{.world = &plane.world, .camera = camera, .width = 161, .height = 91, .settings = way.settings, .renderer = way.renderer};
+                Shot shot{.world = &plane.world,
+                          .camera = camera,
+                          .width = 161,
+                          .height = 91,
+                          .settings = way.settings,
+                          .renderer = way.renderer};
                 shot.settings["ssao"] = resolution;
                 const Image view = occlusion_of(shot);
                 float least = 1;
                 for (const glm::vec3& pixel : view.pixels)
                     least = std::min(least, pixel.r);
-                EXPECT_GE(least, 0.99f) << way.renderer << " " << resolution << " " << (way.settings.empty() ? "" : way.settings.begin()->second) << " "
+                EXPECT_GE(least, 0.99f) << way.renderer << " " << resolution << " "
+                                        << (way.settings.empty() ? "" : way.settings.begin()->second) << " "
                                         << &camera - cameras;
             }
     expect_validation_clean(test_device());
@@ -94,7 +102,9 @@ TEST(AmbientOcclusion, OfCornersAndABoxLiesNearRays) {
     const Room room;
     Shot shot = room.shot();
     const Image rays = rays_of(shot);
-    for (const Way& way : std::initializer_list<Way>{{"light-prepass", {{"ssao", "full"}}}, {"light-prepass", {{"ssao", "half"}}}, {"deferred", {{"ssao", "half"}}}}) {
+    for (const Way& way : std::initializer_list<Way>{{"light-prepass", {{"ssao", "full"}}},
+                                                     {"light-prepass", {{"ssao", "half"}}},
+                                                     {"deferred", {{"ssao", "half"}}}}) {
         shot.renderer = way.renderer;
         shot.settings = way.settings;
         const Image view = occlusion_of(shot);
@@ -120,14 +130,16 @@ TEST(AmbientOcclusion, RadiusIsInMetres) {
     shot.settings["ssao-radius"] = "2"; // much of what is so far is hidden, or outside of the picture
     const double far_off = mean_difference(occlusion_of(shot), far);
     const double far_other = mean_difference(occlusion_of(shot), near);
-    std::printf("    %.4f and %.4f from rays; from those of the other radius %.4f and %.4f\n", near_off, far_off, near_other, far_other);
+    std::printf("    %.4f and %.4f from rays; from those of the other radius %.4f and %.4f\n", near_off, far_off,
+                near_other, far_other);
     EXPECT_LT(near_off, 0.03);
     EXPECT_LT(far_off, 0.06);
     EXPECT_GT(near_other, 2 * near_off);
     EXPECT_GT(far_other, 1.2 * far_off);
 }
 
-/// A panel far in front of a corner: neither may the corner's dark be seen on it, nor may it brighten what is beside it.
+/// A panel far in front of a corner: neither may the corner's dark be seen on it, nor may it brighten what is beside
+/// it.
 TEST(AmbientOcclusion, EdgesDoNotBleed) {
     Room room;
     room.add(square(0.35), glm::rotate(glm::translate(glm::dmat4(1), {0.35, 1, 0.9}), 0.6, glm::dvec3(0, 1, 0)));
@@ -151,7 +163,8 @@ TEST(AmbientOcclusion, EdgesDoNotBleed) {
                 }
                 bool near_panel = false;
                 for (int i = 0; i < 25; ++i)
-                    near_panel = near_panel || seen.instance[at + size_t(i % 5) - 2 + (size_t(i / 5) - 2) * shot.width] == panel;
+                    near_panel =
+                        near_panel || seen.instance[at + size_t(i % 5) - 2 + (size_t(i / 5) - 2) * shot.width] == panel;
                 if (!near_panel)
                     continue;
                 ++beside;
@@ -205,7 +218,8 @@ TEST(AmbientOcclusion, IsTheSameInBothArchitecturesForEveryMaterialAndEnvironmen
             garden.scene.materials[m + 1].shader = find_material_shader(names[m]);
         garden.scene.materials[3].parameters = {{"sheen_colour", {0.3f, 0.2f, 0.4f, 0}}};
         if (environment) // without, what a coat takes from ambient colour follows the lamps: docs/materials.md
-            garden.scene.materials[3].parameters.insert({{"clearcoat", {0.8f, 0, 0, 0}}, {"clearcoat_roughness", {0.2f, 0, 0, 0}}});
+            garden.scene.materials[3].parameters.insert(
+                {{"clearcoat", {0.8f, 0, 0, 0}}, {"clearcoat_roughness", {0.2f, 0, 0, 0}}});
         garden.world.ambient = {0.5f, 0.6f, 0.7f};
         if (environment) {
             Environment sky{.name = "sky", .image = Image(64, 32)};
@@ -218,11 +232,13 @@ TEST(AmbientOcclusion, IsTheSameInBothArchitecturesForEveryMaterialAndEnvironmen
         shot.settings = {{"ssao", "half"}, {"ssao-radius", "0.8"}};
         const Image once = render_linear(test_device(), shot);
         shot.renderer = "deferred";
-        const Comparison c = compare(render_linear(test_device(), shot), once, std::vector<uint8_t>(once.pixels.size(), 0));
+        const Comparison c =
+            compare(render_linear(test_device(), shot), once, std::vector<uint8_t>(once.pixels.size(), 0));
         EXPECT_GE(c.psnr, 52);
         EXPECT_LE(c.block, 1);
         // And what rays find, as far as depth and normals can know it.
-        const ReferencePicture truth = render_reference(garden.world, shot.camera, shot.width, shot.height, 0, form_of(shot));
+        const ReferencePicture truth =
+            render_reference(garden.world, shot.camera, shot.width, shot.height, 0, form_of(shot));
         const Comparison far = compare(once, truth.linear, truth.left_out());
         std::printf("    %.1f dB between them, %.1f dB from rays\n", c.psnr, far.psnr);
         EXPECT_GE(far.psnr, 28);

@@ -11,8 +11,9 @@ TEST(BenchEncodings, L1_FiguresAreThoseOfTheTargetAndThePicture) {
     Garden garden;
     garden.add_lights(6, 4, 6);
     std::vector<std::string> told;
-    const EncodingBench options{.directions = 10'000, .width = 96, .height = 54,
-                                .done = [&](const EncodingFigures& f) { told.push_back(f.name); }};
+    const EncodingBench options{.directions = 10'000, .width = 96, .height = 54, .done = [&](const EncodingFigures& f) {
+                                    told.push_back(f.name);
+                                }};
     const std::vector<EncodingFigures> all = bench_encodings(test_device(), garden.world, garden.camera, options);
     ASSERT_EQ(all.size(), 7u);
     EXPECT_EQ(told.size(), all.size());
@@ -24,7 +25,8 @@ TEST(BenchEncodings, L1_FiguresAreThoseOfTheTargetAndThePicture) {
         const auto through = bench::through_normal_target(dynamic_cast<gpu::Context&>(test_device()), info, directions);
         std::vector<double> angles;
         for (size_t i = 0; i < directions.size(); ++i) {
-            const glm::dvec3 a = glm::normalize(glm::dvec3(directions[i])), b = glm::normalize(glm::dvec3(through.decoded[i]));
+            const glm::dvec3 a = glm::normalize(glm::dvec3(directions[i])),
+                             b = glm::normalize(glm::dvec3(through.decoded[i]));
             angles.push_back(glm::degrees(2 * std::asin(glm::length(a - b) / 2)));
         }
         std::sort(angles.begin(), angles.end());

@@ -10,10 +10,10 @@ namespace {
 TEST(BenchLightBuffers, L4_L5_FiguresAreThoseOfTheBuffers) {
     std::vector<size_t> told;
     const std::vector<LightBufferFigures> all = bench_light_buffers(
-        test_device(), {.overlaps = {1, 16},
-                        .width = 48,
-                        .height = 27,
-                        .done = [&](const std::vector<LightBufferFigures>& row) { told.push_back(row.size()); }});
+        test_device(),
+        {.overlaps = {1, 16}, .width = 48, .height = 27, .done = [&](const std::vector<LightBufferFigures>& row) {
+             told.push_back(row.size());
+         }});
     EXPECT_EQ(told, std::vector<size_t>(28, 2)); // 15 buffers blended and once, LUV once only
     ASSERT_EQ(all.size(), 56u);
     const auto find = [&](const std::string& name, const std::string& writes, uint32_t overlap) {

@@ -39,7 +39,8 @@ TEST_P(Decals, AgreeWithTheReference) {
         other.add_lights(6, 5, 6);
         for (PlacedDecal& placed : other.world.decals)
             (normals ? placed.decal.normal : placed.decal.colour) = false;
-        EXPECT_LT(compare(with, render_linear(test_device(), shot_of(other)), none).psnr, 38) << (normals ? "normals" : "colours");
+        EXPECT_LT(compare(with, render_linear(test_device(), shot_of(other)), none).psnr, 38)
+            << (normals ? "normals" : "colours");
     }
 }
 
@@ -56,7 +57,8 @@ TEST_P(Decals, AgreeWithTheReferenceOnMaterialsOfTheirOwn) {
 TEST_P(Decals, TheCameraMayStandInABox) {
     DecalGarden garden;
     garden.add_lights(4, 6, 8);
-    garden.add_decal({.material = garden.painted, .opacity = 0.6f, .order = 7}, {0.4, 3, 6}, {0, 1, 0}, 0.2, {14, 15, 7});
+    garden.add_decal({.material = garden.painted, .opacity = 0.6f, .order = 7}, {0.4, 3, 6}, {0, 1, 0}, 0.2,
+                     {14, 15, 7});
     expect_agrees(shot_of(garden));
     // The near plane cuts a box that the camera stands before.
     DecalGarden cut;
@@ -69,7 +71,8 @@ TEST_P(Decals, TheCameraMayStandInABox) {
 TEST_P(Decals, OrthographicFarAndFarFromTheOrigin) {
     DecalGarden garden({12000, -300, 7000});
     garden.add_lights(4, 6, 8);
-    garden.camera = look_at({.kind = ProjectionKind::orthographic, .ymag = 4, .znear = 1, .zfar = 13}, garden.at(1, 6, 7), garden.at(0, 0, 0.5));
+    garden.camera = look_at({.kind = ProjectionKind::orthographic, .ymag = 4, .znear = 1, .zfar = 13},
+                            garden.at(1, 6, 7), garden.at(0, 0, 0.5));
     expect_agrees(shot_of(garden));
 }
 
@@ -178,7 +181,10 @@ struct DecalWall : TestWorld {
     }
     void put(uint32_t material, glm::dmat4 box) { world.decals.push_back({{.material = material}, box}); }
     glm::vec3 seen(const char* renderer, uint32_t x, uint32_t y) {
-        return render_linear(test_device(), {.world = &world, .camera = front_camera(3), .width = 32, .height = 32, .renderer = renderer}).at(x, y);
+        return render_linear(
+                   test_device(),
+                   {.world = &world, .camera = front_camera(3), .width = 32, .height = 32, .renderer = renderer})
+            .at(x, y);
     }
 };
 
@@ -221,18 +227,22 @@ struct CheckedFloor : TestWorld {
         std::vector<uint8_t> checks;
         for (uint32_t y = 0; y < 256; ++y)
             for (uint32_t x = 0; x < 256; ++x) {
-                const uint32_t h = (x * 73856093u ^ y * 19349663u) * 2654435761u; // noise: each level has another contrast
+                const uint32_t h =
+                    (x * 73856093u ^ y * 19349663u) * 2654435761u; // noise: each level has another contrast
                 const uint8_t c = (x / 16 + y / 16) % 3 == 0 ? 128 : static_cast<uint8_t>(h >> 24);
                 checks.insert(checks.end(), {c, c, c, 255});
             }
         Material plain{.name = "floor", .base_colour = {1, 1, 1, 1}, .unlit = true}, checked = plain;
-        checked.base_colour_texture = {.image = add_image(256, 256, checks), .sampler = {.mip = MipFilter::nearest}}; // not anisotropic
+        checked.base_colour_texture = {.image = add_image(256, 256, checks),
+                                       .sampler = {.mip = MipFilter::nearest}}; // not anisotropic
         checked.unlit = !as_decal;
         add_material(as_decal ? plain : checked);
         add(square(4), glm::rotate(glm::dmat4(1), -1.5707963267948966, glm::dvec3(1, 0, 0)));
         if (as_decal) {
             add_material(checked);
-            world.decals.push_back({{.material = 1}, glm::scale(glm::rotate(glm::dmat4(1), -1.5707963267948966, glm::dvec3(1, 0, 0)), glm::dvec3(8, 8, 1))});
+            world.decals.push_back({{.material = 1},
+                                    glm::scale(glm::rotate(glm::dmat4(1), -1.5707963267948966, glm::dvec3(1, 0, 0)),
+                                               glm::dvec3(8, 8, 1))});
         }
         if (with_post) {
             add_material({.name = "post", .base_colour = {0, 0, 0.9f, 1}, .unlit = true, .receives_decals = false});
@@ -261,7 +271,8 @@ TEST(DecalTextures, MipLevelsAreThoseOfTheSamePictureOnTheSurface) {
 
 // lavapipe chooses one level for each 2 × 2 pixels; beyond these nothing knows of the post.
 TEST(DecalTextures, NoSeamBesideWhatStandsBefore) {
-    const Image without = CheckedFloor(true).picture("light-prepass"), with = CheckedFloor(true, true).picture("light-prepass");
+    const Image without = CheckedFloor(true).picture("light-prepass"),
+                with = CheckedFloor(true, true).picture("light-prepass");
     const auto is_post = [&](uint32_t x, uint32_t y) { return with.at(x, y).b > 0.85f && with.at(x, y).r < 0.05f; };
     size_t covered = 0, beside = 0, beyond = 0;
     for (uint32_t y = 0; y < with.height; ++y)
@@ -270,7 +281,8 @@ TEST(DecalTextures, NoSeamBesideWhatStandsBefore) {
             if (std::max({change.r, change.g, change.b}) < 1.0f / 255)
                 continue;
             const uint32_t left = x & ~1u, top = y & ~1u;
-            const bool quad = is_post(left, top) || is_post(left + 1, top) || is_post(left, top + 1) || is_post(left + 1, top + 1);
+            const bool quad =
+                is_post(left, top) || is_post(left + 1, top) || is_post(left, top + 1) || is_post(left + 1, top + 1);
             ++(is_post(x, y) ? covered : quad ? beside : beyond);
         }
     EXPECT_GT(covered, 1000u);
@@ -303,8 +315,9 @@ TEST(DecalScene, InValientsLayout) {
         Shot shot = garden.shot();
         shot.renderer = "deferred";
         shot.settings = {{"g-buffer", "killzone2"}};
-        const ReferencePicture reference = render_reference(*shot.world, shot.camera, shot.width, shot.height, 0,
-                                                            {.fresnel = ReferenceForm::Fresnel::full, .grey_reflectance = true});
+        const ReferencePicture reference =
+            render_reference(*shot.world, shot.camera, shot.width, shot.height, 0,
+                             {.fresnel = ReferenceForm::Fresnel::full, .grey_reflectance = true});
         return compare(render_linear(test_device(), shot), reference.linear, reference.left_out()).psnr;
     };
     const double with = psnr(true), without = psnr(false);
@@ -327,7 +340,8 @@ TEST(DecalSettings, ASteadyFrameMakesNothing) {
             renderer->render(shot.camera);
             const CreatedObjects made = renderer->stats().created;
             if (frame > 2) {
-                EXPECT_EQ(made.allocations + made.pipelines + made.buffers + made.images + made.descriptor_pools, 0u) << name;
+                EXPECT_EQ(made.allocations + made.pipelines + made.buffers + made.images + made.descriptor_pools, 0u)
+                    << name;
             }
         }
     }
@@ -337,7 +351,9 @@ TEST(DecalSettings, ASteadyFrameMakesNothing) {
 TEST(DecalErrors, NameTheDecal) {
     const auto error = [](const World& world, const char* renderer) -> std::string {
         try {
-            render_linear(test_device(), {.world = &world, .camera = front_camera(3), .width = 16, .height = 16, .renderer = renderer});
+            render_linear(
+                test_device(),
+                {.world = &world, .camera = front_camera(3), .width = 16, .height = 16, .renderer = renderer});
         } catch (const Error& e) {
             return e.what();
         }

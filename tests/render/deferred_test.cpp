@@ -78,8 +78,9 @@ TEST(Deferred, D2_ManyLightsOfTheYardstickSceneAgree) {
 TEST(Deferred, D2_GeometryIsDrawnOnce) {
     Garden garden;
     garden.add_lights(12, 4, 6);
-    const auto renderer = create_renderer(
-        "deferred", &test_device(), {.width = 64, .height = 36, .settings = {{"light-culling", "volumes"}}, .views = {}});
+    const auto renderer =
+        create_renderer("deferred", &test_device(),
+                        {.width = 64, .height = 36, .settings = {{"light-culling", "volumes"}}, .views = {}});
     renderer->set_world(garden.world);
     renderer->render(garden.camera);
     EXPECT_EQ(renderer->stats().draws, garden.world.instances.size());
@@ -146,7 +147,8 @@ TEST(Deferred, D3_EveryCullingMethodLightsTheSamePixels) {
         Garden garden;
         garden.camera.camera.znear = 0.25; // a large near rectangle, so that volumes are really cut
         for (const Light& light : {garden.point(4, 12), garden.spot(0.4f, 6, 60)})
-            garden.add_light(light, garden.camera.position - garden.camera.axes[2] * (share * light.range), {0, -1, -0.3});
+            garden.add_light(light, garden.camera.position - garden.camera.axes[2] * (share * light.range),
+                             {0, -1, -0.3});
         Image yardstick;
         uint64_t contributing = 0;
         const auto expect_same = [&](const std::string& method) {

@@ -14,12 +14,22 @@ struct Fountains {
         scene.name = "fountains";
         scene.scenes = {{.name = "fountains", .nodes = {}}};
         scene.ambient = glm::vec3(0.03f);
-        scene.materials = {{.name = "floor", .base_colour = {0.6f, 0.6f, 0.6f, 1}, .metallic = 0, .roughness = 0.5f}, {.name = "spark", .unlit = true}};
+        scene.materials = {{.name = "floor", .base_colour = {0.6f, 0.6f, 0.6f, 1}, .metallic = 0, .roughness = 0.5f},
+                           {.name = "spark", .unlit = true}};
         add_camera(scene, {.name = "front", .yfov = 0.8}, {0, 2.2, 5}, {0, 0.6, 0});
         add_root(scene, "floor", glm::dmat4(1)).mesh = add_mesh(scene, "floor", make_ground({8, 8}, 1), 0);
-        add_root(scene, "ball", translation({0.2, 0.5, -0.6})).mesh = add_mesh(scene, "ball", make_sphere(0.5f, 64, 32), 0);
-        Emitter e{.count = 40, .seed = 2, .cone = 0.6f, .ground = 0, .colours = {{3, 2.5f, 1.5f}, {2, 0.6f, 0.1f}, {0, 0, 0}}, .intensity = 0.4f,
-                  .range = 2, .size = 0.03f, .streak = 0.03f, .material = 1};
+        add_root(scene, "ball", translation({0.2, 0.5, -0.6})).mesh =
+            add_mesh(scene, "ball", make_sphere(0.5f, 64, 32), 0);
+        Emitter e{.count = 40,
+                  .seed = 2,
+                  .cone = 0.6f,
+                  .ground = 0,
+                  .colours = {{3, 2.5f, 1.5f}, {2, 0.6f, 0.1f}, {0, 0, 0}},
+                  .intensity = 0.4f,
+                  .range = 2,
+                  .size = 0.03f,
+                  .streak = 0.03f,
+                  .material = 1};
         scene.emitters.push_back(e);
         e.seed = 3;
         e.ground.reset();
@@ -39,7 +49,8 @@ TEST(Emitters, AgreeWithTheReferenceAtAnyTime) {
         ASSERT_EQ(world.lights.size(), 80u);
         for (const char* renderer : {"light-prepass", "deferred", "z-prepass", "multipass"}) {
             SCOPED_TRACE(renderer);
-            expect_agrees({.world = &world, .camera = world.cameras[0], .width = 240, .height = 135, .renderer = renderer});
+            expect_agrees(
+                {.world = &world, .camera = world.cameras[0], .width = 240, .height = 135, .renderer = renderer});
         }
         Shot shot{.world = &world, .camera = world.cameras[0], .width = 160, .height = 90};
         shot.settings = {{"shadows", "on"}};

@@ -13,7 +13,9 @@ struct EmptyWorld : TestWorld {
         add_light({.kind = LightKind::directional}, {0, 0, 0}, {0, -1, 0});
         add_light({.kind = LightKind::spot, .intensity = 5}, {0, 2, 0}, {0, -1, 0});
     }
-    Shot shot(const char* renderer) const { return {.world = &world, .camera = front_camera(3), .width = 64, .height = 36, .renderer = renderer}; }
+    Shot shot(const char* renderer) const {
+        return {.world = &world, .camera = front_camera(3), .width = 64, .height = 36, .renderer = renderer};
+    }
 };
 
 TEST(EmptyWorld, IsBlackInEveryRenderer) {
@@ -21,7 +23,9 @@ TEST(EmptyWorld, IsBlackInEveryRenderer) {
     for (const RendererInfo& info : renderer_infos()) {
         SCOPED_TRACE(info.name);
         const Image picture = info.needs_device ? render_linear(test_device(), empty.shot(info.name.c_str()))
-                                                : render_reference(empty.world, front_camera(3), 64, 36, 0, form_of(empty.shot("light-prepass"))).linear;
+                                                : render_reference(empty.world, front_camera(3), 64, 36, 0,
+                                                                   form_of(empty.shot("light-prepass")))
+                                                      .linear;
         for (const glm::vec3& pixel : picture.pixels)
             ASSERT_EQ(pixel, glm::vec3(0));
     }

@@ -1,5 +1,5 @@
-// Environment light [materials]: every architecture and every material under a map of light from all around, against the
-// reference; what it is when nothing else shines; the background.
+// Environment light [materials]: every architecture and every material under a map of light from all around, against
+// the reference; what it is when nothing else shines; the background.
 #include "every_way.hpp"
 #include "garden.hpp"
 #include <cmath>
@@ -21,7 +21,8 @@ Environment sunny_sky(uint32_t width = 128) {
             const double round = ((x + 0.5) / width - 0.5) * 2 * pi, polar = (y + 0.5) / (width / 2) * pi;
             const glm::dvec3 d(std::sin(round) * std::sin(polar), std::cos(polar), -std::cos(round) * std::sin(polar));
             const double up = 0.5 + 0.5 * std::tanh(4 * d.y), near = std::exp((glm::dot(d, sun) - 1) / 0.022);
-            sky.image.at(x, y) = glm::vec3(glm::mix(glm::dvec3(0.25, 0.2, 0.15), glm::dvec3(0.3, 0.5, 0.9), up) + 12.0 * near * glm::dvec3(1, 0.9, 0.7));
+            sky.image.at(x, y) = glm::vec3(glm::mix(glm::dvec3(0.25, 0.2, 0.15), glm::dvec3(0.3, 0.5, 0.9), up) +
+                                           12.0 * near * glm::dvec3(1, 0.9, 0.7));
         }
     return sky;
 }
@@ -44,11 +45,14 @@ struct SkyGarden : Garden {
 class Judge {
 public:
     void expect_agrees(const Shot& shot, const Bound& bound = half_float_bound) {
-        SCOPED_TRACE(shot.renderer + (shot.settings.empty() ? "" : " " + shot.settings.begin()->first + "=" + shot.settings.begin()->second));
+        SCOPED_TRACE(shot.renderer + (shot.settings.empty()
+                                          ? ""
+                                          : " " + shot.settings.begin()->first + "=" + shot.settings.begin()->second));
         const ReferenceForm form = form_of(shot);
         auto found = std::find_if(known_.begin(), known_.end(), [&](const auto& one) { return one.first == form; });
         if (found == known_.end())
-            found = known_.insert(known_.end(), {form, render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form)});
+            found = known_.insert(known_.end(), {form, render_reference(*shot.world, shot.camera, shot.width,
+                                                                        shot.height, shot.exposure, form)});
         const Image picture = render_linear(test_device(), shot);
         expect_within(compare(picture, found->second.linear, found->second.left_out()), bound);
         expect_validation_clean(test_device());
@@ -61,18 +65,20 @@ private:
 TEST(EnvironmentLight, AgreesInEveryArchitecture) {
     const SkyGarden garden;
     Judge judge;
-    for (const Way& way : std::initializer_list<Way>{{"light-prepass", {}},
-                                                     {"light-prepass", {{"list-shading", "fragment"}, {"normals", "oct32"}}},
-                                                     {"light-prepass", {{"light-culling", "volumes"}, {"ambient", "light"}}},
-                                                     {"deferred", {}},
-                                                     {"multipass", {}},
-                                                     {"multipass", {{"ambient", "per-object"}}},
-                                                     {"z-prepass", {}},
-                                                     {"z-prepass", {{"lights", "grid"}}}}) {
+    for (const Way& way :
+         std::initializer_list<Way>{{"light-prepass", {}},
+                                    {"light-prepass", {{"list-shading", "fragment"}, {"normals", "oct32"}}},
+                                    {"light-prepass", {{"light-culling", "volumes"}, {"ambient", "light"}}},
+                                    {"deferred", {}},
+                                    {"multipass", {}},
+                                    {"multipass", {{"ambient", "per-object"}}},
+                                    {"z-prepass", {}},
+                                    {"z-prepass", {{"lights", "grid"}}}}) {
         Shot shot = garden.shot();
         shot.renderer = way.renderer;
         shot.settings = way.settings;
-        if (shot.settings.contains("ambient") && shot.renderer == "light-prepass") { // an environment is no light: the same picture
+        if (shot.settings.contains("ambient") &&
+            shot.renderer == "light-prepass") { // an environment is no light: the same picture
             shot.settings.erase("ambient");
             const Image without = render_linear(test_device(), shot);
             shot.settings["ambient"] = "light";
@@ -111,7 +117,10 @@ TEST(EnvironmentLight, OfEachMaterialAgreesInEveryArchitecture) {
     const char* names[] = {"skin", "minnaert", "reflection", "fresnel-rim", "layered"};
     for (size_t m = 0; m < 5; ++m)
         garden.scene.materials[m + 1].shader = find_material_shader(names[m]);
-    garden.scene.materials[5].parameters = {{"clearcoat", {0.8f, 0, 0, 0}}, {"clearcoat_roughness", {0.15f, 0, 0, 0}}, {"sheen_colour", {0.3f, 0.2f, 0.4f, 0}}, {"specular", {0.7f, 0, 0, 0}}};
+    garden.scene.materials[5].parameters = {{"clearcoat", {0.8f, 0, 0, 0}},
+                                            {"clearcoat_roughness", {0.15f, 0, 0, 0}},
+                                            {"sheen_colour", {0.3f, 0.2f, 0.4f, 0}},
+                                            {"specular", {0.7f, 0, 0, 0}}};
     garden.world.lights.resize(2);
     for (const char* renderer : {"light-prepass", "deferred", "multipass", "z-prepass"}) {
         Shot shot = garden.shot();
@@ -196,14 +205,19 @@ TEST(Background, ShowsTheBackdropWhereThereIsOne) {
     TestWorld wall;
     wall.add_material({.name = "wall", .metallic = 0});
     wall.add(square(0.5f), glm::translate(glm::dmat4(1), {0, 0, -5}));
-    Environment sky{.name = "white", .image = Image(64, 32), .intensity = 0.5f, .rotation = pi / 2, .backdrop = painted_sky()->image};
+    Environment sky{.name = "white",
+                    .image = Image(64, 32),
+                    .intensity = 0.5f,
+                    .rotation = pi / 2,
+                    .backdrop = painted_sky()->image};
     std::fill(sky.image.pixels.begin(), sky.image.pixels.end(), glm::vec3(1));
     wall.scene.environment = std::make_shared<Environment>(sky);
     Camera lens;
     lens.yfov = 0.6;
     for (const char* name : {"light-prepass", "deferred", "multipass", "z-prepass", "reference"}) {
         RenderOptions options{.width = 32, .height = 24, .exposure = -1, .views = {"linear"}};
-        const auto renderer = create_renderer(name, std::string_view(name) == "reference" ? nullptr : &test_device(), options);
+        const auto renderer =
+            create_renderer(name, std::string_view(name) == "reference" ? nullptr : &test_device(), options);
         renderer->set_world(wall.world);
         renderer->render(look_at(lens, {0, 0, 0}, {-1, 0, -1})); // turned by 90°: what stood over −Z to +X
         EXPECT_LT(glm::length(renderer->read("linear").at(16, 12) - 0.25f * glm::vec3(0, 0, 1)), 1e-3) << name;
@@ -228,13 +242,19 @@ TEST(Background, ShowsTheEnvironmentWhereNothingIs) {
         double rotation;
         glm::vec3 colour;
     };
-    for (const Look& look : {Look{{-1, 0, -1}, 0, {0, 1, 0}}, Look{{1, 0, -1}, 0, {0, 0, 1}}, Look{{-1, 0, -1}, pi / 2, {0, 0, 1}}, Look{{1, 0.3, 1}, 0, {1, 1, 0}}}) {
+    for (const Look& look : {Look{{-1, 0, -1}, 0, {0, 1, 0}}, Look{{1, 0, -1}, 0, {0, 0, 1}},
+                             Look{{-1, 0, -1}, pi / 2, {0, 0, 1}}, Look{{1, 0.3, 1}, 0, {1, 1, 0}}}) {
         sky->rotation = look.rotation;
         sky->intensity = 0.5f;
         for (const char* renderer : {"light-prepass", "deferred", "multipass", "z-prepass"}) {
-            Shot shot{.world = &speck.world, .camera = look_at(lens, {0, 0, 0}, look.at), .width = 32, .height = 24, .renderer = renderer};
+            Shot shot{.world = &speck.world,
+                      .camera = look_at(lens, {0, 0, 0}, look.at),
+                      .width = 32,
+                      .height = 24,
+                      .renderer = renderer};
             const glm::vec3 middle = render_linear(test_device(), shot).at(16, 12);
-            EXPECT_LT(glm::length(middle - 0.5f * look.colour), 1e-3) << renderer << " " << look.at.x << " " << look.at.z << " " << look.rotation;
+            EXPECT_LT(glm::length(middle - 0.5f * look.colour), 1e-3)
+                << renderer << " " << look.at.x << " " << look.at.z << " " << look.rotation;
         }
     }
     expect_validation_clean(test_device());
@@ -255,7 +275,8 @@ TEST(Background, IsToneMappedLikeEverythingAndCanBeBlack) {
         speck.scene.environment = std::make_shared<Environment>(sky);
         for (const char* name : {"light-prepass", "deferred", "multipass", "z-prepass", "reference"}) {
             RenderOptions options{.width = 16, .height = 16, .exposure = 1};
-            const auto renderer = create_renderer(name, std::string_view(name) == "reference" ? nullptr : &test_device(), options);
+            const auto renderer =
+                create_renderer(name, std::string_view(name) == "reference" ? nullptr : &test_device(), options);
             renderer->set_world(speck.world);
             renderer->render(front_camera(2));
             const glm::vec3 corner = renderer->read("final").at(2, 2);

@@ -13,8 +13,9 @@ class RandomScenes : public testing::TestWithParam<uint64_t> {};
 TEST_P(RandomScenes, EveryArchitectureAgreesWithTheReferenceAndTheOthers) {
     const RandomScene scene(GetParam());
     const Shot form = scene.shot();
-    const ReferencePicture reference = render_reference(scene.world, scene.camera, form.width, form.height, 0,
-                                                        {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
+    const ReferencePicture reference =
+        render_reference(scene.world, scene.camera, form.width, form.height, 0,
+                         {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
     Image first;
     for (const Shot& shot : every_way(form)) {
         SCOPED_TRACE(name_of(shot));
@@ -88,7 +89,8 @@ TEST(EveryArchitecture, TheReferenceTakesOtherLightsToo) {
     const Image image = renderer->read("linear");
     garden.world.lights = lights;
     EXPECT_TRUE(image.pixels ==
-                render_reference(garden.world, garden.camera, 64, 36, 0, {.fresnel = ReferenceForm::Fresnel::full, .specular_antialiasing = true})
+                render_reference(garden.world, garden.camera, 64, 36, 0,
+                                 {.fresnel = ReferenceForm::Fresnel::full, .specular_antialiasing = true})
                     .linear.pixels);
 }
 

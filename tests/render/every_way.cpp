@@ -6,7 +6,8 @@ std::vector<Shot> every_way(const Shot& shot) {
     std::vector<Shot> shots;
     for (const RendererInfo& info : renderer_infos())
         for (const SettingInfo& setting : info.settings)
-            if (info.needs_device && (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order"))
+            if (info.needs_device &&
+                (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order"))
                 for (const std::string& value : setting.values) {
                     if (value == "auto")
                         continue; // one of the others

@@ -10,8 +10,8 @@ struct Way {
     std::map<std::string, std::string> settings;
 };
 
-/// Each renderer on a device once for each way in which it finds lights, with the form of the lighting model that all of
-/// them run (model=nv).
+/// Each renderer on a device once for each way in which it finds lights, with the form of the lighting model that all
+/// of them run (model=nv).
 std::vector<Shot> every_way(const Shot& shot);
 /// Renderer and settings, for a test's trace.
 std::string name_of(const Shot& shot);

@@ -35,9 +35,7 @@ struct TexturedWall : TestWorld {
             return glm::vec4(n * 0.5f + 0.5f, 1);
         });
         const uint32_t shade = add_picture(*this, [](float u, float) { return glm::vec4(u, 0, 0, 1); });
-        const uint32_t glow = add_picture(*this, [](float u, float v) {
-            return glm::vec4(u * v, 0.2f * u, 0.1f, 1);
-        });
+        const uint32_t glow = add_picture(*this, [](float u, float v) { return glm::vec4(u * v, 0.2f * u, 0.1f, 1); });
         Material material{.name = "wall", .base_colour = {0.9f, 0.9f, 0.9f, 1}, .emissive = {0.4f, 0.4f, 0.4f}};
         material.normal_scale = 0.8f;
         material.occlusion_strength = 0.7f;
@@ -45,7 +43,8 @@ struct TexturedWall : TestWorld {
         material.metallic_roughness_texture = {.image = surface, .sampler = sampler};
         material.normal_texture = {.image = bumps, .sampler = sampler};
         material.occlusion_texture = {.image = shade, .sampler = sampler};
-        material.emissive_texture = {.image = glow, .sampler = sampler, .uv_linear = glm::mat2(0, 1, -1, 0), .uv_offset = {0.25f, 0.1f}};
+        material.emissive_texture = {
+            .image = glow, .sampler = sampler, .uv_linear = glm::mat2(0, 1, -1, 0), .uv_offset = {0.25f, 0.1f}};
         add_material(material);
         add(square(2));
         add_light({.kind = LightKind::point, .intensity = 14, .range = 9}, {1.5, 1, 2});
@@ -101,7 +100,12 @@ TEST(Materials, AlphaMaskVertexColourDoubleSidedUnlit) {
     const uint32_t holes = add_picture(world, [](float u, float v) {
         return glm::vec4(1, 1, 1, 0.5f + 0.5f * std::sin(2 * tau * u) * std::sin(2 * tau * v));
     });
-    Material masked{.name = "masked", .metallic = 0, .roughness = 0.7f, .alpha_mode = AlphaMode::mask, .alpha_cutoff = 0.4f, .double_sided = true};
+    Material masked{.name = "masked",
+                    .metallic = 0,
+                    .roughness = 0.7f,
+                    .alpha_mode = AlphaMode::mask,
+                    .alpha_cutoff = 0.4f,
+                    .double_sided = true};
     masked.base_colour_texture = {.image = holes};
     world.add_material(masked);
     Primitive front = square(1);
@@ -131,7 +135,8 @@ TEST(Nodes, FlattenedToAPlaneAreStillThere) {
     std::vector<uint32_t> front;
     for (size_t i = 0; i < indices.size(); i += 3)
         if (scene.meshes[sphere].primitives[0].positions[indices[i]].z > 0.05f)
-            front.insert(front.end(), indices.begin() + static_cast<long>(i), indices.begin() + static_cast<long>(i) + 3);
+            front.insert(front.end(), indices.begin() + static_cast<long>(i),
+                         indices.begin() + static_cast<long>(i) + 3);
     indices = front;
     expect_agrees(garden.shot());
 }

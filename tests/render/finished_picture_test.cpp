@@ -79,17 +79,18 @@ TEST_P(FinishedPicture, NeedsNoPassOfItsOwn) {
     expect_validation_clean(test_device());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    E4, FinishedPicture,
-    testing::Values(FinishingWay{"light-prepass", {}, Shading::ggx, {"material", "tonemap"}},
-                    FinishingWay{"light-prepass", {}, Shading::phong, {"material", "tonemap"}},
-                    FinishingWay{"deferred", {}, Shading::ggx, {"resolve", "tonemap"}},
-                    FinishingWay{"z-prepass", {{"lights", "grid"}}, Shading::ggx, {"opaque", "tonemap"}}),
-    [](const auto& tested) {
-        std::string name = std::string(tested.param.renderer) + (tested.param.shading == Shading::ggx ? "Ggx" : "Phong");
-        std::erase(name, '-');
-        return name;
-    });
+INSTANTIATE_TEST_SUITE_P(E4, FinishedPicture,
+                         testing::Values(FinishingWay{"light-prepass", {}, Shading::ggx, {"material", "tonemap"}},
+                                         FinishingWay{"light-prepass", {}, Shading::phong, {"material", "tonemap"}},
+                                         FinishingWay{"deferred", {}, Shading::ggx, {"resolve", "tonemap"}},
+                                         FinishingWay{
+                                             "z-prepass", {{"lights", "grid"}}, Shading::ggx, {"opaque", "tonemap"}}),
+                         [](const auto& tested) {
+                             std::string name = std::string(tested.param.renderer) +
+                                                (tested.param.shading == Shading::ggx ? "Ggx" : "Phong");
+                             std::erase(name, '-');
+                             return name;
+                         });
 
 TEST(FinishedPictures, LightPrepassHolds24BytesAPixel) {
     Garden garden;

@@ -31,7 +31,8 @@ TEST(FormatFallback, TheNextFormatIsTakenAndNamed) {
         shot.height = 90;
         shot.settings = {{f.setting, f.value}};
         EXPECT_GE(against_reference(*device, shot).psnr, f.psnr) << f.note;
-        const auto renderer = create_renderer("light-prepass", device.get(), {.width = 16, .height = 16, .settings = shot.settings});
+        const auto renderer =
+            create_renderer("light-prepass", device.get(), {.width = 16, .height = 16, .settings = shot.settings});
         renderer->set_world(garden.world);
         renderer->render(garden.camera);
         ASSERT_EQ(renderer->stats().notes.size(), 1u);
@@ -42,7 +43,8 @@ TEST(FormatFallback, TheNextFormatIsTakenAndNamed) {
 
 TEST(FormatFallback, NothingIsSaidWhenNothingIsMissing) {
     Garden garden;
-    const auto renderer = create_renderer("light-prepass", &test_device(), {.width = 16, .height = 16, .settings = {{"normals", "oct32"}}});
+    const auto renderer = create_renderer("light-prepass", &test_device(),
+                                          {.width = 16, .height = 16, .settings = {{"normals", "oct32"}}});
     renderer->set_world(garden.world);
     renderer->render(garden.camera);
     EXPECT_TRUE(renderer->stats().notes.empty());

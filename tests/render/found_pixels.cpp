@@ -17,8 +17,8 @@ std::vector<Found> find_pixels(const World& world, std::span<const PlacedCamera>
     for (const PlacedCamera& camera : cameras) {
         renderer->render(camera);
         const Stats stats = renderer->stats();
-        found.push_back({renderer->read("linear"), renderer->read("light-count"), stats.pairs_evaluated,
-                         stats.pairs_contributing});
+        found.push_back(
+            {renderer->read("linear"), renderer->read("light-count"), stats.pairs_evaluated, stats.pairs_contributing});
     }
     return found;
 }

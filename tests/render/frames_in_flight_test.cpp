@@ -109,14 +109,16 @@ TEST(FramesInFlight, WhatAFrameReadsIsLeftAloneUntilItIsDone) {
     garden.add_lights(60, 3, 4);
     const std::vector<Step> all = steps(garden);
     auto& context = dynamic_cast<gpu::Context&>(test_device());
-    resident::Frame frame(context, garden.world, {.width = 160, .height = 90, .culling = resident::LightCulling::tiles});
+    resident::Frame frame(context, garden.world,
+                          {.width = 160, .height = 90, .culling = resident::LightCulling::tiles});
     graph::FrameGraph graph(context);
     const gpu::Buffer counters(context, "pair counters", 90 * 2 * sizeof(uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                gpu::BufferPlace::readback);
     const auto surface = passes::depth_normal_pass(graph, frame, {});
     const auto light = passes::make_light_buffer(graph, frame, {});
-    passes::light_pass(graph, frame, "light",
-                       {.surface = surface, .model = {}, .target = light.target, .pair_counters = &counters, .tile_size = 8});
+    passes::light_pass(
+        graph, frame, "light",
+        {.surface = surface, .model = {}, .target = light.target, .pair_counters = &counters, .tile_size = 8});
     graph.keep(light.diffuse);
     graph.compile();
     const auto picture = [&](size_t step, uint32_t slot, bool overtaken) {

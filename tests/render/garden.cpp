@@ -20,7 +20,11 @@ Garden::Garden(glm::dvec3 origin) : origin_(origin) {
         {.name = "paint", .base_colour = {0.2f, 0.5f, 0.8f, 1}, .metallic = 0, .roughness = 0.35f},
         {.name = "gold", .base_colour = {1, 0.77f, 0.34f, 1}, .metallic = 1, .roughness = 0.4f},
         {.name = "steel", .base_colour = {0.6f, 0.6f, 0.6f, 1}, .metallic = 1, .roughness = 0.55f},
-        {.name = "lamp", .base_colour = {0.5f, 0.5f, 0.5f, 1}, .metallic = 0, .roughness = 0.7f, .emissive = {0.2f, 0.1f, 0.3f}}};
+        {.name = "lamp",
+         .base_colour = {0.5f, 0.5f, 0.5f, 1},
+         .metallic = 0,
+         .roughness = 0.7f,
+         .emissive = {0.2f, 0.1f, 0.3f}}};
     // One stretched, one mirrored, one both: normals go by the inverse transpose, winding by the sign.
     const glm::dvec3 scales[] = {{1, 1, 1}, {0.7, 1.3, 0.9}, {-1, 1, 1}, {1.2, -0.8, 1}, {1, 1, 1}};
     for (int i = 0; i < 5; ++i) {
@@ -38,8 +42,12 @@ Light Garden::point(float range, float intensity, glm::vec3 colour) const {
 }
 
 Light Garden::spot(float outer, float range, float intensity) const {
-    return {.kind = LightKind::spot, .colour = {0.9f, 1, 0.8f}, .intensity = intensity, .range = range,
-            .inner_cone = outer * 0.6f, .outer_cone = outer};
+    return {.kind = LightKind::spot,
+            .colour = {0.9f, 1, 0.8f},
+            .intensity = intensity,
+            .range = range,
+            .inner_cone = outer * 0.6f,
+            .outer_cone = outer};
 }
 
 void Garden::add_lights(uint32_t count, float range, float intensity) {
@@ -47,8 +55,10 @@ void Garden::add_lights(uint32_t count, float range, float intensity) {
         // A low-discrepancy walk over the floor (the plastic number's), so that no seed is needed.
         const double u = std::fmod(0.5 + 0.7548776662466927 * i, 1.0), v = std::fmod(0.5 + 0.5698402909980532 * i, 1.0);
         const double hue = 2.0943951 * i;
-        const glm::vec3 colour(0.6 + 0.4 * std::cos(hue), 0.6 + 0.4 * std::cos(hue - 2.1), 0.6 + 0.4 * std::cos(hue + 2.1));
-        add_light(point(range, intensity, colour), at(11 * u - 5.5, 0.6 + 1.5 * std::fmod(0.37 * i, 1.0), 11 * v - 5.5));
+        const glm::vec3 colour(0.6 + 0.4 * std::cos(hue), 0.6 + 0.4 * std::cos(hue - 2.1),
+                               0.6 + 0.4 * std::cos(hue + 2.1));
+        add_light(point(range, intensity, colour),
+                  at(11 * u - 5.5, 0.6 + 1.5 * std::fmod(0.37 * i, 1.0), 11 * v - 5.5));
     }
 }
 
@@ -91,7 +101,12 @@ MixedMaterials::MixedMaterials() {
         const auto alpha = static_cast<uint8_t>(std::lround(127.5 + 127.5 * std::sin(u) * std::sin(v)));
         holes.insert(holes.end(), {255, 255, 255, alpha});
     }
-    Material masked{.name = "masked", .metallic = 0, .roughness = 0.7f, .alpha_mode = AlphaMode::mask, .alpha_cutoff = 0.4f, .double_sided = true};
+    Material masked{.name = "masked",
+                    .metallic = 0,
+                    .roughness = 0.7f,
+                    .alpha_mode = AlphaMode::mask,
+                    .alpha_cutoff = 0.4f,
+                    .double_sided = true};
     masked.base_colour_texture = {.image = add_image(size, size, holes)};
     add_material(masked);
     Primitive front = square(1);
@@ -99,14 +114,21 @@ MixedMaterials::MixedMaterials() {
     const auto at = [](double x, double y, double z) { return glm::translate(glm::dmat4(1), {x, y, z}); };
     add(front, at(-1.1, 0, 0));
     add(front, glm::rotate(at(1.1, 0, 0), 2.7, {0, 1, 0}));
-    add_material({.name = "paint", .base_colour = {0.9f, 0.5f, 0.3f, 1}, .metallic = 0, .roughness = 0.5f, .emissive = {0.05f, 0, 0.1f}});
+    add_material({.name = "paint",
+                  .base_colour = {0.9f, 0.5f, 0.3f, 1},
+                  .metallic = 0,
+                  .roughness = 0.5f,
+                  .emissive = {0.05f, 0, 0.1f}});
     add(square(0.4f), glm::scale(at(0, 1.4, 0.3), {-1, 1, 1}));
     add_material({.name = "unlit", .base_colour = {0.2f, 0.6f, 0.3f, 1}, .unlit = true});
     add(square(4), at(0, 0, -2));
     add_material({.name = "away", .base_colour = {1, 0, 1, 1}});
     add(square(0.5f), glm::rotate(at(0, 0, 1), 3.0, {0, 1, 0}));
     for (int i = 0; i < 11; ++i)
-        add_light({.kind = LightKind::point, .colour = {1, 0.1f * static_cast<float>(i), 0.6f}, .intensity = 1.5f, .range = 12},
+        add_light({.kind = LightKind::point,
+                   .colour = {1, 0.1f * static_cast<float>(i), 0.6f},
+                   .intensity = 1.5f,
+                   .range = 12},
                   {0.4 * i - 2, 1.5 - 0.3 * (i % 4), 3});
     world.ambient = {0.05f, 0.06f, 0.08f};
 }

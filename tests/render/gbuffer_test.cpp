@@ -26,7 +26,8 @@ TEST(Deferred, D1_FormatsAreExactlyValients) {
 }
 
 TEST(Deferred, D1_WithoutD24S8DepthAndStencilAreD32S8AndTheLogSaysSo) {
-    const auto device = Device::create({.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_D24_UNORM_S8_UINT}});
+    const auto device =
+        Device::create({.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_D24_UNORM_S8_UINT}});
     Garden garden;
     garden.add_lights(4, 4, 6);
     RenderOptions options{.width = 64, .height = 36, .preset = "killzone2"};
@@ -41,7 +42,10 @@ TEST(Deferred, D1_WithoutD24S8DepthAndStencilAreD32S8AndTheLogSaysSo) {
 // Each channel of one surface, decoded here from the documentation.
 TEST(Deferred, D1_ChannelsHoldWhatTheTableSays) {
     TestWorld test;
-    Material& material = test.add_material({.name = "brass", .base_colour = {0.81f, 0.49f, 0.25f, 1}, .metallic = 0.5f, .roughness = 0.3f,
+    Material& material = test.add_material({.name = "brass",
+                                            .base_colour = {0.81f, 0.49f, 0.25f, 1},
+                                            .metallic = 0.5f,
+                                            .roughness = 0.3f,
                                             .emissive = {0.5f, 0.25f, 1}});
     material.occlusion_texture = {.image = test.add_image(1, 1, {128, 0, 0, 255})};
     test.add(square(20), glm::rotate(glm::dmat4(1), 0.4, glm::dvec3(0, 1, 0)));
@@ -76,7 +80,8 @@ TEST(Deferred, D1_ChannelsHoldWhatTheTableSays) {
 Comparison killzone2_against(const Shot& shot, bool grey_form) {
     ReferenceForm form = form_of(shot);
     form.grey_reflectance = grey_form;
-    const ReferencePicture reference = render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form);
+    const ReferencePicture reference =
+        render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form);
     return compare(picture_of(shot), reference.linear, reference.left_out());
 }
 
@@ -114,7 +119,8 @@ TEST(Deferred, D1_Killzone2WithHalfFloatLight) {
 
 TEST(Deferred, D1_Killzone2MaskedMirroredDoubleSidedUnlit) {
     MixedMaterials mixed;
-    const Comparison c = killzone2_against(deferred(mixed.shot(), {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}), false);
+    const Comparison c =
+        killzone2_against(deferred(mixed.shot(), {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}), false);
     EXPECT_GE(c.psnr, rgba8_bound.psnr);
 }
 
@@ -143,14 +149,17 @@ TEST(Deferred, D1_NormalsThatTurnFromTheViewAxisKeepTheirSide) {
 TEST(Deferred, D1_IntensityKeepsBrightnessBeyondBytes) {
     TestWorld test;
     for (const double x : {-2.0, 2.0}) {
-        test.add_material({.name = "lamp", .base_colour = {0, 0, 0, 1}, .emissive = x < 0 ? glm::vec3(6, 9, 3) : glm::vec3(1.5f, 1, 0.5f)});
+        test.add_material({.name = "lamp",
+                           .base_colour = {0, 0, 0, 1},
+                           .emissive = x < 0 ? glm::vec3(6, 9, 3) : glm::vec3(1.5f, 1, 0.5f)});
         test.add(square(1.5f), glm::translate(glm::dmat4(1), {x, 0, 0}));
     }
     Shot shot = deferred({.world = &test.world, .camera = front_camera(5)},
                          {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"light-scale", "2"}});
     const Image picture = picture_of(shot);
     const auto luminance = [](glm::vec3 c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; };
-    const glm::vec3 bright = picture.at(shot.width * 3 / 10, shot.height / 2), dim = picture.at(shot.width * 7 / 10, shot.height / 2);
+    const glm::vec3 bright = picture.at(shot.width * 3 / 10, shot.height / 2),
+                    dim = picture.at(shot.width * 7 / 10, shot.height / 2);
     EXPECT_NEAR(luminance(bright), luminance({6, 9, 3}), 0.05);
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(dim[c], (std::array{1.5, 1.0, 0.5})[size_t(c)], 1.01 / 255);
@@ -167,11 +176,15 @@ TEST(Deferred, D1_PresetIsTheLayoutAndSettingsGoBeforeIt) {
         renderer->render(garden.camera);
         return renderer->stats().settings;
     };
-    EXPECT_THAT(settings_of(), testing::IsSupersetOf({std::pair<const std::string, std::string>("g-buffer", "killzone2"),
-                                                      {"accumulation", "rgba8"}, {"light-scale", "auto"}, {"model", "full"}}));
+    EXPECT_THAT(settings_of(),
+                testing::IsSupersetOf({std::pair<const std::string, std::string>("g-buffer", "killzone2"),
+                                       {"accumulation", "rgba8"},
+                                       {"light-scale", "auto"},
+                                       {"model", "full"}}));
     options.settings = {{"accumulation", "rgba16f"}};
-    EXPECT_THAT(settings_of(), testing::IsSupersetOf({std::pair<const std::string, std::string>("g-buffer", "killzone2"),
-                                                      {"accumulation", "rgba16f"}}));
+    EXPECT_THAT(settings_of(),
+                testing::IsSupersetOf(
+                    {std::pair<const std::string, std::string>("g-buffer", "killzone2"), {"accumulation", "rgba16f"}}));
     options.preset = "engel";
     EXPECT_THROW(settings_of(), UsageError);
 }

@@ -1,5 +1,5 @@
-// A renderer that is kept while lights, objects and camera change draws what a new one draws: nothing of an earlier frame stays
-// where it does not belong. Sequences of changes are drawn by lot, with fixed seeds.
+// A renderer that is kept while lights, objects and camera change draws what a new one draws: nothing of an earlier
+// frame stays where it does not belong. Sequences of changes are drawn by lot, with fixed seeds.
 #include "every_way.hpp"
 #include "garden.hpp"
 #include "random_scene.hpp"
@@ -20,7 +20,8 @@ public:
         add(square(6), glm::rotate(glm::dmat4(1), -1.5707963267948966, {1, 0, 0}));
         add(sphere(16), thing());
         add(cube(), thing());
-        const uint32_t holes = add_image(4, 1, {255, 255, 255, 255, 255, 255, 255, 0, 255, 255, 255, 255, 255, 255, 255, 0});
+        const uint32_t holes =
+            add_image(4, 1, {255, 255, 255, 255, 255, 255, 255, 0, 255, 255, 255, 255, 255, 255, 255, 0});
         Material card{.name = "card", .double_sided = true};
         card.alpha_mode = AlphaMode::mask;
         card.base_colour_texture = {.image = holes};
@@ -28,7 +29,8 @@ public:
         add(square(0.8f), thing());
         for (int i = 0; i < 4; ++i)
             place(1 + random_.below(3), thing());
-        for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot, LightKind::spot, LightKind::point})
+        for (const LightKind kind :
+             {LightKind::directional, LightKind::point, LightKind::spot, LightKind::spot, LightKind::point})
             world.lights.push_back(some_light(kind));
         world.ambient = glm::vec3(0.02f);
         look();
@@ -53,10 +55,12 @@ private:
     glm::dvec3 direction() { return glm::normalize(glm::dvec3(number(-1, 1), number(-1.5, -0.1), number(-1, 1))); }
     glm::dmat4 thing() {
         const glm::dmat4 m = glm::translate(glm::dmat4(1), {number(-3, 3), number(0.2, 1.6), number(-3, 3)});
-        return glm::scale(glm::rotate(m, number(0, 6.28), glm::normalize(glm::dvec3(number(-1, 1), 1, number(-1, 1)))), glm::dvec3(number(0.3, 0.8)));
+        return glm::scale(glm::rotate(m, number(0, 6.28), glm::normalize(glm::dvec3(number(-1, 1), 1, number(-1, 1)))),
+                          glm::dvec3(number(0.3, 0.8)));
     }
     PlacedLight some_light(LightKind kind) {
-        PlacedLight out{{.kind = kind, .colour = hue_colour(number(0, 1), 0.5), .intensity = static_cast<float>(number(1, 6))}};
+        PlacedLight out{
+            {.kind = kind, .colour = hue_colour(number(0, 1), 0.5), .intensity = static_cast<float>(number(1, 6))}};
         out.position = {number(-4, 4), number(0.8, 4), number(-4, 4)};
         out.direction = direction();
         out.light.range = static_cast<float>(number(2, 9));
@@ -129,14 +133,16 @@ private:
         if (random_.below(3) == 0)
             lens = {.kind = ProjectionKind::orthographic, .ymag = number(2, 4), .znear = 0, .zfar = 30};
         const double turn = number(0, 6.28);
-        camera = look_at(lens, {6 * std::cos(turn), number(2, 5), 6 * std::sin(turn)}, {number(-1, 1), 0, number(-1, 1)});
+        camera =
+            look_at(lens, {6 * std::cos(turn), number(2, 5), 6 * std::sin(turn)}, {number(-1, 1), 0, number(-1, 1)});
     }
 
     Random random_;
 };
 
 /// Draws `steps` states of the stage with each of `kept`, which are told what changed, and with a new renderer.
-void expect_as_new(const Shot& shot, const std::vector<std::map<std::string, std::string>>& kept, uint64_t seed, int steps) {
+void expect_as_new(const Shot& shot, const std::vector<std::map<std::string, std::string>>& kept, uint64_t seed,
+                   int steps) {
     Stage stage(seed);
     std::vector<std::unique_ptr<World>> worlds; // as long as a renderer knows them
     std::vector<std::unique_ptr<Renderer>> renderers;
@@ -173,7 +179,8 @@ class KeptRenderer : public testing::TestWithParam<Shot> {};
 
 std::string way_name(const testing::TestParamInfo<Shot>& info) {
     std::string name = name_of(info.param);
-    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
     return name;
 }
 INSTANTIATE_TEST_SUITE_P(All, KeptRenderer, testing::ValuesIn(every_way({.width = 96, .height = 54})), way_name);
@@ -197,7 +204,8 @@ TEST_P(KeptRenderer, ShadowsAreThoseOfANewOne) {
     shot.settings.insert({{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-budget", "262144"}});
     expect_as_new(shot, {{{"shadow-cache", "on"}}, {{"shadow-cache", "off"}}}, seed_of(GetParam()), 5);
     const std::string culling = shot.settings.contains("light-culling") ? shot.settings.at("light-culling") : "";
-    if ((shot.renderer == "light-prepass" || shot.renderer == "deferred") && culling != "tiles" && culling != "clusters") {
+    if ((shot.renderer == "light-prepass" || shot.renderer == "deferred") && culling != "tiles" &&
+        culling != "clusters") {
         shot.settings["shadow-memory"] = "reuse";
         expect_as_new(shot, {{{"shadow-cache", "on"}}, {{"shadow-cache", "off"}}}, seed_of(GetParam()) + 1, 3);
     }
@@ -209,8 +217,8 @@ TEST(KeptRenderers, EveryFilterAndTheSunOcclusionChannel) {
     for (const char* filter : {"pcf", "contact"})
         for (const char* memory : {"atlas", "reuse"}) {
             Shot shot{.width = 96, .height = 54, .renderer = "deferred"};
-            shot.settings = {{"shadows", "on"}, {"shadow-filter", filter}, {"shadow-budget", "262144"}, {"shadow-memory", memory},
-                             {"g-buffer", "killzone2"}, {"light-culling", "volumes"}};
+            shot.settings = {{"shadows", "on"},         {"shadow-filter", filter}, {"shadow-budget", "262144"},
+                             {"shadow-memory", memory}, {"g-buffer", "killzone2"}, {"light-culling", "volumes"}};
             SCOPED_TRACE(name_of(shot));
             expect_as_new(shot, {{}}, 21, 4);
         }
@@ -237,13 +245,29 @@ TEST(KeptRenderers, ALightThatChangesWhereItStandsFindsItsCastersAnew) {
     const std::vector<std::tuple<const char*, Change, Change>> changes{
         {"turns", [](PlacedLight&) {}, [](PlacedLight& l) { l.direction = glm::normalize(glm::dvec3(3, -4, 0)); }},
         {"widens", [](PlacedLight&) {}, [](PlacedLight& l) { l.light.outer_cone = 0.95f; }},
-        {"widens as a cube", [](PlacedLight& l) { l.light.outer_cone = 1.1f; l.direction = glm::normalize(glm::dvec3(-3, -3, 0)); },
+        {"widens as a cube",
+         [](PlacedLight& l) {
+             l.light.outer_cone = 1.1f;
+             l.direction = glm::normalize(glm::dvec3(-3, -3, 0));
+         },
          [](PlacedLight& l) { l.light.outer_cone = 1.55f; }},
-        {"reaches farther", [](PlacedLight& l) { l.light.kind = LightKind::point; l.light.range = 3; },
+        {"reaches farther",
+         [](PlacedLight& l) {
+             l.light.kind = LightKind::point;
+             l.light.range = 3;
+         },
          [](PlacedLight& l) { l.light.range = 12; }},
-        {"becomes a point", [](PlacedLight& l) { l.light.outer_cone = 1.1f; l.direction = glm::normalize(glm::dvec3(-3, -3, 0)); },
+        {"becomes a point",
+         [](PlacedLight& l) {
+             l.light.outer_cone = 1.1f;
+             l.direction = glm::normalize(glm::dvec3(-3, -3, 0));
+         },
          [](PlacedLight& l) { l.light.kind = LightKind::point; }},
-        {"becomes a sun", [](PlacedLight&) {}, [](PlacedLight& l) { l.light.kind = LightKind::directional; l.light.intensity = 2; }},
+        {"becomes a sun", [](PlacedLight&) {},
+         [](PlacedLight& l) {
+             l.light.kind = LightKind::directional;
+             l.light.intensity = 2;
+         }},
     };
     const PlacedCamera camera = look_at(Camera{}, {0, 9, 9}, {0, 0, 0});
     for (const auto& [name, first, then] : changes)
@@ -251,7 +275,12 @@ TEST(KeptRenderers, ALightThatChangesWhereItStandsFindsItsCastersAnew) {
             SCOPED_TRACE(std::string(renderer) + ": " + name);
             TwoCards cards;
             first(cards.world.lights[0]);
-            Shot shot{.world = &cards.world, .camera = camera, .width = 160, .height = 90, .settings = {{"shadows", "on"}}, .renderer = renderer};
+            Shot shot{.world = &cards.world,
+                      .camera = camera,
+                      .width = 160,
+                      .height = 90,
+                      .settings = {{"shadows", "on"}},
+                      .renderer = renderer};
             const auto kept = create_renderer(renderer, &test_device(), options_of(shot));
             kept->set_world(cards.world);
             kept->render(camera);
@@ -269,17 +298,23 @@ TEST(KeptRenderers, ALightThatChangesWhereItStandsFindsItsCastersAnew) {
     expect_validation_clean(test_device());
 }
 
-// A light that mostly stays where it is, in tiles of one size, mostly as a cube whose faces do not turn with it: what it reaches
-// alone decides whether its casters are still the same.
+// A light that mostly stays where it is, in tiles of one size, mostly as a cube whose faces do not turn with it: what
+// it reaches alone decides whether its casters are still the same.
 TEST(KeptRenderers, OneLightThroughManyChangesInPlace) {
     TwoCards cards;
     for (int i = 0; i < 8; ++i) // all around, nearer and farther
-        cards.place(1, glm::rotate(glm::dmat4(1), i * 2.4, {0, 1, 0}) * glm::translate(glm::dmat4(1), {1 + 0.5 * i, 0.5 + 0.1 * i, 0}) *
+        cards.place(1, glm::rotate(glm::dmat4(1), i * 2.4, {0, 1, 0}) *
+                           glm::translate(glm::dmat4(1), {1 + 0.5 * i, 0.5 + 0.1 * i, 0}) *
                            glm::rotate(glm::dmat4(1), -1.2, {1, 0, 0}));
     const PlacedCamera camera = look_at(Camera{}, {0, 9, 7}, {0, 0, 0});
     for (const bool cached : {true, false}) {
-        Shot shot{.camera = camera, .width = 96, .height = 54,
-                  .settings = {{"shadows", "on"}, {"shadow-budget", "65536"}, {"shadow-detail", "16"}, {"shadow-cache", cached ? "on" : "off"},
+        Shot shot{.camera = camera,
+                  .width = 96,
+                  .height = 54,
+                  .settings = {{"shadows", "on"},
+                               {"shadow-budget", "65536"},
+                               {"shadow-detail", "16"},
+                               {"shadow-cache", cached ? "on" : "off"},
                                {"light-culling", "volumes"}}};
         const auto kept = create_renderer(shot.renderer, &test_device(), options_of(shot));
         kept->set_world(cards.world);
@@ -293,18 +328,24 @@ TEST(KeptRenderers, OneLightThroughManyChangesInPlace) {
             case 1:
             case 2:
             case 3: placed.position = {random.uniform(-2, 2), 3, random.uniform(-2, 2)}; break;
-            case 4: placed.light.kind = placed.light.kind == LightKind::spot ? LightKind::point : LightKind::spot; break;
+            case 4:
+                placed.light.kind = placed.light.kind == LightKind::spot ? LightKind::point : LightKind::spot;
+                break;
             case 5: placed.light.outer_cone = static_cast<float>(random.uniform(1, 1.5)); break;
             case 6:
             case 7:
-            case 8: placed.direction = glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, -0.2), random.uniform(-1, 1))); break;
+            case 8:
+                placed.direction =
+                    glm::normalize(glm::dvec3(random.uniform(-1, 1), random.uniform(-1, -0.2), random.uniform(-1, 1)));
+                break;
             default: placed.light.range = static_cast<float>(random.uniform(2, 9));
             }
             placed.light.inner_cone = 0.9f * placed.light.outer_cone;
             kept->set_lights(world.lights);
             kept->render(camera);
             shot.world = &world;
-            EXPECT_TRUE(kept->read("linear").pixels == render_linear(test_device(), shot).pixels) << "cached " << cached << ", step " << step;
+            EXPECT_TRUE(kept->read("linear").pixels == render_linear(test_device(), shot).pixels)
+                << "cached " << cached << ", step " << step;
         }
     }
     expect_validation_clean(test_device());

@@ -51,7 +51,8 @@ struct CookieGarden : Garden {
         stage.cookie = 0;
         turned(stage, at(0, 5, 0.5), {0.1, -1, 0.1}, {0, 0.2, -1});
         add_light(point(5, 2), at(4.5, 1.4, 2.5));
-        add_light({.kind = LightKind::directional, .colour = {0.5f, 0.6f, 1}, .intensity = 0.15f}, at(0, 0, 0), {0.4, -1, -0.5});
+        add_light({.kind = LightKind::directional, .colour = {0.5f, 0.6f, 1}, .intensity = 0.15f}, at(0, 0, 0),
+                  {0.4, -1, -0.5});
     }
     Shot shot() const {
         Shot shot = Garden::shot();
@@ -60,20 +61,25 @@ struct CookieGarden : Garden {
     }
 
 private:
-    void turned(const Light& light, glm::dvec3 place, glm::dvec3 direction, glm::dvec3 up) { add_light(light, place, direction).up = up; }
+    void turned(const Light& light, glm::dvec3 place, glm::dvec3 direction, glm::dvec3 up) {
+        add_light(light, place, direction).up = up;
+    }
 };
 
 TEST(LightDistributions, S3_EveryArchitectureAgreesWithTheReference) {
     const CookieGarden garden;
     const Shot form = garden.shot();
-    const ReferencePicture reference = render_reference(garden.world, garden.camera, form.width, form.height, 0,
-                                                        {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
+    const ReferencePicture reference =
+        render_reference(garden.world, garden.camera, form.width, form.height, 0,
+                         {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
     World plain = garden.world;
     for (PlacedLight& light : plain.lights)
         light.light.cookie = no_cookie, light.light.profile = nullptr, light.light.profile_candela = false;
-    const ReferencePicture without = render_reference(plain, garden.camera, form.width, form.height, 0,
-                                                      {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
-    EXPECT_LT(compare(without.linear, reference.linear, reference.left_out()).psnr, 25) << "the scene has something to compare";
+    const ReferencePicture without =
+        render_reference(plain, garden.camera, form.width, form.height, 0,
+                         {.fresnel = ReferenceForm::Fresnel::nv, .specular_antialiasing = true});
+    EXPECT_LT(compare(without.linear, reference.linear, reference.left_out()).psnr, 25)
+        << "the scene has something to compare";
     for (const Shot& shot : every_way(form)) {
         SCOPED_TRACE(name_of(shot));
         const Image image = render_linear(test_device(), shot);
@@ -102,7 +108,8 @@ TEST(LightDistributions, S3_WithShadows) {
         garden.world.lights[i].light.casts_shadow = false;
     Shot shot = garden.shot();
     shot.width = 320, shot.height = 180;
-    shot.settings = {{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-budget", "16777216"}};
+    shot.settings = {
+        {"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-budget", "16777216"}};
     for (const char* renderer : {"light-prepass", "deferred", "multipass", "z-prepass"}) {
         SCOPED_TRACE(renderer);
         shot.renderer = renderer;
@@ -129,7 +136,10 @@ TEST(LightDistributions, S3_SmallCookiesDoNotAlias) {
     TextureImage round = checks;
     round.height = 256;
     round.rgba.resize(512 * 256 * 4);
-    garden.scene.images = {checks, round, {"strip", 384, 64, std::vector<uint8_t>(checks.rgba.begin(), checks.rgba.begin() + 384 * 64 * 4)}};
+    garden.scene.images = {
+        checks,
+        round,
+        {"strip", 384, 64, std::vector<uint8_t>(checks.rgba.begin(), checks.rgba.begin() + 384 * 64 * 4)}};
     for (size_t i = 0; i < 3; ++i) {
         SCOPED_TRACE(i);
         World world = garden.world;
@@ -208,14 +218,16 @@ TEST(LightDistributions, WrongOnesAreRefusedByEveryRenderer) {
              {[](CookieGarden& g) { g.world.lights[0].light.cookie = 9; }, "test: light : cookie: there is no image 9"},
              {[](CookieGarden& g) { g.world.lights[1].light.cookie = 0; }, "is neither 2:1 (equirectangular) nor 6:1"},
              {[](CookieGarden& g) { g.world.lights[0].light.outer_cone = 1.5f; }, "wider than a picture can be thrown"},
-             {[](CookieGarden& g) { g.world.lights[6].light.profile = wall_lamp(); }, "a directional light has no profile"},
+             {[](CookieGarden& g) { g.world.lights[6].light.profile = wall_lamp(); },
+              "a directional light has no profile"},
              {[](CookieGarden& g) { g.world.lights[5].light.size = 0; }, "size 0 is no radius"},
              {[](CookieGarden& g) { g.scene.images[0].rgba.clear(); }, "image 0 has no pixels"}}) {
         CookieGarden garden;
         change(garden);
         for (const RendererInfo& info : renderer_infos()) {
             Shot shot = garden.shot();
-            const auto renderer = create_renderer(info.name, info.needs_device ? &test_device() : nullptr, {.width = 64, .height = 36});
+            const auto renderer =
+                create_renderer(info.name, info.needs_device ? &test_device() : nullptr, {.width = 64, .height = 36});
             try {
                 renderer->set_world(garden.world);
                 ADD_FAILURE() << info.name << " takes it";
@@ -228,8 +240,10 @@ TEST(LightDistributions, WrongOnesAreRefusedByEveryRenderer) {
 
 TEST(LightDistributions, ASteadyFrameMakesNothing) {
     CookieGarden garden;
-    for (const auto& [renderer, setting, value] : {std::tuple("light-prepass", "light-culling", "volumes"), {"light-prepass", "light-culling", "tiles"},
-                                                   {"deferred", "light-culling", "clusters"}, {"z-prepass", "lights", "grid"}}) {
+    for (const auto& [renderer, setting, value] : {std::tuple("light-prepass", "light-culling", "volumes"),
+                                                   {"light-prepass", "light-culling", "tiles"},
+                                                   {"deferred", "light-culling", "clusters"},
+                                                   {"z-prepass", "lights", "grid"}}) {
         SCOPED_TRACE(renderer + std::string(" ") + value);
         Shot shot = garden.shot();
         shot.renderer = renderer;
@@ -245,7 +259,8 @@ TEST(LightDistributions, ASteadyFrameMakesNothing) {
             const Stats stats = one->stats();
             if (frame < 3)
                 continue;
-            EXPECT_EQ(calls.pipelines + calls.allocations + calls.buffers + calls.images + calls.descriptor_pools, 0u) << "frame " << frame;
+            EXPECT_EQ(calls.pipelines + calls.allocations + calls.buffers + calls.images + calls.descriptor_pools, 0u)
+                << "frame " << frame;
             EXPECT_EQ(stats.created, CreatedObjects{}) << "frame " << frame;
         }
     }
@@ -254,11 +269,14 @@ TEST(LightDistributions, ASteadyFrameMakesNothing) {
 
 // What is uploaded for a profile holds its own values where even steps meet its angles.
 TEST(ProfileLevel, HoldsTheProfilesOwnValues) {
-    const LightProfile odd = parse_profile("TILT=NONE\n1 1 1 4 4 1 2 0 0 0 1 1 0\n0 7.5 30 90 0 60 90 180\n10 20 30 40 1 2 3 4 5 6 7 8 9 10 11 80\n", "a");
+    const LightProfile odd = parse_profile(
+        "TILT=NONE\n1 1 1 4 4 1 2 0 0 0 1 1 0\n0 7.5 30 90 0 60 90 180\n10 20 30 40 1 2 3 4 5 6 7 8 9 10 11 80\n", "a");
     const Image level = resident::profile_level(odd); // a texel more on each side
-    EXPECT_EQ(level.height - 2, 13u); // steps of 7.5°
-    EXPECT_EQ(level.width - 2, 12u);  // of 30°
-    const auto at = [&](uint32_t column, uint32_t row) { return level.pixels[(row + 1) * level.width + column + 1].r * 80; };
+    EXPECT_EQ(level.height - 2, 13u);                 // steps of 7.5°
+    EXPECT_EQ(level.width - 2, 12u);                  // of 30°
+    const auto at = [&](uint32_t column, uint32_t row) {
+        return level.pixels[(row + 1) * level.width + column + 1].r * 80;
+    };
     EXPECT_FLOAT_EQ(at(0, 0), 10);
     EXPECT_FLOAT_EQ(at(0, 1), 20);
     EXPECT_FLOAT_EQ(at(0, 4), 30);

@@ -44,20 +44,19 @@ TEST_P(LightFormats, BlendedAndWrittenOnce) {
         expect_agrees(shot, std::string(writes) == "once" ? buffer.once : buffer.blended);
     }
 }
-INSTANTIATE_TEST_SUITE_P(
-    L4, LightFormats,
-    testing::Combine(testing::Values(Buffer{"rgba16f", half_float_bound, half_float_bound},
-                                     Buffer{"packed-rgba16f", half_float_bound, half_float_bound},
-                                     Buffer{"rgba8", table(40), table(37)},
-                                     Buffer{"packed-rgba8", table(40), table(37)},
-                                     Buffer{"rgb10a2", table(50), table(48)},
-                                     Buffer{"r11g11b10f", table(40), table(44)}),
-                     testing::Values(Shading::ggx, Shading::phong)),
-    [](const auto& test) {
-        std::string name = std::get<0>(test.param).name;
-        std::replace(name.begin(), name.end(), '-', '_');
-        return name + (std::get<1>(test.param) == Shading::ggx ? "_ggx" : "_phong");
-    });
+INSTANTIATE_TEST_SUITE_P(L4, LightFormats,
+                         testing::Combine(testing::Values(Buffer{"rgba16f", half_float_bound, half_float_bound},
+                                                          Buffer{"packed-rgba16f", half_float_bound, half_float_bound},
+                                                          Buffer{"rgba8", table(40), table(37)},
+                                                          Buffer{"packed-rgba8", table(40), table(37)},
+                                                          Buffer{"rgb10a2", table(50), table(48)},
+                                                          Buffer{"r11g11b10f", table(40), table(44)}),
+                                          testing::Values(Shading::ggx, Shading::phong)),
+                         [](const auto& test) {
+                             std::string name = std::get<0>(test.param).name;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name + (std::get<1>(test.param) == Shading::ggx ? "_ggx" : "_phong");
+                         });
 
 TEST(L4LightFormats, AmbientAsALightIsWrittenInBothWays) {
     FourLights garden;

@@ -42,7 +42,8 @@ TEST(LightGrid, HoldsEveryContributingLightOfRandomScenes) { // [Z3]
         Garden garden;
         for (int i = 0; i < 60; ++i) {
             const float range = static_cast<float>(std::exp(uniform(-2.5, 1.5)));
-            const Light light = i % 2 ? garden.spot(static_cast<float>(uniform(0.02, 1.57)), range, 4) : garden.point(range, 4);
+            const Light light =
+                i % 2 ? garden.spot(static_cast<float>(uniform(0.02, 1.57)), range, 4) : garden.point(range, 4);
             const glm::dvec3 axis(uniform(-1, 1), uniform(-1, 0.2), uniform(-1, 1));
             garden.add_light(light, garden.at(uniform(-6, 6), uniform(-0.2, 4), uniform(-6, 9)), axis);
         }
@@ -84,7 +85,8 @@ TEST(LightGrid, AgreesOnSwiftShader) { // [Z3]
 }
 
 TEST(LightGrid, CellsCoverTheWorldAndStayWithinTheirNumber) { // [Z3]
-    for (const glm::dvec3& size : {glm::dvec3(100, 5, 100), glm::dvec3(0, 0, 0), glm::dvec3(1e5, 1e-3, 1), glm::dvec3(3, 3, 3)}) {
+    for (const glm::dvec3& size :
+         {glm::dvec3(100, 5, 100), glm::dvec3(0, 0, 0), glm::dvec3(1e5, 1e-3, 1), glm::dvec3(3, 3, 3)}) {
         resident::Draw draw;
         draw.low = {10, 20, -30};
         draw.high = draw.low + size;

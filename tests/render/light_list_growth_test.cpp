@@ -27,8 +27,14 @@ public:
         const auto surface = passes::depth_normal_pass(graph_, frame_, {});
         light_ = passes::make_light_buffer(graph_, frame_, model);
         passes::light_pass(graph_, frame_, "light",
-                           {.surface = surface, .model = model, .target = light_.target,
-                            .pair_counters = &counters_, .count_pairs = true, .tile_size = 8, .list_shading = c.shading, .list_room = room});
+                           {.surface = surface,
+                            .model = model,
+                            .target = light_.target,
+                            .pair_counters = &counters_,
+                            .count_pairs = true,
+                            .tile_size = 8,
+                            .list_shading = c.shading,
+                            .list_room = room});
         graph_.keep(light_.diffuse);
         graph_.keep(light_.specular);
         graph_.compile();
@@ -42,7 +48,8 @@ public:
         uint32_t* rows = counters_.mapped<uint32_t>();
         std::fill_n(rows, 180, 0u);
         context_.run("frame", [&](VkCommandBuffer commands) { graph_.record(commands); });
-        Result result{graph_.read_back(light_.diffuse), graph_.read_back(light_.specular), 0, 0, context_.device_bytes()};
+        Result result{graph_.read_back(light_.diffuse), graph_.read_back(light_.specular), 0, 0,
+                      context_.device_bytes()};
         for (int y = 0; y < 90; ++y) {
             result.evaluated += rows[2 * y];
             result.contributing += rows[2 * y + 1];

@@ -1,9 +1,9 @@
 // [V6] [V7]: light lists hold every light that contributes, wherever the camera is.
 #include "garden.hpp"
+#include <cstring>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 #include <random>
-#include <cstring>
 
 namespace prelight {
 namespace {
@@ -93,7 +93,8 @@ TEST_P(LightLists, HoldEveryContributingLightOfRandomScenes) {
         Garden garden;
         for (int i = 0; i < 60; ++i) {
             const float range = static_cast<float>(std::exp(uniform(-2.5, 2)));
-            const Light light = i % 2 ? garden.spot(static_cast<float>(uniform(0.02, 1.57)), range, 4) : garden.point(range, 4);
+            const Light light =
+                i % 2 ? garden.spot(static_cast<float>(uniform(0.02, 1.57)), range, 4) : garden.point(range, 4);
             const glm::dvec3 axis(uniform(-1, 1), uniform(-1, 0.2), uniform(-1, 1));
             garden.add_light(light, garden.at(uniform(-6, 6), uniform(-0.2, 4), uniform(-6, 9)), axis);
         }
@@ -110,7 +111,8 @@ TEST_P(LightLists, HoldEveryContributingLightOfRandomScenes) {
             lens.znear = uniform(0, 8);
             lens.zfar = lens.znear + uniform(3, 20);
         }
-        shot.settings = with({{"tile-size", GetParam().tile_size}}, scene % 2 == 1 ? Settings{{"depth", "r32f"}} : Settings{});
+        shot.settings =
+            with({{"tile-size", GetParam().tile_size}}, scene % 2 == 1 ? Settings{{"depth", "r32f"}} : Settings{});
         expect_every_contributing_light(shot, GetParam().culling, "scene " + std::to_string(scene));
     }
     expect_validation_clean(test_device());
@@ -130,7 +132,8 @@ TEST_P(LightLists, GiveTheSameBytesTwice) {
 TEST_P(LightLists, LeaveNoLightWhereNoneIsAnyMore) {
     Garden garden;
     garden.add_lights(12, 1.2f, 4);
-    for (const auto& [shading, more] : {std::pair(Shading::ggx, Settings{}), {Shading::ggx, {{"light-buffer", "packed-rgba16f"}}},
+    for (const auto& [shading, more] : {std::pair(Shading::ggx, Settings{}),
+                                        {Shading::ggx, {{"light-buffer", "packed-rgba16f"}}},
                                         {Shading::phong, {{"specular", "luv"}, {"ambient", "light"}}}}) {
         Shot shot = garden.shot();
         shot.shading = shading;
@@ -154,7 +157,8 @@ TEST_P(LightLists, LeaveNoLightWhereNoneIsAnyMore) {
         fresh->set_world(world);
         fresh->render(camera);
         for (const std::string& view : options.views)
-            EXPECT_TRUE(same_bytes(renderer->read(view), fresh->read(view))) << view << ", " << options.settings.at("tile-size");
+            EXPECT_TRUE(same_bytes(renderer->read(view), fresh->read(view)))
+                << view << ", " << options.settings.at("tile-size");
     }
     expect_validation_clean(test_device());
 }

@@ -49,7 +49,8 @@ TEST(RectangleCulling, V2_ManyLightsAgreeWithTheReference) {
 
 TEST(RectangleCulling, V2_AConeThatPointsOutOfThePictureCostsNothing) {
     Garden garden; // its sphere reaches into the picture
-    garden.add_light(garden.spot(0.3f, 6, 10), garden.camera.position + garden.camera.axes[0] * 3.0, garden.camera.axes[0]);
+    garden.add_light(garden.spot(0.3f, 6, 10), garden.camera.position + garden.camera.axes[0] * 3.0,
+                     garden.camera.axes[0]);
     const std::vector<PlacedCamera> cameras{garden.camera};
     EXPECT_EQ(find_pixels(garden.world, cameras, rectangles)[0].evaluated, 0u);
 }
@@ -77,7 +78,8 @@ TEST(DepthBounds, V2_ADeviceWithoutThemSaysSo) {
     for (const char* value : {"on", "auto"}) {
         SettingMap settings = rectangles;
         settings["depth-bounds"] = value;
-        const auto renderer = create_renderer("light-prepass", &test_device(), {.width = 16, .height = 16, .settings = settings});
+        const auto renderer =
+            create_renderer("light-prepass", &test_device(), {.width = 16, .height = 16, .settings = settings});
         renderer->set_world(garden.world);
         renderer->render(garden.camera);
         const std::vector<std::string> notes = renderer->stats().notes;
@@ -96,14 +98,16 @@ ScreenBounds brute_force(const PlacedLight& placed, const PlacedCamera& camera, 
     const double half = perspective ? std::tan(lens.yfov / 2) : lens.ymag, range = placed.light.range * larger;
     const double angle = cone ? std::min(placed.light.outer_cone * larger, pi / 2) : pi;
     const glm::dvec3 axis = placed.direction;
-    const glm::dvec3 side = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1)));
+    const glm::dvec3 side =
+        glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1)));
     const glm::dvec3 up = glm::cross(axis, side);
     const glm::dvec3 apex = placed.position - axis * (cone ? (larger - 1) * range : 0) - camera.position;
     constexpr int along = 120, around = 72;
     const auto point = [&](int i, int j) { // view space, z forward; first up the cone, then over the cap
         const double s = double(i) / along, turn = 2 * pi * j / around;
         const double length = cone ? std::min(1.0, 2 * s) : 1, a = cone ? angle * std::min(1.0, 2 - 2 * s) : pi * s;
-        const glm::dvec3 p = apex + (axis * std::cos(a) + (side * std::cos(turn) + up * std::sin(turn)) * std::sin(a)) * (range * length);
+        const glm::dvec3 p = apex + (axis * std::cos(a) + (side * std::cos(turn) + up * std::sin(turn)) * std::sin(a)) *
+                                        (range * length);
         return glm::dvec3(glm::dot(p, camera.axes[0]), glm::dot(p, camera.axes[1]), -glm::dot(p, camera.axes[2]));
     };
     ScreenBounds out;
@@ -160,22 +164,25 @@ TEST(ScreenBounds, V2_AreNeverTooSmallAndAtMostAPixelTooLarge) {
             camera.camera.zfar = number(2, 12);
         }
         const double aspect = 320.0 / 180;
-        const ScreenBounds exact = brute_force(light, camera, aspect, 1), bounds = resident::screen_bounds(light, camera, aspect);
+        const ScreenBounds exact = brute_force(light, camera, aspect, 1),
+                           bounds = resident::screen_bounds(light, camera, aspect);
         if (exact.empty()) {
             missed += bounds.empty();
             continue;
         }
         ++seen[spot][cut];
         EXPECT_TRUE(holds(bounds.x, exact.x, 0) && holds(bounds.y, exact.y, 0)) << "too small: light " << n;
-        EXPECT_TRUE(bounds.depth.low <= exact.depth.low && bounds.depth.high >= exact.depth.high) << "depth of light " << n;
+        EXPECT_TRUE(bounds.depth.low <= exact.depth.low && bounds.depth.high >= exact.depth.high)
+            << "depth of light " << n;
         if (spot && n % 5 == 1)
             continue; // what the far plane cuts of a cone is not worth computing
         // A cut cone is a polyhedron of 24 sides; the rest is exact, for a range 1.001 times as large.
         const bool polyhedron = spot && bounds.depth.low <= camera.camera.znear;
         const ScreenBounds larger = brute_force(light, camera, aspect, polyhedron ? 1.03 : 1.002);
-        EXPECT_TRUE(holds(larger.x, bounds.x, pixel) && holds(larger.y, bounds.y, pixel * aspect)) << "too large: light " << n
-            << ": x " << bounds.x.low << " … " << bounds.x.high << " in " << larger.x.low << " … " << larger.x.high
-            << ", y " << bounds.y.low << " … " << bounds.y.high << " in " << larger.y.low << " … " << larger.y.high;
+        EXPECT_TRUE(holds(larger.x, bounds.x, pixel) && holds(larger.y, bounds.y, pixel * aspect))
+            << "too large: light " << n << ": x " << bounds.x.low << " … " << bounds.x.high << " in " << larger.x.low
+            << " … " << larger.x.high << ", y " << bounds.y.low << " … " << bounds.y.high << " in " << larger.y.low
+            << " … " << larger.y.high;
         EXPECT_NEAR(bounds.depth.low, exact.depth.low, 0.01 * light.light.range) << "depth of light " << n;
         EXPECT_NEAR(bounds.depth.high, exact.depth.high, 0.01 * light.light.range) << "depth of light " << n;
     }

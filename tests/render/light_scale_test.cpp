@@ -1,4 +1,5 @@
-// The scale of light buffers in fixed point, Engel's "scale value": found for each frame, and what it does not hold told.
+// The scale of light buffers in fixed point, Engel's "scale value": found for each frame, and what it does not hold
+// told.
 #include "garden.hpp"
 #include <cmath>
 #include <prelight/scene_io.hpp>
@@ -74,14 +75,16 @@ TEST_P(PresetOnTheCity, LosesNoLight) {
 }
 
 INSTANTIATE_TEST_SUITE_P(LightScale, PresetOnTheCity,
-                         testing::Values(OnTheCity{"prelighting", "rgba16f", 40}, OnTheCity{"engel", "packed-rgba16f", 39},
+                         testing::Values(OnTheCity{"prelighting", "rgba16f", 40},
+                                         OnTheCity{"engel", "packed-rgba16f", 39},
                                          OnTheCity{"round2", "packed-rgba16f", 39}),
                          [](const auto& preset) { return std::string(preset.param.preset); });
 
 struct Lit : Garden {
     explicit Lit(float factor = 1) {
         for (int i = 0; i < 4; ++i)
-            add_light(point(9, 6 * factor, {1 - 0.2f * static_cast<float>(i), 0.7f, 0.3f}), {2.6 * i - 3.9, 4.5, 1.0 + 0.3 * i});
+            add_light(point(9, 6 * factor, {1 - 0.2f * static_cast<float>(i), 0.7f, 0.3f}),
+                      {2.6 * i - 3.9, 4.5, 1.0 + 0.3 * i});
         world.ambient *= factor;
         for (Material& material : scene.materials)
             material.emissive *= factor;
@@ -172,7 +175,8 @@ TEST(LightScale, TheFirstFrameIsAsAnyLaterOne) {
 TEST(LightScale, CountsEachPixelWithAFullChannel) {
     const Lit garden(3);
     for (const char* writes : {"blended", "once"}) {
-        RenderOptions options = garden.options({{"light-buffer", "rgba8"}, {"light-writes", writes}, {"light-scale", "0.25"}});
+        RenderOptions options =
+            garden.options({{"light-buffer", "rgba8"}, {"light-writes", writes}, {"light-scale", "0.25"}});
         options.views = {"diffuse-sum", "specular-sum"};
         const auto renderer = create_renderer("light-prepass", &test_device(), options);
         renderer->set_world(garden.world);

@@ -1,5 +1,5 @@
-// Many equal lights at one place are one light of as many times the intensity: none is lost in number, however they find
-// their pixels and wherever they are added up.
+// Many equal lights at one place are one light of as many times the intensity: none is lost in number, however they
+// find their pixels and wherever they are added up.
 #include "every_way.hpp"
 #include "garden.hpp"
 #include "vulkan_calls.hpp"
@@ -65,7 +65,8 @@ bool lists(const Shot& shot) {
 
 struct Many : testing::TestWithParam<uint32_t> {};
 
-/// Ways that draw light by light: as many as there is time for with validation. Half floats lose 6 % of 300 lights there.
+/// Ways that draw light by light: as many as there is time for with validation. Half floats lose 6 % of 300 lights
+/// there.
 constexpr uint32_t most_drawn = 3000;
 
 TEST_P(Many, EqualLightsAreOneLightInEveryWay) {
@@ -99,7 +100,8 @@ TEST(LightStack, TensOfThousandsOfDrawnLightsAddUpToo) {
 /// As every_way(), but what else there is.
 std::vector<Shot> other_ways() {
     std::vector<Shot> shots;
-    const auto add = [&](const char* renderer, std::map<std::string, std::string> settings, Shading shading = Shading::ggx) {
+    const auto add = [&](const char* renderer, std::map<std::string, std::string> settings,
+                         Shading shading = Shading::ggx) {
         Shot& shot = shots.emplace_back(Stack(1).shot());
         shot.renderer = renderer, shot.settings = std::move(settings), shot.shading = shading;
     };
@@ -154,7 +156,8 @@ TEST(LightStack, CodesWrittenOnceCountEveryLight) {
         for (const char* culling : {"tiles", "clusters"}) {
             Shot shot = Stack(1).shot();
             shot.settings = {{"light-buffer", buffer}, {"light-culling", culling}, {"light-scale", "8"}};
-            // Each round adds codes that are rounded to the nearest: half a step of 8/255 a pixel and round, which cancel.
+            // Each round adds codes that are rounded to the nearest: half a step of 8/255 a pixel and round, which
+            // cancel.
             const Stack one(1), many(40001);
             const auto mean = [&](const Stack& stack) {
                 shot.world = &stack.world;
@@ -170,7 +173,8 @@ TEST(LightStack, CodesWrittenOnceCountEveryLight) {
 TEST(LightStack, StatsSayWhatLightIsAddedUpIn) {
     const auto sums = [](const char* renderer, std::map<std::string, std::string> settings, uint32_t lights) {
         const Stack stack(lights);
-        const auto made = create_renderer(renderer, &test_device(), {.width = 16, .height = 12, .settings = std::move(settings)});
+        const auto made =
+            create_renderer(renderer, &test_device(), {.width = 16, .height = 12, .settings = std::move(settings)});
         made->set_world(stack.world);
         made->render(stack.shot().camera);
         for (const std::string& note : made->stats().notes)
@@ -195,7 +199,8 @@ TEST(LightStack, StatsSayWhatLightIsAddedUpIn) {
 }
 
 TEST(LightStack, ADeviceThatDoesNotBlendFullFloatsSaysWhatItLoses) {
-    const auto device = Device::create({.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_R32G32B32A32_SFLOAT}});
+    const auto device =
+        Device::create({.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_R32G32B32A32_SFLOAT}});
     const Stack stack(300);
     for (const char* renderer : {"multipass", "deferred"}) {
         RenderOptions options{.width = 16, .height = 12};
@@ -211,7 +216,8 @@ TEST(LightStack, ADeviceThatDoesNotBlendFullFloatsSaysWhatItLoses) {
     expect_validation_clean(*device);
 }
 
-// More lights than half floats take build the frame anew, and so do fewer again; changes on one side of that build nothing.
+// More lights than half floats take build the frame anew, and so do fewer again; changes on one side of that build
+// nothing.
 TEST(LightStack, OnlyLightsThatCrossTheBoundBuildAnew) {
     const Stack stack(40);
     const std::vector<PlacedLight>& lights = stack.world.lights;
@@ -262,13 +268,16 @@ TEST(LightOverlap, IsNeverLessThanWhatMeetsAnywhere) {
     draw.low = glm::dvec3(-5), draw.high = glm::dvec3(5, 1, 5);
     std::vector<PlacedLight> lights;
     for (int i = 0; i < 500; ++i)
-        lights.push_back({{.kind = i % 50 == 0 ? LightKind::directional : LightKind::point, .range = static_cast<float>(range(random))},
+        lights.push_back({{.kind = i % 50 == 0 ? LightKind::directional : LightKind::point,
+                           .range = static_cast<float>(range(random))},
                           {place(random), place(random), place(random)}});
     const uint32_t most = passes::light_overlap(std::span(&draw, 1), lights);
     uint32_t met = 0;
     for (int i = 0; i < 20000; ++i) {
-        const glm::dvec3 point = glm::clamp(glm::dvec3(place(random), place(random), place(random)), draw.low, draw.high);
-        met = std::max(met, static_cast<uint32_t>(std::count_if(lights.begin(), lights.end(), [&](const PlacedLight& light) {
+        const glm::dvec3 point =
+            glm::clamp(glm::dvec3(place(random), place(random), place(random)), draw.low, draw.high);
+        met = std::max(met,
+                       static_cast<uint32_t>(std::count_if(lights.begin(), lights.end(), [&](const PlacedLight& light) {
                            return light.light.kind == LightKind::directional ||
                                   glm::distance(light.position, point) <= double(light.light.range);
                        })));
@@ -277,7 +286,8 @@ TEST(LightOverlap, IsNeverLessThanWhatMeetsAnywhere) {
     EXPECT_LE(most, 3 * met);
     lights.resize(200);
     for (size_t i = 0; i < lights.size(); ++i) // apart from each other
-        lights[i] = {{.kind = LightKind::point, .range = 0.1f}, {0.9 * double(i % 11) - 4.5, 0, 0.5 * double(i / 11) - 4.5}};
+        lights[i] = {{.kind = LightKind::point, .range = 0.1f},
+                     {0.9 * double(i % 11) - 4.5, 0, 0.5 * double(i / 11) - 4.5}};
     EXPECT_LE(passes::light_overlap(std::span(&draw, 1), lights), 4u);
     lights.assign(10, {{.intensity = 0, .range = 3}, glm::dvec3(0)});
     EXPECT_EQ(passes::light_overlap(std::span(&draw, 1), lights), 0u);
@@ -307,10 +317,12 @@ TEST(LightRounds, AddUpToThePictureOfOneRound) {
         garden.add_light(garden.spot(0.6f, 5, 1), garden.at(0.2 * i - 4, 3, 0.1 * i - 2), {0, -1, 0.1});
         if (i % 10 == 0) {
             garden.add_light(garden.point(std::numeric_limits<float>::infinity(), 0.1f), garden.at(i - 20, 5, 2));
-            garden.add_light({.kind = LightKind::directional, .intensity = 0.05f}, garden.at(0, 0, 0), {0.1, -1, 0.1 * i});
+            garden.add_light({.kind = LightKind::directional, .intensity = 0.05f}, garden.at(0, 0, 0),
+                             {0.1, -1, 0.1 * i});
         }
     }
-    // Turns for two rounds or three: a light with PCF takes 10 more on each pixel, and an invocation of compute has 8 pixels.
+    // Turns for two rounds or three: a light with PCF takes 10 more on each pixel, and an invocation of compute has 8
+    // pixels.
     const auto plain = impatient_device(230), drawn = impatient_device(1050), computed = impatient_device(8000);
     for (const bool shadows : {false, true}) {
         Shot form = garden.shot();
@@ -321,7 +333,8 @@ TEST(LightRounds, AddUpToThePictureOfOneRound) {
             if (!lists(shot) || (shadows && shot.renderer != "light-prepass"))
                 continue;
             SCOPED_TRACE(name_of(shot));
-            const bool computes = shot.settings.contains("list-shading") && shot.settings.at("list-shading") == "compute";
+            const bool computes =
+                shot.settings.contains("list-shading") && shot.settings.at("list-shading") == "compute";
             Device& device = !shadows ? *plain : computes ? *computed : *drawn;
             const Image right = render_linear(test_device(), shot), image = render_linear(device, shot);
             const Comparison c = compare(image, right, std::vector<uint8_t>(image.pixels.size(), 0));

@@ -69,11 +69,13 @@ TEST(StencilCulling, V4_MarksHoldThePixelsOfTheVolumeAndNoOthers) {
     large.add_light({.kind = LightKind::point, .intensity = 4, .range = 3 * 1.08f}, {0, 1, 0});
     Camera lens;
     lens.znear = 0.3;
-    for (const glm::dvec3& eye : {glm::dvec3(0, 4, 9), glm::dvec3(0, 2.2, 2.85), glm::dvec3(0, 1.5, 1), glm::dvec3(0, 0.3, 3.2)})
+    for (const glm::dvec3& eye :
+         {glm::dvec3(0, 4, 9), glm::dvec3(0, 2.2, 2.85), glm::dvec3(0, 1.5, 1), glm::dvec3(0, 0.3, 3.2)})
         cameras.push_back(look_at(lens, eye, {0, 0, -1}));
     const SettingMap fullscreen{{"light-culling", "fullscreen"}};
     const auto marked = find_pixels(small.world, cameras, stencil);
-    const auto least = find_pixels(small.world, cameras, fullscreen), most = find_pixels(large.world, cameras, fullscreen);
+    const auto least = find_pixels(small.world, cameras, fullscreen),
+               most = find_pixels(large.world, cameras, fullscreen);
     for (size_t i = 0; i < cameras.size(); ++i) {
         EXPECT_GT(least[i].contributing, 1000u);
         EXPECT_GE(marked[i].evaluated, least[i].contributing) << "camera " << i;
@@ -117,7 +119,8 @@ TEST(StencilCulling, V4_SwiftShaderFindsTheSamePixels) {
 }
 
 TEST(StencilFormat, V4_TheNextFormatIsTakenAndNamed) {
-    const auto device = Device::create({.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_D32_SFLOAT_S8_UINT}});
+    const auto device =
+        Device::create({.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_D32_SFLOAT_S8_UINT}});
     Garden garden;
     garden.add_lights(12, 4, 6);
     Shot shot = garden.shot();
@@ -125,7 +128,8 @@ TEST(StencilFormat, V4_TheNextFormatIsTakenAndNamed) {
     const Comparison c = against_reference(*device, shot);
     EXPECT_GE(c.psnr, half_float_bound.psnr);
     EXPECT_LE(c.block, half_float_bound.block);
-    const auto renderer = create_renderer("light-prepass", device.get(), {.width = 16, .height = 16, .settings = stencil});
+    const auto renderer =
+        create_renderer("light-prepass", device.get(), {.width = 16, .height = 16, .settings = stencil});
     renderer->set_world(garden.world);
     renderer->render(garden.camera);
     EXPECT_THAT(renderer->stats().notes, testing::ElementsAre(testing::HasSubstr("D24_S8 is taken")));
@@ -133,9 +137,11 @@ TEST(StencilFormat, V4_TheNextFormatIsTakenAndNamed) {
 }
 
 TEST(StencilFormat, V4_ADeviceWithoutStencilIsRefused) {
-    const auto device = Device::create({.select = "cpu", .hidden_formats = {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT}});
+    const auto device = Device::create(
+        {.select = "cpu", .hidden_formats = {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT}});
     Garden garden;
-    const auto renderer = create_renderer("light-prepass", device.get(), {.width = 16, .height = 16, .settings = stencil});
+    const auto renderer =
+        create_renderer("light-prepass", device.get(), {.width = 16, .height = 16, .settings = stencil});
     EXPECT_THROW(renderer->set_world(garden.world), std::runtime_error);
 }
 

@@ -91,8 +91,8 @@ TEST(VolumeCulling, LightsBesideThePictureReachIntoIt) {
     garden.camera = look_at(tele, garden.camera.position, garden.at(0, 0.6, 0));
     for (int i = 0; i < 48; ++i) { // a ring around what is seen, near and far
         const double angle = 0.7 * i, radius = 1.0 + 0.06 * i;
-        const glm::dvec3 across = garden.camera.axes[0] * std::cos(angle) * (1.6 * radius) +
-                                  garden.camera.axes[1] * std::sin(angle) * radius;
+        const glm::dvec3 across =
+            garden.camera.axes[0] * std::cos(angle) * (1.6 * radius) + garden.camera.axes[1] * std::sin(angle) * radius;
         garden.add_light(garden.point(2.2f, 3), garden.at(0, 0.6, 0) + across);
     }
     expect_volumes_find_as_fullscreen(garden, garden.camera, "a ring of lights around the view");

@@ -1,5 +1,5 @@
-// Alpha masks keep their coverage at any distance: in their mip maps, and in pictures whose mean is the reference's, which
-// looks at level 0 alone.
+// Alpha masks keep their coverage at any distance: in their mip maps, and in pictures whose mean is the reference's,
+// which looks at level 0 alone.
 #include "against_reference.hpp"
 #include <cmath>
 #include <filesystem>
@@ -19,7 +19,8 @@ std::vector<uint8_t> white_texels(uint32_t size, Alpha alpha) {
     std::vector<uint8_t> rgba;
     for (uint32_t y = 0; y < size; ++y)
         for (uint32_t x = 0; x < size; ++x)
-            rgba.insert(rgba.end(), {255, 255, 255, static_cast<uint8_t>(std::lround(255 * std::clamp(alpha(x, y), 0.0f, 1.0f)))});
+            rgba.insert(rgba.end(),
+                        {255, 255, 255, static_cast<uint8_t>(std::lround(255 * std::clamp(alpha(x, y), 0.0f, 1.0f)))});
     return rgba;
 }
 
@@ -35,7 +36,8 @@ float noise(uint32_t x, uint32_t y) {
 }
 const Pattern patterns[]{
     {"a quarter of the texels", [](uint32_t x, uint32_t y) { return noise(x, y) < 0.25f ? 1.0f : 0.0f; }},
-    {"leaves", [](uint32_t x, uint32_t y) {
+    {"leaves",
+     [](uint32_t x, uint32_t y) {
          const float u = static_cast<float>(x) / 128 * 6.2831853f, v = static_cast<float>(y) / 128 * 6.2831853f;
          return 0.35f + 0.4f * std::sin(3 * u + 2 * std::sin(2 * v)) * std::sin(5 * v) + 0.3f * noise(x / 4, y / 4);
      }},
@@ -50,7 +52,8 @@ TEST(MaskLevels, KeepTheCoverageOfLevelNought) {
             const double wanted = mask_coverage(image, cutoff, {}, Filter::linear);
             const auto levels = mask_levels(image, cutoff, {});
             for (const TextureImage& level : levels)
-                EXPECT_NEAR(mask_coverage(level, cutoff, {}, Filter::linear), wanted, std::max(0.1 * wanted, 0.002)) << level.width;
+                EXPECT_NEAR(mask_coverage(level, cutoff, {}, Filter::linear), wanted, std::max(0.1 * wanted, 0.002))
+                    << level.width;
         }
     const TextureImage quarter{"mask", 128, 128, white_texels(128, patterns[0].alpha)};
     EXPECT_GE(mask_levels(quarter, 0.5f, {}).size(), 5u) << "levels are there to be used";
@@ -75,14 +78,19 @@ double mean(const Image& image) {
 }
 
 double reference_mean(const Shot& shot) {
-    return mean(render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form_of(shot)).linear);
+    return mean(
+        render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form_of(shot)).linear);
 }
 
 /// White masked squares, unlit, that a camera sees from farther and farther away.
 struct MaskedWall : TestWorld {
     explicit MaskedWall(const Pattern& pattern, float cutoff = 0.5f, float factor = 1, float vertex_alpha = 1) {
         const uint32_t image = add_image(128, 128, white_texels(128, pattern.alpha));
-        Material material{.name = "mask", .base_colour = {1, 1, 1, factor}, .alpha_mode = AlphaMode::mask, .alpha_cutoff = cutoff, .unlit = true};
+        Material material{.name = "mask",
+                          .base_colour = {1, 1, 1, factor},
+                          .alpha_mode = AlphaMode::mask,
+                          .alpha_cutoff = cutoff,
+                          .unlit = true};
         material.base_colour_texture = {.image = image};
         add_material(material);
         Primitive p = square(1);
@@ -99,8 +107,12 @@ struct MaskedWall : TestWorld {
         lens.ymag = 128 / side;
         lens.znear = 1;
         lens.zfar = 100;
-        return {.world = &world, .camera = look_at(lens, {0, 0, 10}, {0, 0, 0}), .width = 128, .height = 128,
-                .settings = {{"texture-filter", "auto"}}, .renderer = renderer};
+        return {.world = &world,
+                .camera = look_at(lens, {0, 0, 10}, {0, 0, 0}),
+                .width = 128,
+                .height = 128,
+                .settings = {{"texture-filter", "auto"}},
+                .renderer = renderer};
     }
 };
 
@@ -110,14 +122,16 @@ void expect_coverage(const MaskedWall& wall, const std::vector<std::string>& nam
             continue;
         const double right = reference_mean(wall.shot(side, names[0]));
         for (const std::string& renderer : names)
-            EXPECT_NEAR(mean(render_linear(test_device(), wall.shot(side, renderer))), right, 0.12 * right) << side << " pixels, " << renderer;
+            EXPECT_NEAR(mean(render_linear(test_device(), wall.shot(side, renderer))), right, 0.12 * right)
+                << side << " pixels, " << renderer;
     }
 }
 
 TEST(MaskCoverage, StaysAtADistance) {
     expect_coverage(MaskedWall(patterns[0]), device_renderers);
     expect_coverage(MaskedWall(patterns[1]), {"light-prepass"});
-    expect_coverage(MaskedWall(patterns[2]), {"light-prepass"}, 19); // farther away rays make a pattern of their own of it
+    expect_coverage(MaskedWall(patterns[2]), {"light-prepass"},
+                    19); // farther away rays make a pattern of their own of it
     expect_validation_clean(test_device());
 }
 
@@ -141,7 +155,9 @@ TEST(MaskCoverage, OneTextureServesTwoCutoffs) {
     }
     wall.world.instances = even;
     other.world.instances = odd;
-    const auto shown = [](const MaskedWall& one) { return mean(render_linear(test_device(), one.shot(14, "light-prepass"))); };
+    const auto shown = [](const MaskedWall& one) {
+        return mean(render_linear(test_device(), one.shot(14, "light-prepass")));
+    };
     const double a = shown(wall), b = shown(other);
     EXPECT_NEAR(shown(both), a + b, 1e-6) << "squares do not meet: each as if it were alone";
     EXPECT_GT(a, 1.3 * b);
@@ -160,7 +176,11 @@ TEST(MaskCoverage, OfACasterKeepsItsShadow) {
         uv *= 4; // many texels under one of the map, and many of these
     world.add(caster, glm::translate(glm::dmat4(1), {2.4, 0, 2.4})); // aside: its shadow alone is seen
     world.add_light({.kind = LightKind::directional, .intensity = 2}, {}, {-1, 0, -1});
-    Shot shot{.world = &world.world, .camera = front_camera(2.1, 1), .width = 96, .height = 96, .settings = {{"shadows", "on"}, {"shadow-budget", "65536"}}};
+    Shot shot{.world = &world.world,
+              .camera = front_camera(2.1, 1),
+              .width = 96,
+              .height = 96,
+              .settings = {{"shadows", "on"}, {"shadow-budget", "65536"}}};
     shot.settings["texture-filter"] = "auto";
     for (const char* renderer : {"light-prepass", "multipass"}) {
         shot.renderer = renderer;
@@ -175,7 +195,8 @@ TEST(MaskCoverage, OfADecalStaysToo) {
     TestWorld world;
     world.add_material({.name = "wall", .base_colour = {0, 0, 0, 1}, .unlit = false});
     world.add(square(3));
-    Material mask{.name = "holes", .base_colour = {1, 1, 1, 1}, .metallic = 0, .roughness = 1, .alpha_mode = AlphaMode::mask};
+    Material mask{
+        .name = "holes", .base_colour = {1, 1, 1, 1}, .metallic = 0, .roughness = 1, .alpha_mode = AlphaMode::mask};
     mask.base_colour_texture = {.image = world.add_image(128, 128, white_texels(128, patterns[0].alpha))};
     world.scene.materials.push_back(mask);
     for (int i = 0; i < 9; ++i) {
@@ -202,7 +223,12 @@ TEST(MaskCoverage, OfTheCaseThatOthersReported) {
         const Scene scene = load_gltf(folder / name);
         const World world = resolve(scene);
         for (const std::string& renderer : device_renderers) {
-            const Shot shot{.world = &world, .camera = world.cameras.at(0), .width = 256, .height = 256, .settings = {{"texture-filter", "auto"}}, .renderer = renderer};
+            const Shot shot{.world = &world,
+                            .camera = world.cameras.at(0),
+                            .width = 256,
+                            .height = 256,
+                            .settings = {{"texture-filter", "auto"}},
+                            .renderer = renderer};
             const double right = reference_mean(shot); // of a picture with 700 pixels of it
             EXPECT_NEAR(mean(render_linear(test_device(), shot)), right, 0.15 * right) << name << ", " << renderer;
         }

@@ -25,12 +25,15 @@ struct ReliefWall : TestWorld {
     ReliefWall() {
         Material material{.name = "wall", .metallic = 0, .roughness = 0.5f};
         material.shader = find_material_shader("detailed");
-        material.base_colour_texture.image = map([](float u, float v) { return glm::vec3(0.5f + 0.3f * std::sin(u), 0.5f + 0.3f * std::cos(v), 0.4f); });
+        material.base_colour_texture.image =
+            map([](float u, float v) { return glm::vec3(0.5f + 0.3f * std::sin(u), 0.5f + 0.3f * std::cos(v), 0.4f); });
         material.normal_texture.image = map([](float u, float v) {
             return glm::normalize(glm::vec3(0.2f * std::sin(u), 0.2f * std::sin(v), 1)) * 0.5f + 0.5f;
         });
         heights = map([](float u, float v) { return glm::vec3(0.5f + 0.25f * std::sin(u) + 0.25f * std::cos(v)); });
-        detail = map([](float u, float v) { return glm::normalize(glm::vec3(0.3f * std::sin(3 * u), 0.3f * std::cos(2 * v), 1)) * 0.5f + 0.5f; });
+        detail = map([](float u, float v) {
+            return glm::normalize(glm::vec3(0.3f * std::sin(3 * u), 0.3f * std::cos(2 * v), 1)) * 0.5f + 0.5f;
+        });
         grey = map([](float u, float) { return glm::vec3(0.5f + 0.5f * std::sin(u)); });
         add_material(material);
         add(square(2), glm::rotate(glm::dmat4(1), 0.6, glm::dvec3(0.3, 1, 0)));
@@ -49,7 +52,8 @@ TEST(Maps, ParallaxAgreesWithTheReference) {
     wall.wall().parameters["depth"] = glm::vec4(0.06f);
     expect_agrees(wall.shot());
     wall.wall().double_sided = true; // from behind, and mirrored
-    wall.world.instances[0].transform = glm::rotate(glm::dmat4(1), 2.6, glm::dvec3(0, 1, 0)) * glm::scale(glm::dmat4(1), {-1, 1, 1});
+    wall.world.instances[0].transform =
+        glm::rotate(glm::dmat4(1), 2.6, glm::dvec3(0, 1, 0)) * glm::scale(glm::dmat4(1), {-1, 1, 1});
     wall.world.instances[0].mirrored = true;
     expect_agrees(wall.shot());
 }
@@ -87,12 +91,15 @@ TEST(Maps, GlossDimsSpecularLightDownToNothing) {
         world.add(square(1));
         world.add_light({.kind = LightKind::point, .intensity = 9, .range = 9}, {0.2, 0.3, 2});
         world.world.ambient = {0.3f, 0.2f, 0.1f};
-        const Shot shot{.world = &world.world, .camera = front_camera(2), .width = 32, .height = 32, .renderer = renderer};
-        return reference ? render_reference(world.world, shot.camera, 32, 32, 0, form_of(shot)).linear.at(16, 16) : render_linear(test_device(), shot).at(16, 16);
+        const Shot shot{
+            .world = &world.world, .camera = front_camera(2), .width = 32, .height = 32, .renderer = renderer};
+        return reference ? render_reference(world.world, shot.camera, 32, 32, 0, form_of(shot)).linear.at(16, 16)
+                         : render_linear(test_device(), shot).at(16, 16);
     };
     for (const char* renderer : {"light-prepass", "z-prepass", "multipass"})
         for (const bool reference : {false, true}) {
-            const glm::vec3 whole = lit(255, 0, renderer, reference), half = lit(128, 0, renderer, reference), none = lit(0, 0, renderer, reference);
+            const glm::vec3 whole = lit(255, 0, renderer, reference), half = lit(128, 0, renderer, reference),
+                            none = lit(0, 0, renderer, reference);
             EXPECT_GT(whole.r, 0.5f) << renderer;
             for (int c = 0; c < 3; ++c) {
                 EXPECT_EQ(none[c], 0) << renderer;
@@ -129,7 +136,8 @@ TEST(Maps, DetailColourAgreesUnderAMask) {
     const Image before = render_linear(test_device(), plain.shot());
     plain.wall().textures = {{"detail_map", {.image = plain.add_image(1, 1, {128, 128, 128, 255})}}};
     const Image grey = render_linear(test_device(), plain.shot());
-    plain.wall().textures = {{"detail_map", {.image = plain.detail}}, {"detail_mask", {.image = plain.add_image(1, 1, {0, 0, 0, 255})}}};
+    plain.wall().textures = {{"detail_map", {.image = plain.detail}},
+                             {"detail_mask", {.image = plain.add_image(1, 1, {0, 0, 0, 255})}}};
     const Image masked = render_linear(test_device(), plain.shot());
     for (size_t i = 0; i < before.pixels.size(); ++i) {
         EXPECT_NEAR(grey.pixels[i].g, before.pixels[i].g, 0.002f + 0.002f * before.pixels[i].g);
@@ -154,7 +162,8 @@ std::shared_ptr<const Environment> smooth_sky() {
         for (uint32_t x = 0; x < 256; ++x) {
             const float round = (x + 0.5f) / 256 * 6.2831853f, down = (y + 0.5f) / 128 * 3.14159265f;
             const float flat = std::sin(down);
-            sky->image.at(x, y) = glm::vec3(1 + flat * std::sin(round), 1.2f + std::cos(down), 0.9f + 0.5f * flat * std::cos(round));
+            sky->image.at(x, y) =
+                glm::vec3(1 + flat * std::sin(round), 1.2f + std::cos(down), 0.9f + 0.5f * flat * std::cos(round));
         }
     return sky;
 }
@@ -176,7 +185,9 @@ TEST(Layers, OfGltfAgreeInEveryArchitecture) {
         {{"specular", {0.4f, 0, 0, 0}}, {"specular_colour", {3, 0.5f, 1, 0}}},
         {{"clearcoat", {1, 0, 0, 0}}, {"clearcoat_roughness", {0.3f, 0, 0, 0}}},
         {{"sheen_colour", {0.8f, 0.6f, 0.9f, 0}}, {"sheen_roughness", {0.6f, 0, 0, 0}}},
-        {{"clearcoat", {0.5f, 0, 0, 0}}, {"clearcoat_roughness", {0.25f, 0, 0, 0}}, {"sheen_colour", {0.2f, 0.1f, 0.4f, 0}}}};
+        {{"clearcoat", {0.5f, 0, 0, 0}},
+         {"clearcoat_roughness", {0.25f, 0, 0, 0}},
+         {"sheen_colour", {0.2f, 0.1f, 0.4f, 0}}}};
     for (size_t m = 1; m < garden.scene.materials.size(); ++m)
         garden.scene.materials[m].parameters = looks[m - 1];
     for (const char* renderer : {"light-prepass", "z-prepass", "multipass", "deferred"}) {
@@ -190,9 +201,14 @@ TEST(Layers, WithMapsAgree) {
     ReliefWall wall;
     Material& material = wall.wall();
     material.shader = find_material_shader("layered");
-    material.parameters = {{"clearcoat", glm::vec4(1)}, {"clearcoat_roughness", glm::vec4(0.5f)}, {"sheen_colour", glm::vec4(0.7f)}, {"sheen_roughness", glm::vec4(0.8f)}};
-    material.textures = {{"specular_map", {.image = wall.grey}}, {"specular_colour_map", {.image = wall.detail}}, {"clearcoat_map", {.image = wall.grey}},
-                         {"clearcoat_roughness_map", {.image = wall.heights}}, {"sheen_colour_map", {.image = wall.detail}}, {"sheen_roughness_map", {.image = wall.grey}}};
+    material.parameters = {{"clearcoat", glm::vec4(1)},
+                           {"clearcoat_roughness", glm::vec4(0.5f)},
+                           {"sheen_colour", glm::vec4(0.7f)},
+                           {"sheen_roughness", glm::vec4(0.8f)}};
+    material.textures = {
+        {"specular_map", {.image = wall.grey}},       {"specular_colour_map", {.image = wall.detail}},
+        {"clearcoat_map", {.image = wall.grey}},      {"clearcoat_roughness_map", {.image = wall.heights}},
+        {"sheen_colour_map", {.image = wall.detail}}, {"sheen_roughness_map", {.image = wall.grey}}};
     expect_agrees(wall.shot());
 }
 

@@ -1,4 +1,5 @@
-// Every built-in material in every form of the lighting model that a renderer runs, packed and not, against the reference.
+// Every built-in material in every form of the lighting model that a renderer runs, packed and not, against the
+// reference.
 #include "garden.hpp"
 #include <algorithm>
 #include <prelight/material_shader.hpp>

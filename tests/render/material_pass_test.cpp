@@ -12,18 +12,22 @@ struct MaterialRow : TestWorld {
     explicit MaterialRow(const std::vector<std::shared_ptr<const MaterialShader>>& shaders) {
         const double left = -0.5 * step * (double(shaders.size()) - 1);
         for (size_t i = 0; i < shaders.size(); ++i) {
-            Material material{.name = "ball", .base_colour = {0.7f, 0.45f, 0.3f, 1}, .metallic = 0.3f, .roughness = 0.4f};
+            Material material{
+                .name = "ball", .base_colour = {0.7f, 0.45f, 0.3f, 1}, .metallic = 0.3f, .roughness = 0.4f};
             material.shader = shaders[i];
             add_material(material);
             add(sphere(), glm::scale(glm::translate(glm::dmat4(1), {left + step * double(i), 0, 0}), glm::dvec3(0.55)));
             camera = front_camera(9, 0.173); // each ball in its own sixth of the picture
             // The same light on every ball: it moves along with them.
-            add_light({.kind = LightKind::point, .colour = {1, 0.9f, 0.8f}, .intensity = 6, .range = 3.4f}, {left + step * double(i) + 0.9, 1.2, 1.6});
+            add_light({.kind = LightKind::point, .colour = {1, 0.9f, 0.8f}, .intensity = 6, .range = 3.4f},
+                      {left + step * double(i) + 0.9, 1.2, 1.6});
         }
         world.ambient = {0.05f, 0.05f, 0.06f};
     }
     PlacedCamera camera;
-    Shot shot(Shading shading) const { return {.world = &world, .camera = camera, .width = 480, .height = 96, .shading = shading}; }
+    Shot shot(Shading shading) const {
+        return {.world = &world, .camera = camera, .width = 480, .height = 96, .shading = shading};
+    }
 };
 
 std::vector<std::shared_ptr<const MaterialShader>> kinds() {
@@ -83,13 +87,16 @@ TEST(CustomMaterial, SurfaceFillsTheFirstPassAndShadeGetsTheLightBuffer) {
     world.add_material(material);
     world.add(square(1));
     world.add_light({.kind = LightKind::point, .intensity = 4, .range = 9}, {0.4, 0.3, 2});
-    RenderOptions options{.width = 64, .height = 64, .shading = Shading::phong, .settings = {{"texture-filter", "bilinear"}}};
+    RenderOptions options{
+        .width = 64, .height = 64, .shading = Shading::phong, .settings = {{"texture-filter", "bilinear"}}};
     options.views = {"normal", "roughness", "depth", "diffuse-sum", "specular-sum", "linear"};
     const auto renderer = create_renderer("light-prepass", &test_device(), options);
     renderer->set_world(world.world);
     renderer->render(front_camera(2));
-    const Image normal = renderer->read("normal"), roughness = renderer->read("roughness"), depth = renderer->read("depth");
-    const Image diffuse = renderer->read("diffuse-sum"), specular = renderer->read("specular-sum"), picture = renderer->read("linear");
+    const Image normal = renderer->read("normal"), roughness = renderer->read("roughness"),
+                depth = renderer->read("depth");
+    const Image diffuse = renderer->read("diffuse-sum"), specular = renderer->read("specular-sum"),
+                picture = renderer->read("linear");
     const float bent = 0.5f / std::sqrt(1.25f) * 0.5f + 0.5f;
     size_t there = 0, holes = 0;
     for (uint32_t y = 18; y < 46; ++y)
@@ -104,7 +111,8 @@ TEST(CustomMaterial, SurfaceFillsTheFirstPassAndShadeGetsTheLightBuffer) {
             ASSERT_NEAR(roughness.at(x, y).r, 0.6f, 0.01) << "and stores its own roughness";
             const glm::vec3 expected = 0.5f * diffuse.at(x, y) + specular.at(x, y);
             for (int c = 0; c < 3; ++c)
-                ASSERT_NEAR(picture.at(x, y)[c], expected[c], 2e-3 + 2e-3 * double(expected[c])) << "shade() has the sums, and no more";
+                ASSERT_NEAR(picture.at(x, y)[c], expected[c], 2e-3 + 2e-3 * double(expected[c]))
+                    << "shade() has the sums, and no more";
         }
     EXPECT_GT(there, 200u);
     EXPECT_GT(holes, 200u);

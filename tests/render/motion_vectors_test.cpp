@@ -87,8 +87,9 @@ void expect_motion(const Shot& shot, double least) {
         EXPECT_LE(static_cast<double>(beyond), 1e-4 * static_cast<double>(vectors.expected.size()));
         EXPECT_GE(longest, least);
         EXPECT_GE(vectors.expected.size(), shot.width * shot.height / 4);
-        std::printf("    %s: up to %.2f pixels long, mean error %.5f, worst %.4f pixels\n", bytes ? "bytes" : "half floats",
-                    longest, mean / (2.0 * static_cast<double>(vectors.expected.size())), worst);
+        std::printf("    %s: up to %.2f pixels long, mean error %.5f, worst %.4f pixels\n",
+                    bytes ? "bytes" : "half floats", longest,
+                    mean / (2.0 * static_cast<double>(vectors.expected.size())), worst);
     }
     expect_validation_clean(test_device());
 }
@@ -199,17 +200,16 @@ TEST(MotionVectors, D1_ViewIsAColourWheel) {
         glm::vec3 colour;
     };
     const Moved squares[] = {{{0, 0}, {0, 0, 0}},
-                             {{7, 0}, {0.5f, 0, 0}},      // right: red, half as bright
-                             {{-7, 0}, {0, 0.5f, 0.5f}},  // left: cyan
-                             {{0, 7}, {0.25f, 0.5f, 0}},  // down: yellow-green
-                             {{0, -63}, {0.5f, 0, 1}}};   // up: violet, full
+                             {{7, 0}, {0.5f, 0, 0}},     // right: red, half as bright
+                             {{-7, 0}, {0, 0.5f, 0.5f}}, // left: cyan
+                             {{0, 7}, {0.25f, 0.5f, 0}}, // down: yellow-green
+                             {{0, -63}, {0.5f, 0, 1}}};  // up: violet, full
     TestWorld test;
     const double metre = 5 * std::tan(0.4) / 32; // of one pixel
     for (int i = 0; i < 5; ++i) {
         test.add(square(float(5 * metre)), glm::translate(glm::dmat4(1), {(12.0 * i - 24) * metre, 0, 0}));
-        test.world.instances.back().previous_transform =
-            glm::translate(test.world.instances.back().transform,
-                           {-squares[i].pixels.x * metre, squares[i].pixels.y * metre, 0});
+        test.world.instances.back().previous_transform = glm::translate(
+            test.world.instances.back().transform, {-squares[i].pixels.x * metre, squares[i].pixels.y * metre, 0});
     }
     for (const char* layout : {"wide", "killzone2"}) {
         RenderOptions options{.width = 64, .height = 64, .settings = {{"g-buffer", layout}}, .views = {"motion"}};

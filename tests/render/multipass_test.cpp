@@ -57,7 +57,8 @@ INSTANTIATE_TEST_SUITE_P(Multipass, MultipassForms,
 // An alpha mask's holes have another's depth: LESS_OR_EQUAL must not light what is not there, EQUAL cannot.
 TEST(Multipass, M1_LessOrEqualAndEqualGiveTheSamePicture) {
     MixedMaterials mixed;
-    const Settings forms[] = {{{"ambient", "first"}}, {{"ambient", "per-object"}}, {{"ambient", "per-object"}, {"order", "objects"}}};
+    const Settings forms[] = {
+        {{"ambient", "first"}}, {{"ambient", "per-object"}}, {{"ambient", "per-object"}, {"order", "objects"}}};
     for (Settings settings : forms) {
         const Shot by_default = multipass(mixed.shot(), settings);
         settings["depth-test"] = "less-equal";
@@ -83,7 +84,8 @@ TEST(Multipass, M2_EveryOrderAmbientAndBatchGivesTheSamePicture) {
         for (const char* order : {"lights", "objects"})
             for (const char* ambient : {"first", "per-object"}) {
                 SCOPED_TRACE(std::string(per_pass) + " " + order + " " + ambient);
-                const Shot shot = multipass(garden.shot(), {{"lights-per-pass", per_pass}, {"order", order}, {"ambient", ambient}});
+                const Shot shot =
+                    multipass(garden.shot(), {{"lights-per-pass", per_pass}, {"order", order}, {"ambient", ambient}});
                 expect_agrees(shot);
                 EXPECT_GE(compare(render_linear(test_device(), shot), first).psnr, 60);
                 const uint64_t draws = stats_of(shot).draws;
@@ -115,13 +117,14 @@ TEST(Multipass, M3_ALightThatReachesNothingCostsNoDraw) {
         EXPECT_EQ(stats_of(one).draws, 5u);
         test.add_light(small, {0, 0, 0.5}); // between the second and the third
         EXPECT_EQ(stats_of(one).draws, 7u);
-        test.add_light(small, {0, 0, 1}); // before all of them
+        test.add_light(small, {0, 0, 1});   // before all of them
         test.add_light(small, {0, 1.2, 0}); // above them
         test.add_light({.kind = LightKind::spot, .intensity = 1, .range = 9, .outer_cone = 0.3f}, {0, 0, 2}, {0, 0, 1});
         EXPECT_EQ(stats_of(one).draws, 7u);
         test.add_light({.kind = LightKind::directional, .intensity = 1}, {0, 0, 0}, {0, 0, -1});
         EXPECT_EQ(stats_of(one).draws, 11u);
-        test.add_light({.kind = LightKind::spot, .intensity = 1, .range = 9, .outer_cone = 0.2f}, {1.8, 0, 2}, {0, 0, -1});
+        test.add_light({.kind = LightKind::spot, .intensity = 1, .range = 9, .outer_cone = 0.2f}, {1.8, 0, 2},
+                       {0, 0, -1});
         EXPECT_EQ(stats_of(one).draws, 12u);
         expect_agrees(one);
     }
@@ -130,7 +133,8 @@ TEST(Multipass, M3_ALightThatReachesNothingCostsNoDraw) {
 TEST(Multipass, M3_ManyLightsOfTheYardstickSceneAgree) {
     const Scene scene = make_scene("lights", 256, 1);
     const World world = resolve(scene);
-    Shot shot = multipass({.world = &world, .camera = world.cameras.at(0)}, {{"lights-per-pass", "8"}, {"order", "objects"}});
+    Shot shot =
+        multipass({.world = &world, .camera = world.cameras.at(0)}, {{"lights-per-pass", "8"}, {"order", "objects"}});
     shot.width = 960;
     shot.height = 540;
     expect_agrees(shot);
@@ -149,8 +153,9 @@ TEST(Multipass, M1_CoincidentSurfacesAreLitOnceWithAmbientPerObject) {
     }
     Shot single{.world = &one.world, .camera = front_camera(5)}, twice = single;
     twice.world = &two.world;
-    EXPECT_TRUE(render_linear(test_device(), multipass(twice, {{"ambient", "per-object"}, {"order", "objects"}})).pixels ==
-                render_linear(test_device(), multipass(single, {{"ambient", "per-object"}, {"order", "objects"}})).pixels);
+    EXPECT_TRUE(
+        render_linear(test_device(), multipass(twice, {{"ambient", "per-object"}, {"order", "objects"}})).pixels ==
+        render_linear(test_device(), multipass(single, {{"ambient", "per-object"}, {"order", "objects"}})).pixels);
     single.renderer = twice.renderer = "z-prepass";
     EXPECT_TRUE(render_linear(test_device(), twice).pixels == render_linear(test_device(), single).pixels);
 }

@@ -53,7 +53,9 @@ TEST_P(OwnMaterial, KeepsInAGBufferWhatNeedsNoLamp) {
     expect_agrees(shot);
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltIn, OwnMaterial, testing::Values("metallic-roughness", "blinn-phong", "skin", "minnaert", "reflection", "fresnel-rim"),
+INSTANTIATE_TEST_SUITE_P(BuiltIn, OwnMaterial,
+                         testing::Values("metallic-roughness", "blinn-phong", "skin", "minnaert", "reflection",
+                                         "fresnel-rim"),
                          [](const auto& tested) {
                              std::string name = tested.param;
                              name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
@@ -73,8 +75,11 @@ TEST(UsersOwnMaterial, CompiledAtRunTimeIsTheSamePicture) {
     for (const char* renderer : {"light-prepass", "multipass", "z-prepass", "deferred"})
         expect_same_pixels(built_in.shot(), own.shot(), {}, renderer);
     expect_same_pixels(built_in.shot(), own.shot(), {{"lights", "grid"}}, "z-prepass");
-    for (const Settings& settings : {Settings{{"normals", "oct32"}}, {{"depth", "r32f"}}, {{"normals", "oct32"}, {"depth", "r32f"}},
-                                     {{"geometry", "two-passes"}, {"depth", "r32f"}}, {{"light-buffer", "rgba8"}}})
+    for (const Settings& settings : {Settings{{"normals", "oct32"}},
+                                     {{"depth", "r32f"}},
+                                     {{"normals", "oct32"}, {"depth", "r32f"}},
+                                     {{"geometry", "two-passes"}, {"depth", "r32f"}},
+                                     {{"light-buffer", "rgba8"}}})
         expect_same_pixels(built_in.shot(), own.shot(), settings, "light-prepass");
     expect_validation_clean(test_device());
 }
@@ -99,11 +104,14 @@ vec3 shade(Point p, Surface s, Light light) { return vec3(first, colour.g, last)
     Material material{.name = "wall", .alpha_mode = AlphaMode::mask};
     material.shader = shader;
     material.parameters["first"] = glm::vec4(0.75f);
-    material.textures["stripes"] = {.image = world.add_image(2, 1, {255, 255, 255, 255, 0, 0, 0, 255}), .sampler = {.wrap_s = Wrap::clamp_to_edge}};
+    material.textures["stripes"] = {.image = world.add_image(2, 1, {255, 255, 255, 255, 0, 0, 0, 255}),
+                                    .sampler = {.wrap_s = Wrap::clamp_to_edge}};
     world.add_material(material);
     world.add(square(2));
     for (const char* renderer : {"light-prepass", "multipass", "z-prepass", "deferred"}) {
-        const Image picture = render_linear(test_device(), {.world = &world.world, .camera = front_camera(2), .width = 32, .height = 16, .renderer = renderer});
+        const Image picture = render_linear(
+            test_device(),
+            {.world = &world.world, .camera = front_camera(2), .width = 32, .height = 16, .renderer = renderer});
         const glm::vec3 left = picture.at(8, 8), right = picture.at(24, 8);
         EXPECT_NEAR(left.r, 0.75f, 1e-3) << renderer;
         EXPECT_NEAR(left.g, 0.2f, 1e-3) << renderer;
@@ -114,7 +122,8 @@ vec3 shade(Point p, Surface s, Light light) { return vec3(first, colour.g, last)
 }
 
 std::string mistake_in(const std::string& body) {
-    const auto shader = parse_material_shader("toon.glsl", "my/toon.glsl", "// toon\nSurface surface(Point p) { return gltf_surface(p); }\n" + body);
+    const auto shader = parse_material_shader("toon.glsl", "my/toon.glsl",
+                                              "// toon\nSurface surface(Point p) { return gltf_surface(p); }\n" + body);
     try {
         check_material_shader(*shader);
     } catch (const Error& error) {
@@ -127,7 +136,8 @@ TEST(UsersOwnMaterial, AMistakeNamesTheUsersFileAndLine) {
     const std::string head = "vec3 shade(Point p, Surface s, Light light) {\n";
     EXPECT_EQ(mistake_in(head + "return s.base * stepps;\n}\n"), "my/toon.glsl:4: 'stepps' : undeclared identifier");
     EXPECT_THAT(mistake_in(head + "return s.base\n}\n"), HasSubstr("my/toon.glsl:5: "));
-    EXPECT_THAT(mistake_in("#include \"shared/no.glsl\"\n" + head + "return s.base;\n}\n"), HasSubstr("my/toon.glsl:3: "));
+    EXPECT_THAT(mistake_in("#include \"shared/no.glsl\"\n" + head + "return s.base;\n}\n"),
+                HasSubstr("my/toon.glsl:3: "));
     EXPECT_EQ(mistake_in(head + "return s.base;\n}\n"), "nothing");
 }
 
@@ -142,7 +152,8 @@ TEST(OwnMaterialErrors, AreTold) {
         }
         return "nothing";
     };
-    EXPECT_THAT(error_of(garden.shot()), HasSubstr("material 1 (clay): parameter roll_off of skin: 3 is outside 0 … 2"));
+    EXPECT_THAT(error_of(garden.shot()),
+                HasSubstr("material 1 (clay): parameter roll_off of skin: 3 is outside 0 … 2"));
     const ShadedGarden own(as_users_own("skin"));
     try {
         render_reference(own.world, own.camera, 16, 9, 0, {});
@@ -153,7 +164,8 @@ TEST(OwnMaterialErrors, AreTold) {
     ShadedGarden narrow(find_material_shader("reflection"));
     auto environment = std::make_shared<Environment>(Environment{.name = "sky.exr", .image = Image(4, 4)});
     narrow.scene.environment = environment;
-    EXPECT_THAT(error_of(narrow.shot()), HasSubstr("sky.exr: an environment map is twice as wide as high, and this one has 4x4"));
+    EXPECT_THAT(error_of(narrow.shot()),
+                HasSubstr("sky.exr: an environment map is twice as wide as high, and this one has 4x4"));
     environment->image = Image(4, 2);
     environment->image.at(1, 1).g = -1;
     EXPECT_THAT(error_of(narrow.shot()), HasSubstr("sky.exr: a pixel of the environment map is negative"));

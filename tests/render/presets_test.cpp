@@ -44,14 +44,14 @@ TEST_P(Presets, AgreeWithTheReferenceOfTheirForm) {
     for (const Shading shading : {Shading::ggx, Shading::phong}) {
         const RenderOptions options = options_for(GetParam().name, shading);
         const Rendered ours = render_with(garden.world, garden.camera, options);
-        const ReferencePicture reference = render_reference(
-            garden.world, garden.camera, 320, 180, options.exposure, reference_form(shading, ours.stats.settings));
+        const ReferencePicture reference = render_reference(garden.world, garden.camera, 320, 180, options.exposure,
+                                                            reference_form(shading, ours.stats.settings));
         const Comparison c = compare(ours.linear, reference.linear, reference.left_out());
         std::printf("    %.1f dB, %.3f %% off, block %.2f/255\n", c.psnr, c.off_share * 100, c.block);
         EXPECT_GE(c.psnr, GetParam().psnr);
         if (const char* folder = std::getenv("PRELIGHT_TEST_PICTURES"))
-            save_png(tonemap(ours.linear, Tonemap::none),
-                     std::string(folder) + "/preset-" + GetParam().name + (shading == Shading::ggx ? "-ggx" : "-phong") + ".png");
+            save_png(tonemap(ours.linear, Tonemap::none), std::string(folder) + "/preset-" + GetParam().name +
+                                                              (shading == Shading::ggx ? "-ggx" : "-phong") + ".png");
     }
     expect_validation_clean(test_device());
 }
@@ -87,23 +87,34 @@ TEST_P(Presets, AreListedAndGiveWayToTheUser) {
     EXPECT_EQ(ours.stats.settings.at("light-culling"), GetParam().settings.at("light-culling"));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    L4L5, Presets,
-    testing::Values(Preset{"engel",
-                           {{"normals", "spherical"}, {"normal-space", "world"}, {"light-buffer", "packed-rgba8"},
-                            {"specular", "luminance"}, {"light-culling", "volumes"}},
-                           50},
-                    Preset{"round2",
-                           {{"depth", "r32f"}, {"normals", "rgb10a2"}, {"position", "ray"}, {"ambient", "light"},
-                            {"light-buffer", "packed-rgba8"}, {"specular-vector", "reflection"},
-                            {"light-culling", "volumes"}, {"spot-volume", "cone"}, {"volume-depth-test", "off"}},
-                           50},
-                    Preset{"prelighting",
-                           {{"normals", "rgb8"}, {"normal-space", "view"}, {"light-buffer", "rgba8"},
-                            {"specular", "stored"}, {"light-culling", "rectangles"},
-                            {"shadow-memory", "reuse"}},
-                           50}),
-    [](const auto& preset) { return std::string(preset.param.name); });
+INSTANTIATE_TEST_SUITE_P(L4L5, Presets,
+                         testing::Values(Preset{"engel",
+                                                {{"normals", "spherical"},
+                                                 {"normal-space", "world"},
+                                                 {"light-buffer", "packed-rgba8"},
+                                                 {"specular", "luminance"},
+                                                 {"light-culling", "volumes"}},
+                                                50},
+                                         Preset{"round2",
+                                                {{"depth", "r32f"},
+                                                 {"normals", "rgb10a2"},
+                                                 {"position", "ray"},
+                                                 {"ambient", "light"},
+                                                 {"light-buffer", "packed-rgba8"},
+                                                 {"specular-vector", "reflection"},
+                                                 {"light-culling", "volumes"},
+                                                 {"spot-volume", "cone"},
+                                                 {"volume-depth-test", "off"}},
+                                                50},
+                                         Preset{"prelighting",
+                                                {{"normals", "rgb8"},
+                                                 {"normal-space", "view"},
+                                                 {"light-buffer", "rgba8"},
+                                                 {"specular", "stored"},
+                                                 {"light-culling", "rectangles"},
+                                                 {"shadow-memory", "reuse"}},
+                                                50}),
+                         [](const auto& preset) { return std::string(preset.param.name); });
 
 TEST(L4L5Presets, EngelTakesEachOfItsThreeWays) {
     PresetGarden garden;
@@ -115,7 +126,8 @@ TEST(L4L5Presets, EngelTakesEachOfItsThreeWays) {
         EXPECT_EQ(ours.stats.settings.at("specular"), way);
         EXPECT_EQ(ours.stats.settings.at("light-buffer"), "packed-rgba8");
         const Image reference = render_reference(garden.world, garden.camera, 320, 180, options.exposure,
-                                                 reference_form(Shading::phong, ours.stats.settings)).linear;
+                                                 reference_form(Shading::phong, ours.stats.settings))
+                                    .linear;
         EXPECT_GE(compare(ours.linear, reference).psnr, 38) << way;
         pictures.push_back(ours.linear);
     }
@@ -158,7 +170,8 @@ TEST(L4L5Presets, PrelightingReusesShadowMemoryLightByLight) {
     options.settings["light-culling"] = "tiles";
     const Stats lists = render_with(garden.world, garden.camera, options).stats;
     EXPECT_EQ(lists.settings.at("shadow-memory"), "atlas");
-    EXPECT_THAT(lists.notes, testing::Contains(testing::HasSubstr("shadow-memory=reuse is for lights that are drawn one by one")));
+    EXPECT_THAT(lists.notes,
+                testing::Contains(testing::HasSubstr("shadow-memory=reuse is for lights that are drawn one by one")));
     options.settings["shadow-memory"] = "reuse";
     EXPECT_THROW(create_renderer("light-prepass", &test_device(), options), UsageError);
     expect_validation_clean(test_device());
@@ -166,8 +179,9 @@ TEST(L4L5Presets, PrelightingReusesShadowMemoryLightByLight) {
 
 TEST(L4L5Presets, ADeviceWithoutTheFormatsTakesTheSourceTextsFallbacks) {
     // Round 2: R32F, or R16F, or RGBA8; 10:10:10:2, or RGBA8.
-    const auto device = Device::create(
-        {.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_R32_SFLOAT, VK_FORMAT_A2B10G10R10_UNORM_PACK32}});
+    const auto device = Device::create({.select = "cpu",
+                                        .validate = true,
+                                        .hidden_formats = {VK_FORMAT_R32_SFLOAT, VK_FORMAT_A2B10G10R10_UNORM_PACK32}});
     PresetGarden garden;
     RenderOptions options = options_for("round2", Shading::phong);
     options.width = options.height = 16;

@@ -23,7 +23,8 @@ struct Tiles : TestWorld {
         uint32_t random = 1;
         for (uint32_t i = 0; i < size * size; ++i) {
             random = random * 1664525u + 1013904223u;
-            rgba.insert(rgba.end(), {uint8_t(random >> 24), uint8_t(random >> 16), uint8_t(i * 255 / (size * size)), 255});
+            rgba.insert(rgba.end(),
+                        {uint8_t(random >> 24), uint8_t(random >> 16), uint8_t(i * 255 / (size * size)), 255});
         }
         const uint32_t image = add_image(size, size, std::move(rgba));
         Mesh mesh{"tiles", {}};
@@ -36,7 +37,8 @@ struct Tiles : TestWorld {
                             Material& material = add_material({.name = "tile", .unlit = true});
                             material.base_colour_texture = {.image = image, .sampler = {s, t, mag, min, mip}};
                             if (drawn(renderer, i)) {
-                                mesh.primitives.push_back(one(i % columns, i / columns, texels / static_cast<float>(size)));
+                                mesh.primitives.push_back(
+                                    one(i % columns, i / columns, texels / static_cast<float>(size)));
                                 mesh.primitives.back().material = i;
                             }
                             ++i;
@@ -50,7 +52,8 @@ struct Tiles : TestWorld {
         for (size_t v = 0; v < 4; ++v) {
             const glm::vec2 corner = p.texcoords[0][v]; // in the middle of a wrap, off texels' edges
             p.texcoords[0][v] = step * float(tile) * (corner - 0.47f) + 0.51f;
-            p.positions[v] = {float(tile) * (float(x) + corner.x - columns / 2.0f), float(tile) * (rows / 2.0f - float(y) - corner.y), 0};
+            p.positions[v] = {float(tile) * (float(x) + corner.x - columns / 2.0f),
+                              float(tile) * (rows / 2.0f - float(y) - corner.y), 0};
         }
         return p;
     }
@@ -60,8 +63,12 @@ struct Tiles : TestWorld {
         lens.ymag = tile * rows / 2.0;
         lens.znear = 1;
         lens.zfar = 100;
-        return {.world = &world, .camera = look_at(lens, {0, 0, 10}, {0, 0, 0}), .width = tile * columns, .height = tile * rows,
-                .settings = {{"texture-filter", "auto"}}, .renderer = renderer};
+        return {.world = &world,
+                .camera = look_at(lens, {0, 0, 10}, {0, 0, 0}),
+                .width = tile * columns,
+                .height = tile * rows,
+                .settings = {{"texture-filter", "auto"}},
+                .renderer = renderer};
     }
 };
 
@@ -77,12 +84,14 @@ void expect_each_tile(uint32_t size, float texels, double bound) {
             for (uint32_t x = 0; x < picture.width; ++x)
                 for (int c = 0; c < 3; ++c) {
                     double& worst = most[y / tile * columns + x / tile];
-                    worst = std::max(worst, std::abs(static_cast<double>(picture.at(x, y)[c]) - static_cast<double>(right.at(x, y)[c])));
+                    worst = std::max(worst, std::abs(static_cast<double>(picture.at(x, y)[c]) -
+                                                     static_cast<double>(right.at(x, y)[c])));
                 }
         for (size_t i = 0; i < most.size(); ++i) {
             if (!drawn(renderer, i))
                 continue;
-            EXPECT_LT(most[i], bound) << renderer << ": magFilter " << i / 54 << ", minFilter " << i / 9 % 6 << ", wrap " << i % 9;
+            EXPECT_LT(most[i], bound) << renderer << ": magFilter " << i / 54 << ", minFilter " << i / 9 % 6
+                                      << ", wrap " << i % 9;
         }
     }
     expect_validation_clean(test_device());
@@ -103,11 +112,18 @@ TEST(Samplers, OfCasesThatOthersReported) {
         const auto picture_of = [&](const char* name, const char* filter) {
             const Scene scene = load_gltf(folder / name);
             const World world = resolve(scene);
-            return render_linear(test_device(), {.world = &world, .camera = world.cameras.at(0), .width = 256, .height = 256,
-                                                 .settings = {{"texture-filter", filter}}, .renderer = renderer});
+            return render_linear(test_device(), {.world = &world,
+                                                 .camera = world.cameras.at(0),
+                                                 .width = 256,
+                                                 .height = 256,
+                                                 .settings = {{"texture-filter", filter}},
+                                                 .renderer = renderer});
         };
-        const auto same = [&](const Image& a, const Image& b) { return compare(a, b, std::vector<uint8_t>(a.pixels.size())).psnr; };
-        EXPECT_GE(same(picture_of("mag_nearest.glb", "auto"), picture_of("mag_nearest_right.glb", "auto")), 60) << renderer;
+        const auto same = [&](const Image& a, const Image& b) {
+            return compare(a, b, std::vector<uint8_t>(a.pixels.size())).psnr;
+        };
+        EXPECT_GE(same(picture_of("mag_nearest.glb", "auto"), picture_of("mag_nearest_right.glb", "auto")), 60)
+            << renderer;
         EXPECT_GE(same(picture_of("mag_linear.glb", "auto"), picture_of("mag_linear.glb", "bilinear")), 60) << renderer;
     }
 }

@@ -28,7 +28,8 @@ void turn(std::vector<glm::vec3>& normals, const glm::dmat3& by) {
 }
 
 Bound from_mean_square(double of_format) {
-    return {.psnr = -10 * std::log10(of_format + std::pow(10, -half_float_bound.psnr / 10)), .off_share = 1, .block = 255};
+    return {
+        .psnr = -10 * std::log10(of_format + std::pow(10, -half_float_bound.psnr / 10)), .off_share = 1, .block = 255};
 }
 
 } // namespace
@@ -70,8 +71,8 @@ Bound bound_for_depth(Garden& garden, const Shot& shot, double relative) {
                                 ? glm::dmat3(1 + small)
                                 : glm::dmat3(1) + small * glm::outerProduct(forward, forward);
     const glm::dmat4 move = glm::translate(glm::dmat4(1), eye) * glm::dmat4(grow) * glm::translate(glm::dmat4(1), -eye);
-    const double square = mean_square(
-        garden, shot, reference_of(shot), [&](Instance& instance, std::vector<glm::vec3>& normals) {
+    const double square =
+        mean_square(garden, shot, reference_of(shot), [&](Instance& instance, std::vector<glm::vec3>& normals) {
             const glm::dmat3 before(instance.transform);
             instance.transform = move * instance.transform;
             turn(normals, glm::transpose(glm::dmat3(instance.transform)) * glm::transpose(glm::inverse(before)));

@@ -1,5 +1,5 @@
-// No setting is taken in silence where it makes no difference: it is refused with what it needs. And a preset shades as its
-// source text does.
+// No setting is taken in silence where it makes no difference: it is refused with what it needs. And a preset shades as
+// its source text does.
 #include "garden.hpp"
 #include <prelight/error.hpp>
 
@@ -26,7 +26,8 @@ std::string another_value(const SettingInfo& setting) {
 }
 
 const SettingInfo& setting_of(const RendererInfo& info, const std::string& key) {
-    return *std::find_if(info.settings.begin(), info.settings.end(), [&](const SettingInfo& s) { return s.key == key; });
+    return *std::find_if(info.settings.begin(), info.settings.end(),
+                         [&](const SettingInfo& s) { return s.key == key; });
 }
 
 void meet(const SettingNeed& need, RenderOptions& options) {
@@ -53,7 +54,8 @@ TEST(Settings, WithoutEffectAreRefusedWithWhatTheyNeed) {
                     for (const SettingNeed& need : setting_of(info, unmet.key).needs)
                         meet(need, options);
                     for (const std::string& value : setting_of(info, unmet.key).values)
-                        if (std::find(unmet.values.begin(), unmet.values.end(), value) == unmet.values.end() && value != "auto")
+                        if (std::find(unmet.values.begin(), unmet.values.end(), value) == unmet.values.end() &&
+                            value != "auto")
                             options.settings[unmet.key] = value;
                 }
                 const std::string line = refusal_by(info, options);
@@ -102,10 +104,14 @@ struct OfAText {
 TEST(Presets, ShadeAsTheirSourceTextUnlessToldOtherwise) {
     Garden garden;
     garden.add_lights(3, 5, 4);
-    for (const OfAText& text : {OfAText{"light-prepass", "engel"}, {"light-prepass", "round2"}, {"light-prepass", "prelighting"}, {"deferred", "killzone2"}}) {
+    for (const OfAText& text : {OfAText{"light-prepass", "engel"},
+                                {"light-prepass", "round2"},
+                                {"light-prepass", "prelighting"},
+                                {"deferred", "killzone2"}}) {
         SCOPED_TRACE(text.preset);
         const auto shading_of = [&](std::optional<Shading> asked) {
-            const auto renderer = create_renderer(text.renderer, &test_device(), {.width = 16, .height = 16, .shading = asked, .preset = text.preset});
+            const auto renderer = create_renderer(text.renderer, &test_device(),
+                                                  {.width = 16, .height = 16, .shading = asked, .preset = text.preset});
             renderer->set_world(garden.world);
             renderer->render(garden.camera);
             return renderer->stats().shading;
@@ -131,10 +137,13 @@ TEST(Presets, WhatIsWithoutEffectInTheOtherModelGivesWayAndIsTold) {
     };
     const Stats ggx = stats_of({.width = 16, .height = 16, .shading = Shading::ggx, .preset = "round2"});
     EXPECT_EQ(ggx.settings.at("specular-vector"), "half");
-    EXPECT_THAT(ggx.notes, testing::Contains(HasSubstr("specular-vector=reflection of preset round2: needs --shading phong")));
-    const Stats tiles = stats_of({.width = 16, .height = 16, .preset = "round2", .settings = {{"light-culling", "tiles"}}});
+    EXPECT_THAT(ggx.notes,
+                testing::Contains(HasSubstr("specular-vector=reflection of preset round2: needs --shading phong")));
+    const Stats tiles =
+        stats_of({.width = 16, .height = 16, .preset = "round2", .settings = {{"light-culling", "tiles"}}});
     EXPECT_EQ(tiles.settings.at("volume-depth-test"), "on");
-    EXPECT_THAT(tiles.notes, testing::Contains(HasSubstr("volume-depth-test=off of preset round2: needs light-culling=volumes")));
+    EXPECT_THAT(tiles.notes,
+                testing::Contains(HasSubstr("volume-depth-test=off of preset round2: needs light-culling=volumes")));
     EXPECT_EQ(tiles.settings.at("model"), "mono");
 }
 

@@ -17,7 +17,8 @@ std::vector<uint8_t> near_changes(uint32_t width, uint32_t height, int reach, Di
     const auto at = [&](int x, int y) { return size_t(y) * width + size_t(x); };
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
-            edge[at(x, y)] = (x + 1 < w && differs(at(x, y), at(x + 1, y))) || (y + 1 < h && differs(at(x, y), at(x, y + 1)));
+            edge[at(x, y)] =
+                (x + 1 < w && differs(at(x, y), at(x + 1, y))) || (y + 1 < h && differs(at(x, y), at(x, y + 1)));
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
             for (int v = std::max(y - reach, 0); v <= std::min(y + reach, h - 1); ++v)
@@ -40,7 +41,8 @@ ShadowErrors shadow_errors(Device& device, const Shot& shot, int reach) {
     const Image truth = tonemap(reference.linear, Tonemap::none);
     const std::vector<uint8_t> left_out = reference.left_out();
     const std::vector<uint8_t> beside = near_changes(shot.width, shot.height, reach, [&](size_t a, size_t b) {
-        return reference.shadow_mask[a] != reference.shadow_mask[b] || reference.mask_outcome[a] != reference.mask_outcome[b];
+        return reference.shadow_mask[a] != reference.shadow_mask[b] ||
+               reference.mask_outcome[a] != reference.mask_outcome[b];
     });
     ShadowErrors errors;
     const double pixels = double(picture.pixels.size());
@@ -92,8 +94,8 @@ void expect_shadows_right(const Shot& shot, int reach) {
     }
     EXPECT_LE(errors.darkened, 0.0005);
     EXPECT_LE(errors.leaking, 0.0005);
-    std::printf("    %.1f %% judged, %.4f %% of them darkened, %.4f %% leaking\n", errors.judged * 100, errors.darkened * 100,
-                errors.leaking * 100);
+    std::printf("    %.1f %% judged, %.4f %% of them darkened, %.4f %% leaking\n", errors.judged * 100,
+                errors.darkened * 100, errors.leaking * 100);
     expect_validation_clean(test_device());
 }
 

@@ -13,7 +13,8 @@ bool overlap(const ShadowTilePlace& a, const ShadowTilePlace& b) {
 }
 
 TEST(ShadowAtlas, IsAsLargeAsTheBudgetLets) {
-    for (const auto& [budget, texels] : {std::pair(1u, 1u), {2u, 2u}, {3u, 2u}, {4u, 4u}, {1000u, 512u}, {1u << 24, 1u << 24}, {1u << 25, 1u << 25}})
+    for (const auto& [budget, texels] :
+         {std::pair(1u, 1u), {2u, 2u}, {3u, 2u}, {4u, 4u}, {1000u, 512u}, {1u << 24, 1u << 24}, {1u << 25, 1u << 25}})
         EXPECT_EQ(ShadowAtlas(budget, 16384).texels(), texels) << budget;
     EXPECT_EQ(ShadowAtlas(1u << 24, 1024).size(), glm::uvec2(1024)); // the device makes no larger image
 }
@@ -80,7 +81,8 @@ TEST(ShadowViews, CascadesAreStable) {
         find_shadow_views(sun, camera, 16.0 / 9, world, side, guard, views);
         for (size_t c = 0; c < 4; ++c) {
             ASSERT_EQ(views[c].texel, first[c].texel) << "cascade " << c << " changes size";
-            const glm::dvec4 moved = (views[c].clip_from_centre * origin - first[c].clip_from_centre * origin) * (side / 2.0);
+            const glm::dvec4 moved =
+                (views[c].clip_from_centre * origin - first[c].clip_from_centre * origin) * (side / 2.0);
             ASSERT_NEAR(moved.x, std::round(moved.x), 1e-6);
             ASSERT_NEAR(moved.y, std::round(moved.y), 1e-6);
             ASSERT_EQ(moved.z, 0) << "depth is the world's, not the camera's";
@@ -125,11 +127,13 @@ TEST(ShadowViews, FacesMeetAtTheirEdges) {
     find_shadow_views(lamp, camera_at({0, 0, 0}, 0), 1, world, side, guard, faces);
     ASSERT_EQ(faces.size(), 6u);
     const auto place = [&](size_t face, glm::dvec3 direction) {
-        const glm::dvec4 clip = faces[face].clip_from_centre * glm::dvec4(lamp.position + direction - world.centre(), 1);
+        const glm::dvec4 clip =
+            faces[face].clip_from_centre * glm::dvec4(lamp.position + direction - world.centre(), 1);
         return glm::dvec3(clip.x / clip.w, clip.y / clip.w, clip.w);
     };
     const double edge = double(side - 2 * guard) / side;
-    for (const auto& [a, b, direction] : {std::tuple(0, 2, glm::dvec3(1, 1, 0.3)), {0, 5, glm::dvec3(1, -0.4, -1)}, {1, 3, glm::dvec3(-1, -1, 0.2)}}) {
+    for (const auto& [a, b, direction] :
+         {std::tuple(0, 2, glm::dvec3(1, 1, 0.3)), {0, 5, glm::dvec3(1, -0.4, -1)}, {1, 3, glm::dvec3(-1, -1, 0.2)}}) {
         for (const int face : {a, b}) {
             const glm::dvec3 p = place(size_t(face), direction);
             EXPECT_NEAR(std::max(std::abs(p.x), std::abs(p.y)), edge, 1e-9);
@@ -158,7 +162,8 @@ std::vector<ShadowTile> tiles_of(ShadowPlan& plan, const std::vector<PlacedLight
 // A plan that knew the light before it changed has the maps that a new plan has.
 TEST(ShadowPlan, CastersAreThoseOfTheLightAsItIs) {
     const std::vector<Draw> draws = floor_and_boxes();
-    const PlacedLight light{{.kind = LightKind::spot, .range = 20, .outer_cone = 0.3f}, {0, 4, 0}, glm::normalize(glm::dvec3(-3.5, -3, 0))};
+    const PlacedLight light{
+        {.kind = LightKind::spot, .range = 20, .outer_cone = 0.3f}, {0, 4, 0}, glm::normalize(glm::dvec3(-3.5, -3, 0))};
     std::vector<PlacedLight> changed(6, light);
     changed[0].direction = glm::normalize(glm::dvec3(3.5, -3, 0));
     changed[1].light.outer_cone = 1.0f;

@@ -23,7 +23,8 @@ struct ShadowGarden : Garden {
     }
     Shot shot() const {
         Shot shot = Garden::shot();
-        shot.settings = {{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-budget", "67108864"}};
+        shot.settings = {
+            {"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-budget", "67108864"}};
         shot.width = 400, shot.height = 225;
         return shot;
     }
@@ -32,8 +33,9 @@ struct ShadowGarden : Garden {
 TEST(Shadows, S1_EveryArchitectureAgreesWithShadowRays) {
     const ShadowGarden garden;
     Shot form = garden.shot();
-    const ReferencePicture reference = render_reference(garden.world, garden.camera, form.width, form.height, 0,
-                                                        {.fresnel = ReferenceForm::Fresnel::nv, .shadows = true, .specular_antialiasing = true});
+    const ReferencePicture reference =
+        render_reference(garden.world, garden.camera, form.width, form.height, 0,
+                         {.fresnel = ReferenceForm::Fresnel::nv, .shadows = true, .specular_antialiasing = true});
     size_t shadowed = 0;
     for (const uint64_t mask : reference.shadow_mask)
         shadowed += mask != 0;
@@ -112,9 +114,14 @@ TEST_P(ShadowFilters, S2_NoAcneAndNoGapInTheSceneOfShadows) {
     const Scene scene = make_scene("shadows", 4, 1);
     const World all = resolve(scene);
     const auto check = [&](const World& world, const PlacedCamera& camera) {
-        SCOPED_TRACE(std::to_string(world.lights.size()) + " lights, " + world.lights[0].light.name + ", camera " + camera.camera.name);
-        expect_shadows_right({.world = &world, .camera = camera, .width = 256, .height = 144,
-                              .settings = {{"shadows", "on"}, {"shadow-filter", GetParam()}}}, 5);
+        SCOPED_TRACE(std::to_string(world.lights.size()) + " lights, " + world.lights[0].light.name + ", camera " +
+                     camera.camera.name);
+        expect_shadows_right({.world = &world,
+                              .camera = camera,
+                              .width = 256,
+                              .height = 144,
+                              .settings = {{"shadows", "on"}, {"shadow-filter", GetParam()}}},
+                             5);
     };
     for (const PlacedLight& light : all.lights) {
         World world = all;
@@ -133,8 +140,10 @@ TEST_P(ShadowFilters, S2_NoAcneAndNoGapInSponza) {
     const World world = with_sun(scene, {0.2, -1, 0.15});
     Camera lens;
     lens.yfov = 0.9;
-    expect_shadows_right({.world = &world, .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}),
-                          .settings = {{"shadows", "on"}, {"shadow-filter", GetParam()}}}, 6);
+    expect_shadows_right({.world = &world,
+                          .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}),
+                          .settings = {{"shadows", "on"}, {"shadow-filter", GetParam()}}},
+                         6);
 }
 
 TEST(Shadows, S2_SponzaUnderASunAndSixtyFourSpots) {
@@ -145,14 +154,21 @@ TEST(Shadows, S2_SponzaUnderASunAndSixtyFourSpots) {
     World world = with_sun(scene, {0.2, -1, 0.15});
     for (int i = 0; i < 64; ++i) {
         const float hue = 0.7f * static_cast<float>(i);
-        const Light spot{.kind = LightKind::spot, .colour = {0.6f + 0.4f * std::cos(hue), 0.7f, 0.6f - 0.4f * std::cos(hue)},
-                         .intensity = 12, .range = 8, .inner_cone = 0.3f, .outer_cone = 0.55f};
+        const Light spot{.kind = LightKind::spot,
+                         .colour = {0.6f + 0.4f * std::cos(hue), 0.7f, 0.6f - 0.4f * std::cos(hue)},
+                         .intensity = 12,
+                         .range = 8,
+                         .inner_cone = 0.3f,
+                         .outer_cone = 0.55f};
         world.lights.push_back({spot, glm::dvec3(-10.5 + 1.4 * (i % 16), 4 + 0.3 * (i % 3), -4.5 + 3.0 * (i / 16)),
                                 glm::normalize(glm::dvec3(0.3 * std::cos(2.4 * i), -1, 0.3 * std::sin(2.4 * i)))});
     }
     Camera lens;
     lens.yfov = 0.9;
-    const Shot shot{.world = &world, .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}), .exposure = -1, .settings = {{"shadows", "on"}}};
+    const Shot shot{.world = &world,
+                    .camera = look_at(lens, {-2, 2, 0}, {0, 0, -0.3}),
+                    .exposure = -1,
+                    .settings = {{"shadows", "on"}}};
     const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
     renderer->set_world(world);
     const ShadowStats stats = shadows_of(*renderer, shot.camera);
@@ -167,18 +183,22 @@ TEST(Shadows, S2_NoAcneAndNoGapInTheCity) {
     const World lamps = resolve(scene);
     World world = lamps; // a sun would not come through the sky, which is an object
     const glm::dvec3 from(-4.2, 4.5, 4.6), bin(-5.75, 0.14, 3);
-    world.lights = {{{.kind = LightKind::spot, .intensity = 90, .range = 14, .inner_cone = 0.5f, .outer_cone = 0.8f}, from,
+    world.lights = {{{.kind = LightKind::spot, .intensity = 90, .range = 14, .inner_cone = 0.5f, .outer_cone = 0.8f},
+                     from,
                      glm::normalize(bin - from)}};
     Camera lens;
     lens.yfov = 0.8;
-    expect_shadows_right({.world = &world, .camera = look_at(lens, {-3.9, 1.3, 4.9}, bin), .settings = {{"shadows", "on"}}}, 6);
+    expect_shadows_right(
+        {.world = &world, .camera = look_at(lens, {-3.9, 1.3, 4.9}, bin), .settings = {{"shadows", "on"}}}, 6);
     // Under its own lamps edges of shadows are almost everywhere.
-    const ShadowErrors errors = shadow_errors(test_device(), {.world = &lamps, .camera = lamps.cameras.at(0),
-                                                              .settings = {{"shadows", "on"}, {"shadow-budget", "67108864"}}}, 6);
+    const ShadowErrors errors = shadow_errors(test_device(),
+                                              {.world = &lamps,
+                                               .camera = lamps.cameras.at(0),
+                                               .settings = {{"shadows", "on"}, {"shadow-budget", "67108864"}}},
+                                              6);
     EXPECT_GE(errors.judged, 0.05);
     EXPECT_LE(errors.darkened, 0.0005);
 }
-
 
 // [S1] What did not change is not drawn again, and the picture is the same.
 TEST(Shadows, S1_TilesOfUnmovedLightsAreReused) {
@@ -219,7 +239,8 @@ TEST(Shadows, S1_LightsComeAndGo) {
     crowd.add_lights(40, 3, 2);
     std::vector<std::vector<PlacedLight>> steps(1, garden.world.lights);
     steps.push_back(steps[0]);
-    steps[1].insert(steps[1].end(), crowd.world.lights.begin(), crowd.world.lights.end()); // more than there is room for
+    steps[1].insert(steps[1].end(), crowd.world.lights.begin(),
+                    crowd.world.lights.end()); // more than there is room for
     steps.push_back({steps[1].begin() + 1, steps[1].begin() + 9});
     steps.push_back(steps[2]);
     steps[3][0].light.casts_shadow = false;
@@ -237,7 +258,8 @@ TEST(Shadows, S1_LightsComeAndGo) {
             world.lights = lights;
             Shot fresh = shot;
             fresh.world = &world;
-            EXPECT_TRUE(renderer->read("linear").pixels == render_linear(test_device(), fresh).pixels) << memory << ", " << lights.size() << " lights";
+            EXPECT_TRUE(renderer->read("linear").pixels == render_linear(test_device(), fresh).pixels)
+                << memory << ", " << lights.size() << " lights";
         }
     }
     expect_validation_clean(test_device());
@@ -285,7 +307,8 @@ TEST(Shadows, S2_ContactTakesALightForAsLargeAsItIs) {
         const Image image = render_linear(test_device(), shot);
         size_t count = 0;
         for (size_t i = 0; i < image.pixels.size(); ++i)
-            count += open.pixels[i].g > 0.01f && image.pixels[i].g > 0.1f * open.pixels[i].g && image.pixels[i].g < 0.9f * open.pixels[i].g;
+            count += open.pixels[i].g > 0.01f && image.pixels[i].g > 0.1f * open.pixels[i].g &&
+                     image.pixels[i].g < 0.9f * open.pixels[i].g;
         return count;
     };
     const size_t small = half_lit(0.002f), usual = half_lit(0.03f), large = half_lit(0.3f);
@@ -325,10 +348,11 @@ TEST(Shadows, S1_AThousandShadowedLights) {
     EXPECT_GE(stats.lights, 900u); // but those off screen
     EXPECT_EQ(stats.lights_without, 0u);
     EXPECT_GE(stats.smallest, 16u);
-    expect_within(compare(renderer->read("linear"),
-                          render_reference(garden.world, garden.camera, shot.width, shot.height, 0, form_of(shot)).linear,
-                          std::vector<uint8_t>(size_t(shot.width) * shot.height, 0)),
-                  {.psnr = 45, .off_share = 0.05, .block = 10}); // tiles of few texels: soft edges everywhere
+    expect_within(
+        compare(renderer->read("linear"),
+                render_reference(garden.world, garden.camera, shot.width, shot.height, 0, form_of(shot)).linear,
+                std::vector<uint8_t>(size_t(shot.width) * shot.height, 0)),
+        {.psnr = 45, .off_share = 0.05, .block = 10}); // tiles of few texels: soft edges everywhere
     expect_validation_clean(test_device());
 }
 

@@ -19,9 +19,9 @@ TEST(SharedScenes, AllRenderWithoutAValidationMessage) {
         SCOPED_TRACE(entry.path().filename());
         const Scene scene = load_gltf(entry.path());
         const World world = resolve(scene);
-        const auto renderer = create_renderer(
-            "light-prepass", &test_device(),
-            {.width = 160, .height = 90, .shading = rendered % 2 ? Shading::phong : Shading::ggx});
+        const auto renderer =
+            create_renderer("light-prepass", &test_device(),
+                            {.width = 160, .height = 90, .shading = rendered % 2 ? Shading::phong : Shading::ggx});
         renderer->set_world(world);
         for (const PlacedCamera& camera : world.cameras) {
             renderer->render(camera);
@@ -47,7 +47,8 @@ TEST(SharedScenes, SponzaWithAThousandLightsAgreesWithTheReference) {
     // Two views with little fine geometry in the distance: too many pixels beside edges do not count.
     for (const auto& [eye, target] : {std::pair(glm::dvec3(-8.5, 1.7, 0), glm::dvec3(-6, 4, 4)),
                                       std::pair(glm::dvec3(-2, 2, 0), glm::dvec3(0, 0, -0.3))})
-        expect_agrees({.world = &world, .camera = look_at(lens, eye, target), .width = 1280, .height = 720, .exposure = -1});
+        expect_agrees(
+            {.world = &world, .camera = look_at(lens, eye, target), .width = 1280, .height = 720, .exposure = -1});
 }
 
 } // namespace

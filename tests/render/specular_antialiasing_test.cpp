@@ -27,7 +27,8 @@ struct Hammered : TestWorld {
         constexpr uint32_t size = 1024;
         std::vector<uint8_t> rgba(size_t(size) * size * 4, 255);
         const auto slope = [](float a, float b) {
-            return 0.14f * (std::sin(0.71f * a) + std::sin(0.23f * a + 0.53f * b + 1) + std::sin(0.47f * a - 0.37f * b + 2));
+            return 0.14f *
+                   (std::sin(0.71f * a) + std::sin(0.23f * a + 0.53f * b + 1) + std::sin(0.47f * a - 0.37f * b + 2));
         };
         for (uint32_t y = 0; y < size; ++y)
             for (uint32_t x = 0; x < size; ++x) {
@@ -68,8 +69,10 @@ Image turned_picture(const World& world, int frame, uint32_t scale, const std::s
     const double turn = 0.0013 * frame; // a fifth of a pixel
     const PlacedCamera camera = look_at(lens, {0, 0, 22}, {22 * std::sin(turn), 0, 22 - 22 * std::cos(turn)});
     const auto made = create_renderer(renderer, &test_device(),
-                                      {.width = coarse_width * scale, .height = coarse_height * scale,
-                                       .settings = {{"specular-antialiasing", setting}}, .views = {"linear"}});
+                                      {.width = coarse_width * scale,
+                                       .height = coarse_height * scale,
+                                       .settings = {{"specular-antialiasing", setting}},
+                                       .views = {"linear"}});
     made->set_world(world);
     made->render(camera);
     return made->read("linear");

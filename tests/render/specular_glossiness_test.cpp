@@ -22,10 +22,13 @@ struct WallOfOneMaterial : TestWorld {
         add(square(2));
         add_light({.kind = LightKind::directional, .intensity = 3}, {0, 0, 1}, {0, 0, -1});
     }
-    Shot shot(const char* renderer) const { return {.world = &world, .camera = front_camera(3), .width = 65, .height = 65, .renderer = renderer}; }
+    Shot shot(const char* renderer) const {
+        return {.world = &world, .camera = front_camera(3), .width = 65, .height = 65, .renderer = renderer};
+    }
     glm::vec3 middle(const char* renderer) const {
         return std::string_view(renderer) == "reference"
-                   ? render_reference(world, front_camera(3), 65, 65, 0, form_of(shot("light-prepass"))).linear.at(32, 32)
+                   ? render_reference(world, front_camera(3), 65, 65, 0, form_of(shot("light-prepass")))
+                         .linear.at(32, 32)
                    : render_linear(test_device(), shot(renderer)).at(32, 32);
     }
 };
@@ -42,8 +45,11 @@ void expect_near(glm::vec3 a, glm::dvec3 b, double share) {
 }
 
 TEST(SpecularGlossiness, MatchesTheClosedForm) {
-    for (const auto& [diffuse, f0] : std::initializer_list<std::pair<glm::vec3, glm::vec3>>{
-             {{0.8f, 0.1f, 0.1f}, {0.04f, 0.04f, 0.04f}}, {{0.2f, 0.3f, 0.8f}, {0.9f, 0.6f, 0.1f}}, {{0, 0, 0}, {1, 0.75f, 0.25f}}, {{0.5f, 0.5f, 0.5f}, {0, 0, 0}}}) {
+    for (const auto& [diffuse, f0] :
+         std::initializer_list<std::pair<glm::vec3, glm::vec3>>{{{0.8f, 0.1f, 0.1f}, {0.04f, 0.04f, 0.04f}},
+                                                                {{0.2f, 0.3f, 0.8f}, {0.9f, 0.6f, 0.1f}},
+                                                                {{0, 0, 0}, {1, 0.75f, 0.25f}},
+                                                                {{0.5f, 0.5f, 0.5f}, {0, 0, 0}}}) {
         const WallOfOneMaterial wall(made_of(diffuse, f0, 0));
         for (const char* renderer : {"reference", "light-prepass", "z-prepass", "multipass"}) {
             SCOPED_TRACE(renderer);
@@ -70,16 +76,18 @@ TEST(SpecularGlossiness, IsMetallicRoughnessWhereThatSaysTheSame) {
         Material own, plain;
     };
     const auto plain = [](glm::vec3 base, float metallic, float roughness) {
-        return Material{.name = "plain", .base_colour = glm::vec4(base, 1), .metallic = metallic, .roughness = roughness};
+        return Material{
+            .name = "plain", .base_colour = glm::vec4(base, 1), .metallic = metallic, .roughness = roughness};
     };
     // base (1 − m) and 0.04 (1 − m) + base m
     const auto mixed = [&](float base, float m, float roughness) {
         const float f0 = 0.04f * (1 - m) + base * m, diffuse = base * (1 - m) / (1 - f0);
         return Pair{made_of(glm::vec3(diffuse), glm::vec3(f0), 1 - roughness), plain(glm::vec3(base), m, roughness)};
     };
-    for (const Pair& pair : {Pair{made_of({0.5f, 0.25f, 0.125f}, glm::vec3(0.04f), 0.5f), plain(glm::vec3(0.48f, 0.24f, 0.12f), 0, 0.5f)},
-                             Pair{made_of({0, 0, 0}, {0.9f, 0.6f, 0.2f}, 0.6f), plain({0.9f, 0.6f, 0.2f}, 1, 0.4f)},
-                             mixed(0.6f, 0.5f, 0.4f), mixed(0.5f, 0.2f, 0.7f)}) {
+    for (const Pair& pair :
+         {Pair{made_of({0.5f, 0.25f, 0.125f}, glm::vec3(0.04f), 0.5f), plain(glm::vec3(0.48f, 0.24f, 0.12f), 0, 0.5f)},
+          Pair{made_of({0, 0, 0}, {0.9f, 0.6f, 0.2f}, 0.6f), plain({0.9f, 0.6f, 0.2f}, 1, 0.4f)},
+          mixed(0.6f, 0.5f, 0.4f), mixed(0.5f, 0.2f, 0.7f)}) {
         Garden own, same;
         for (Garden* garden : {&own, &same}) {
             garden->add_lights(6, 5, 6);
@@ -99,8 +107,11 @@ TEST(SpecularGlossiness, IsMetallicRoughnessWhereThatSaysTheSame) {
 TEST(SpecularGlossiness, AgreesWithTheReferenceInEveryArchitecture) {
     Garden garden;
     garden.add_lights(6, 5, 6);
-    const glm::vec3 looks[][2] = {{{0.8f, 0.2f, 0.1f}, {0.04f, 0.04f, 0.04f}}, {{0.1f, 0.1f, 0.4f}, {0.7f, 0.5f, 0.3f}}, {{0, 0, 0}, {1, 0.8f, 0.3f}},
-                                  {{0.6f, 0.6f, 0.6f}, {0, 0, 0}}, {{0.3f, 0.7f, 0.2f}, {0.2f, 0.5f, 0.1f}}};
+    const glm::vec3 looks[][2] = {{{0.8f, 0.2f, 0.1f}, {0.04f, 0.04f, 0.04f}},
+                                  {{0.1f, 0.1f, 0.4f}, {0.7f, 0.5f, 0.3f}},
+                                  {{0, 0, 0}, {1, 0.8f, 0.3f}},
+                                  {{0.6f, 0.6f, 0.6f}, {0, 0, 0}},
+                                  {{0.3f, 0.7f, 0.2f}, {0.2f, 0.5f, 0.1f}}};
     for (size_t m = 1; m < garden.scene.materials.size(); ++m)
         garden.scene.materials[m] = made_of(looks[(m - 1) % 5][0], looks[(m - 1) % 5][1], 0.2f * float(m));
     garden.world.ambient = glm::vec3(0.1f);

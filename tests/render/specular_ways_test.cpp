@@ -1,8 +1,8 @@
 // [L5] The five ways to a material's own shininess: each against the reference of its own form, and what
 // each of them approximates.
 #include "garden.hpp"
-#include <prelight/error.hpp>
 #include <algorithm>
+#include <prelight/error.hpp>
 
 namespace prelight {
 namespace {
@@ -64,8 +64,8 @@ TEST_P(SpecularWays, AreNotAnyOther) {
         return render_reference(garden.world, garden.camera, 96, 54, 0, form).linear;
     };
     for (const char* other : {"stored", "fifth-channel", "luminance", "bent"}) {
-        const bool same = std::string(other) == GetParam() ||
-                          (std::string(other) == "luminance" && std::string(GetParam()) == "luv");
+        const bool same =
+            std::string(other) == GetParam() || (std::string(other) == "luminance" && std::string(GetParam()) == "luv");
         if (!same) {
             EXPECT_LT(compare(picture(GetParam()), picture(other)).psnr, 55) << other;
         }
@@ -107,7 +107,8 @@ TEST(L5SpecularWays, AmbientLightIsWhereNoLampIs) {
         shot.settings["light-culling"] = "fullscreen";
         shot.settings["light-writes"] = "once";
         EXPECT_GE(compare(linear, render_linear(test_device(), shot)).psnr, 60) << way;
-        EXPECT_GT(std::ranges::count_if(linear.pixels, [](const glm::vec3& p) { return p.y > 0; }), 160 * 90 / 3) << way;
+        EXPECT_GT(std::ranges::count_if(linear.pixels, [](const glm::vec3& p) { return p.y > 0; }), 160 * 90 / 3)
+            << way;
     }
     expect_validation_clean(test_device());
 }
@@ -197,12 +198,15 @@ TEST(L5SpecularWays, WhatDoesNotGoTogetherIsRefused) {
     using testing::HasSubstr;
     for (const char* way : later_ways)
         EXPECT_THAT(refusal(Shading::ggx, {{"specular", way}}), HasSubstr("phong"));
-    EXPECT_THAT(refusal(Shading::phong, {{"specular", "luminance"}, {"light-buffer", "rgba16f"}}), HasSubstr("packed-rgba16f"));
+    EXPECT_THAT(refusal(Shading::phong, {{"specular", "luminance"}, {"light-buffer", "rgba16f"}}),
+                HasSubstr("packed-rgba16f"));
     EXPECT_THAT(refusal(Shading::phong, {{"specular", "bent"}, {"light-buffer", "rgba8"}}), HasSubstr("packed-rgba8"));
-    EXPECT_THAT(refusal(Shading::phong, {{"specular", "luv"}, {"light-culling", "volumes"}}), HasSubstr("blends light by light"));
+    EXPECT_THAT(refusal(Shading::phong, {{"specular", "luv"}, {"light-culling", "volumes"}}),
+                HasSubstr("blends light by light"));
     EXPECT_THAT(refusal(Shading::phong, {{"specular", "luv"}, {"light-writes", "blended"}}), HasSubstr("written once"));
     for (const char* way : {"luv", "fifth-channel", "luminance"})
-        EXPECT_THAT(refusal(Shading::phong, {{"specular", way}, {"specular-gate", "step"}}), HasSubstr("specular-gate"));
+        EXPECT_THAT(refusal(Shading::phong, {{"specular", way}, {"specular-gate", "step"}}),
+                    HasSubstr("specular-gate"));
     EXPECT_EQ(refusal(Shading::phong, {{"specular", "bent"}, {"specular-gate", "step"}}), "accepted");
 }
 

@@ -22,7 +22,8 @@ std::vector<Shot> every_steady_way(const Shot& shot) {
     for (const char* renderer : {"light-prepass", "z-prepass"}) {
         shots.push_back(shot);
         shots.back().renderer = renderer;
-        shots.back().settings = {{"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}};
+        shots.back().settings = {
+            {"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}};
     }
     return shots;
 }

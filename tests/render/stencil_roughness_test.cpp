@@ -36,8 +36,13 @@ void expect_same_in_stencil(Shot shot) {
 TEST(PowerInStencil, IsTheSamePictureAsBesideTheNormal) {
     const SevenLights garden;
     expect_same_in_stencil(lit(garden, {}, Shading::ggx));
-    for (const Words& settings : {Words{}, {{"normals", "rgb8"}, {"normal-space", "view"}}, {{"geometry", "two-passes"}}, {{"depth", "r32f"}},
-                                  {{"geometry", "two-passes"}, {"depth", "rgba8"}}, {{"light-buffer", "packed-rgba16f"}}, {{"light-buffer", "rgba8"}}})
+    for (const Words& settings : {Words{},
+                                  {{"normals", "rgb8"}, {"normal-space", "view"}},
+                                  {{"geometry", "two-passes"}},
+                                  {{"depth", "r32f"}},
+                                  {{"geometry", "two-passes"}, {"depth", "rgba8"}},
+                                  {{"light-buffer", "packed-rgba16f"}},
+                                  {{"light-buffer", "rgba8"}}})
         expect_same_in_stencil(lit(garden, settings));
 }
 
@@ -117,13 +122,15 @@ TEST(PowerInStencil, IsRefusedWhereStencilIsTakenOrPowerIsNotStored) {
         return "accepted";
     };
     using testing::HasSubstr;
-    EXPECT_THAT(refusal({{"light-culling", "stencil"}}, Shading::ggx), HasSubstr("light-culling=stencil marks lights there"));
+    EXPECT_THAT(refusal({{"light-culling", "stencil"}}, Shading::ggx),
+                HasSubstr("light-culling=stencil marks lights there"));
     EXPECT_THAT(refusal({{"specular", "luminance"}}, Shading::phong), HasSubstr("needs specular=stored"));
     EXPECT_EQ(refusal({}, Shading::phong), "accepted");
 }
 
 TEST(PowerInStencil, GoesBesideTheNormalWhereFragmentsCannotWriteStencil) {
-    const auto device = Device::create({.select = "cpu", .validate = true, .hidden_extensions = {VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME}});
+    const auto device = Device::create(
+        {.select = "cpu", .validate = true, .hidden_extensions = {VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME}});
     const SevenLights garden;
     const Shot shot = lit(garden, {{"roughness", "stencil"}});
     const auto renderer = create_renderer("light-prepass", device.get(), options_of(shot));

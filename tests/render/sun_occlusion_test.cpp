@@ -1,4 +1,5 @@
-// Valient's sun occlusion channel: the shadow of the first directional light, written once a pixel and read by the light pass.
+// Valient's sun occlusion channel: the shadow of the first directional light, written once a pixel and read by the
+// light pass.
 #include "garden.hpp"
 
 namespace prelight {
@@ -7,15 +8,18 @@ namespace {
 /// Two suns with shadows, a point light and a spot.
 struct SunnyGarden : Garden {
     SunnyGarden() {
-        add_light({.kind = LightKind::directional, .colour = {1, 0.9f, 0.8f}, .intensity = 0.8f}, at(0, 5, 0), {-0.5, -1, -0.3});
-        add_light({.kind = LightKind::directional, .colour = {0.3f, 0.4f, 0.6f}, .intensity = 0.3f}, at(0, 5, 0), {0.6, -1, -0.2});
+        add_light({.kind = LightKind::directional, .colour = {1, 0.9f, 0.8f}, .intensity = 0.8f}, at(0, 5, 0),
+                  {-0.5, -1, -0.3});
+        add_light({.kind = LightKind::directional, .colour = {0.3f, 0.4f, 0.6f}, .intensity = 0.3f}, at(0, 5, 0),
+                  {0.6, -1, -0.2});
         add_light(point(9, 7), at(-1, 2.6, 2.2));
         add_light(spot(0.6f, 12, 40), at(4, 5, 3), {-0.7, -1, -0.6});
     }
     Shot shot() const {
         Shot shot = Garden::shot();
         shot.renderer = "deferred";
-        shot.settings = {{"g-buffer", "killzone2"}, {"shadows", "on"}, {"shadow-detail", "0.5"}, {"shadow-budget", "67108864"}};
+        shot.settings = {
+            {"g-buffer", "killzone2"}, {"shadows", "on"}, {"shadow-detail", "0.5"}, {"shadow-budget", "67108864"}};
         return shot;
     }
 };
@@ -28,8 +32,13 @@ TEST(SunOcclusion, D1_ThePictureIsThatOfMapsReadInTheLightPass) {
     faint.light.intensity = 1e-9f;
     without.lights.insert(without.lights.begin(), faint);
     for (const char* filter : {"hard", "pcf", "contact"})
-        for (const auto& [culling, memory] : {std::pair("tiles", "atlas"), {"clusters", "atlas"}, {"volumes", "atlas"}, {"volumes", "reuse"},
-                                              {"rectangles", "reuse"}, {"stencil", "reuse"}, {"fullscreen", "reuse"}}) {
+        for (const auto& [culling, memory] : {std::pair("tiles", "atlas"),
+                                              {"clusters", "atlas"},
+                                              {"volumes", "atlas"},
+                                              {"volumes", "reuse"},
+                                              {"rectangles", "reuse"},
+                                              {"stencil", "reuse"},
+                                              {"fullscreen", "reuse"}}) {
             Shot shot = garden.shot();
             shot.settings["light-culling"] = culling;
             shot.settings["shadow-memory"] = memory;
@@ -87,7 +96,8 @@ TEST(SunOcclusion, D1_ThePresetAgreesWithShadowRays) {
     shot.settings["specular-antialiasing"] = "off";
     ReferenceForm form = form_of(shot);
     form.grey_reflectance = true; // what the layout can hold
-    const ReferencePicture reference = render_reference(garden.world, shot.camera, shot.width, shot.height, shot.exposure, form);
+    const ReferencePicture reference =
+        render_reference(garden.world, shot.camera, shot.width, shot.height, shot.exposure, form);
     expect_within(compare(render_linear(test_device(), shot), reference.linear, reference.left_out()), rgba8_bound);
     expect_validation_clean(test_device());
 }

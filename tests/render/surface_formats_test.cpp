@@ -45,7 +45,8 @@ TEST_P(L1Normals, ViewShowsTheReferencesNormals) {
     garden.camera = look_at(garden.camera.camera, {0, 1.2, -3.2}, {0, 0.8, 0});
     const ReferencePicture reference = render_reference(garden.world, garden.camera, 320, 180, 0, {});
     const std::vector<uint8_t> left_out = reference.left_out();
-    RenderOptions options{.width = 320, .height = 180, .settings = {{"normals", normals}, {"normal-space", space}}, .views = {"normal"}};
+    RenderOptions options{
+        .width = 320, .height = 180, .settings = {{"normals", normals}, {"normal-space", space}}, .views = {"normal"}};
     const auto renderer = create_renderer("light-prepass", &test_device(), options);
     renderer->set_world(garden.world);
     renderer->render(garden.camera);

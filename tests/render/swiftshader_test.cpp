@@ -43,7 +43,8 @@ TEST_F(SwiftShader, EveryLightBufferAndEncodingAgreesWithTheReference) {
 TEST_F(SwiftShader, S3_CookiesAndProfilesAgreeWithTheReference) {
     Garden garden;
     garden.scene.images = {window_cookie(), lantern_cookie(), dice_cookie()};
-    Light window = garden.spot(0.6f, 14, 70), lantern = garden.point(9, 9), dice = garden.point(8, 8), lamp = garden.point(9, 8);
+    Light window = garden.spot(0.6f, 14, 70), lantern = garden.point(9, 9), dice = garden.point(8, 8),
+          lamp = garden.point(9, 8);
     window.cookie = 0, lantern.cookie = 1, dice.cookie = 2;
     lamp.profile = std::make_shared<const LightProfile>(parse_profile(wall_lamp_profile(), "wall lamp"));
     garden.add_light(window, {3, 5.5, 4}, {-0.5, -1, -0.7});
@@ -67,10 +68,12 @@ TEST_F(SwiftShader, S1_ShadowsAgreeWithShadowRays) {
     Garden garden;
     garden.add_light(garden.point(9, 7), {-1, 2.6, 2.2}, {0, -1, 0});
     garden.add_light(garden.spot(0.6f, 12, 40), {4, 5, 3}, glm::normalize(glm::dvec3(-0.7, -1, -0.6)));
-    garden.add_light({.kind = LightKind::directional, .intensity = 0.8f}, {0, 0, 0}, glm::normalize(glm::dvec3(-0.5, -1, -0.3)));
+    garden.add_light({.kind = LightKind::directional, .intensity = 0.8f}, {0, 0, 0},
+                     glm::normalize(glm::dvec3(-0.5, -1, -0.3)));
     for (const char* memory : {"atlas", "reuse"}) {
         Shot shot = garden.shot();
-        shot.settings = {{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-memory", memory}};
+        shot.settings = {
+            {"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-memory", memory}};
         const Comparison c = against_reference(*device_, shot);
         EXPECT_GE(c.psnr, half_float_bound.psnr);
         EXPECT_LE(c.off_share, half_float_bound.off_share);
@@ -88,7 +91,8 @@ TEST_F(SwiftShader, DecalsAgreeWithTheReference) {
         shot.width = 160, shot.height = 90;
         const Comparison c = against_reference(*device_, shot);
         EXPECT_GE(c.psnr, half_float_bound.psnr);
-        // It filters textures in fewer bits: the middle of a highlight on the gold ball, whose roughness comes from one.
+        // It filters textures in fewer bits: the middle of a highlight on the gold ball, whose roughness comes from
+        // one.
         EXPECT_LE(c.off_share, 2 * half_float_bound.off_share);
         EXPECT_LE(c.block, half_float_bound.block);
         expect_validation_clean(*device_);

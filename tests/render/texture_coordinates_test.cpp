@@ -14,8 +14,8 @@ namespace {
 const std::vector<std::string> renderers_with_reference{"light-prepass", "deferred", "z-prepass", "multipass",
                                                         "reference"};
 
-Image picture_by(const World& world, const PlacedCamera& camera, const std::string& renderer,
-                 uint32_t width = 192, uint32_t height = 144) {
+Image picture_by(const World& world, const PlacedCamera& camera, const std::string& renderer, uint32_t width = 192,
+                 uint32_t height = 144) {
     RenderOptions options{.width = width, .height = height};
     options.settings = {{"texture-filter", "bilinear"}};
     options.views = {"linear"};
@@ -65,7 +65,8 @@ Primitive patch(glm::vec2 middle, float half) {
             const float u = static_cast<float>(x) / n, v = static_cast<float>(y) / n;
             const glm::vec2 at = middle + half * glm::vec2(2 * u - 1, 1 - 2 * v);
             p.positions.emplace_back(at.x, at.y, 0.1f * std::sin(4 * u) * std::cos(3 * v));
-            p.normals.push_back(glm::normalize(glm::vec3(-0.4f * std::cos(4 * u) * std::cos(3 * v), -0.3f * std::sin(4 * u) * std::sin(3 * v), 2 * half)));
+            p.normals.push_back(glm::normalize(glm::vec3(-0.4f * std::cos(4 * u) * std::cos(3 * v),
+                                                         -0.3f * std::sin(4 * u) * std::sin(3 * v), 2 * half)));
             p.texcoords[0].emplace_back(u + 0.3f * v, v);
         }
     for (uint32_t y = 0; y < n; ++y)
@@ -86,28 +87,38 @@ uint32_t add_waves(TestWorld& world, bool heights = false) {
             const float u = (x + 0.5f) / size * 6.2831853f, v = (y + 0.5f) / size * 6.2831853f;
             const glm::vec3 n = glm::normalize(glm::vec3(0.5f * std::sin(u), 0.25f * std::cos(2 * v), 1));
             for (int c = 0; c < 3; ++c)
-                rgba.push_back(static_cast<uint8_t>(std::lround(255 * (heights ? 0.5f + 0.2f * std::sin(u) + 0.2f * std::sin(2 * v) : 0.5f + 0.5f * n[c]))));
+                rgba.push_back(static_cast<uint8_t>(std::lround(
+                    255 * (heights ? 0.5f + 0.2f * std::sin(u) + 0.2f * std::sin(2 * v) : 0.5f + 0.5f * n[c]))));
             rgba.push_back(255);
         }
     return world.add_image(size, size, std::move(rgba));
 }
 
 void light_up(TestWorld& world) {
-    world.add_light({.kind = LightKind::directional, .colour = {1, 0.9f, 0.7f}, .intensity = 2}, {}, {-0.7, -0.4, -0.6});
+    world.add_light({.kind = LightKind::directional, .colour = {1, 0.9f, 0.7f}, .intensity = 2}, {},
+                    {-0.7, -0.4, -0.6});
     world.world.ambient = {0.05f, 0.05f, 0.05f};
 }
 
 /// Twelve ways to read a texture.
 std::vector<TextureRef> twelve_ways(uint32_t image) {
-    return {turned(image, 0, {1, 1}, {0.3f, 0.1f}), turned(image, 0.5236f, {1, 1}), turned(image, 1.5708f, {1, 1}, {0, 1}),
-            turned(image, 3.1416f, {1, 1}),         turned(image, -0.7f, {2, 2}),   turned(image, 0, {-1, 1}, {1, 0}),
-            turned(image, 0, {1, -1}, {0, 1}),      turned(image, 0, {3, 0.5f}),    turned(image, 0.9f, {0.5f, 2}),
-            turned(image, 2.2f, {-1, 0.7f}),        turned(image, 1, {-1, -1}),     turned(image, -1.5708f, {1, -2}, {0.5f, 0.5f})};
+    return {turned(image, 0, {1, 1}, {0.3f, 0.1f}),
+            turned(image, 0.5236f, {1, 1}),
+            turned(image, 1.5708f, {1, 1}, {0, 1}),
+            turned(image, 3.1416f, {1, 1}),
+            turned(image, -0.7f, {2, 2}),
+            turned(image, 0, {-1, 1}, {1, 0}),
+            turned(image, 0, {1, -1}, {0, 1}),
+            turned(image, 0, {3, 0.5f}),
+            turned(image, 0.9f, {0.5f, 2}),
+            turned(image, 2.2f, {-1, 0.7f}),
+            turned(image, 1, {-1, -1}),
+            turned(image, -1.5708f, {1, -2}, {0.5f, 0.5f})};
 }
 
 /// A wall of twelve patches, each with a material that reads its maps in another way: by transform or from `set`, in
-/// which the coordinates are baked. `first`: 1 leaves out the one with a mere offset, for which a map beside the normal map
-/// shares its smooth frame in set 0, and has its triangles' in set 1.
+/// which the coordinates are baked. `first`: 1 leaves out the one with a mere offset, for which a map beside the normal
+/// map shares its smooth frame in set 0, and has its triangles' in set 1.
 enum class CoordinatesBy { transform, set_0, set_1 };
 template <class Dress>
 std::unique_ptr<TestWorld> wall(CoordinatesBy way, bool heights, Dress dress, uint32_t first = 0) {
@@ -203,7 +214,9 @@ TEST(DetailMapCoordinates, TurnSlopesAsTheNormalMapItselfWould) {
     // UDN takes slopes from the texel's own length: a little off where z of the map is not 1.
     for (const std::string& renderer : renderers_with_reference)
         EXPECT_LT(largest_difference(picture_by(detail->world, wall_camera, renderer),
-                                     picture_by(normal->world, wall_camera, renderer)), 0.05) << renderer;
+                                     picture_by(normal->world, wall_camera, renderer)),
+                  0.05)
+            << renderer;
 }
 
 TEST(ReliefCoordinates, MoveEveryMapWithThem) {
@@ -221,7 +234,8 @@ TEST(NormalMapCoordinates, CasesAreTheirPlainForms) {
     if (!std::filesystem::exists(folder))
         GTEST_SKIP() << "no cases beside the repository";
     for (const char* name : {"normal_transform_rot30", "normal_transform_rot90"}) {
-        const Scene given = load_gltf(folder / (std::string(name) + ".glb")), right = load_gltf(folder / (std::string(name) + "_right.glb"));
+        const Scene given = load_gltf(folder / (std::string(name) + ".glb")),
+                    right = load_gltf(folder / (std::string(name) + "_right.glb"));
         const World a = resolve(given), b = resolve(right);
         expect_same_picture(a, b, a.cameras.at(0));
     }

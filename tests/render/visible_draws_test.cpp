@@ -18,7 +18,7 @@ struct Drawn {
 };
 
 Drawn drawn_with(const World& world, const PlacedCamera& camera, const SettingMap& settings,
-           const std::string& renderer = "light-prepass", Device& device = test_device()) {
+                 const std::string& renderer = "light-prepass", Device& device = test_device()) {
     const RenderOptions options{.width = 240, .height = 136, .settings = settings, .views = {"depth"}};
     const auto made = create_renderer(renderer, &device, options);
     made->set_world(world);
@@ -81,9 +81,8 @@ TEST(VisibleDraws, G3_CamerasOutsideInsideAndOrthographic) {
     garden.world.triangles = triangles;
     const Camera lens = garden.camera.camera;
     for (const PlacedCamera& camera :
-         {garden.camera, orthographic(garden.camera),
-          look_at(lens, {0, 1, 0.8}, {0, 0.6, 5}),          // inside a sphere
-          look_at(lens, {0, 0.3, 2.1}, {2, 0.9, -1}),       // spheres beside and behind the camera
+         {garden.camera, orthographic(garden.camera), look_at(lens, {0, 1, 0.8}, {0, 0.6, 5}), // inside a sphere
+          look_at(lens, {0, 0.3, 2.1}, {2, 0.9, -1}),        // spheres beside and behind the camera
           look_at(lens, {-4.0, 1.02, 1.805}, {-4, 1, 0.8})}) // the near plane cuts one
         expect_same_bytes(garden.world, camera);
 }
@@ -231,13 +230,15 @@ TEST(VisibleDraws, G2_TheDeviceKeepsTheOrder) {
     TestWorld test;
     test.add_material({.name = "paint", .base_colour = {1, 1, 1, 1}, .metallic = 0, .roughness = 0.9f, .unlit = true});
     Primitive pile;
-    for (uint32_t i = 0; i < 2000; ++i) { // squares at 25 places, over and over in another colour; each third one faces away
+    for (uint32_t i = 0; i < 2000;
+         ++i) { // squares at 25 places, over and over in another colour; each third one faces away
         const float x = static_cast<float>(i % 5) - 2.5f, y = static_cast<float>(i / 5 % 5) - 2.5f;
         const uint32_t base = static_cast<uint32_t>(pile.positions.size());
         for (const glm::vec2& corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1)}) {
             pile.positions.emplace_back(x + corner.x, y + corner.y, 0);
             pile.normals.emplace_back(0, 0, 1);
-            pile.colours.emplace_back(static_cast<float>(i * 37 % 256) / 255, static_cast<float>(i * 91 % 256) / 255, 0.5f, 1);
+            pile.colours.emplace_back(static_cast<float>(i * 37 % 256) / 255, static_cast<float>(i * 91 % 256) / 255,
+                                      0.5f, 1);
         }
         for (const uint32_t corner : {0u, i % 3 ? 1u : 2u, i % 3 ? 2u : 1u})
             pile.indices.push_back(base + corner);
@@ -280,7 +281,8 @@ protected:
         primitive.indices = {0, 1, 2};
         return trim(primitive, glm::mat4(1), mirrored, double_sided);
     }
-    static bool trim(const Primitive& primitive, const glm::mat4& clip, bool mirrored = false, bool double_sided = false) {
+    static bool trim(const Primitive& primitive, const glm::mat4& clip, bool mirrored = false,
+                     bool double_sided = false) {
         shared::ObjectData object{};
         for (int r = 0; r < 3; ++r)
             object.world_row[r][r] = 1;

@@ -29,7 +29,8 @@ using prelight::VulkanCalls, prelight::pass_on;
 
 extern "C" {
 
-VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
+VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* infos,
+                                              VkFence fence) {
     if (VulkanCalls* calls = VulkanCalls::active(); calls && calls->device)
         for (uint32_t i = 0; i < count; ++i) {
             uint64_t done = 0;
@@ -54,19 +55,19 @@ VKAPI_ATTR void VKAPI_CALL vkCmdBindDescriptorSets(VkCommandBuffer commands, VkP
         commands, point, layout, first, count, sets, offset_count, offsets);
 }
 
-VKAPI_ATTR void VKAPI_CALL vkCmdDraw(VkCommandBuffer commands, uint32_t vertices, uint32_t instances, uint32_t first_vertex,
-                                     uint32_t first_instance) {
+VKAPI_ATTR void VKAPI_CALL vkCmdDraw(VkCommandBuffer commands, uint32_t vertices, uint32_t instances,
+                                     uint32_t first_vertex, uint32_t first_instance) {
     if (VulkanCalls* calls = VulkanCalls::active())
         calls->instances += instances;
     pass_on(&vkCmdDraw, "vkCmdDraw", &VulkanCalls::draws)(commands, vertices, instances, first_vertex, first_instance);
 }
 
-VKAPI_ATTR void VKAPI_CALL vkCmdDrawIndexed(VkCommandBuffer commands, uint32_t indices, uint32_t instances, uint32_t first_index,
-                                            int32_t vertex_offset, uint32_t first_instance) {
+VKAPI_ATTR void VKAPI_CALL vkCmdDrawIndexed(VkCommandBuffer commands, uint32_t indices, uint32_t instances,
+                                            uint32_t first_index, int32_t vertex_offset, uint32_t first_instance) {
     if (VulkanCalls* calls = VulkanCalls::active())
         calls->instances += instances;
-    pass_on(&vkCmdDrawIndexed, "vkCmdDrawIndexed", &VulkanCalls::draws)(commands, indices, instances, first_index, vertex_offset,
-                                                                        first_instance);
+    pass_on(&vkCmdDrawIndexed, "vkCmdDrawIndexed", &VulkanCalls::draws)(commands, indices, instances, first_index,
+                                                                        vertex_offset, first_instance);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
@@ -76,16 +77,17 @@ VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryA
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateGraphicsPipelines(VkDevice device, VkPipelineCache cache, uint32_t count,
                                                          const VkGraphicsPipelineCreateInfo* infos,
-                                                         const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
-    return pass_on(&vkCreateGraphicsPipelines, "vkCreateGraphicsPipelines", &VulkanCalls::pipelines, count)(
-        device, cache, count, infos, allocator, pipelines);
+                                                         const VkAllocationCallbacks* allocator,
+                                                         VkPipeline* pipelines) {
+    return pass_on(&vkCreateGraphicsPipelines, "vkCreateGraphicsPipelines", &VulkanCalls::pipelines,
+                   count)(device, cache, count, infos, allocator, pipelines);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipelineCache cache, uint32_t count,
                                                         const VkComputePipelineCreateInfo* infos,
                                                         const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
-    return pass_on(&vkCreateComputePipelines, "vkCreateComputePipelines", &VulkanCalls::pipelines, count)(
-        device, cache, count, infos, allocator, pipelines);
+    return pass_on(&vkCreateComputePipelines, "vkCreateComputePipelines", &VulkanCalls::pipelines,
+                   count)(device, cache, count, infos, allocator, pipelines);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateBuffer(VkDevice device, const VkBufferCreateInfo* info,
@@ -101,7 +103,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateImage(VkDevice device, const VkImageCreat
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateDescriptorPool(VkDevice device, const VkDescriptorPoolCreateInfo* info,
                                                       const VkAllocationCallbacks* allocator, VkDescriptorPool* pool) {
     return pass_on(&vkCreateDescriptorPool, "vkCreateDescriptorPool", &VulkanCalls::descriptor_pools)(device, info,
-                                                                                                     allocator, pool);
+                                                                                                      allocator, pool);
 }
 
 } // extern "C"

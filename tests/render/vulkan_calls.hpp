@@ -20,7 +20,7 @@ public:
     /// signals; 0 without a device.
     uint64_t overlapping = 0;
     VkDevice device = VK_NULL_HANDLE;
-    uint64_t waits = 0; ///< for semaphores
+    uint64_t waits = 0;                   ///< for semaphores
     std::set<VkDescriptorSet> frame_sets; ///< that were bound as SET_FRAME
     uint64_t draws = 0, instances = 0;    ///< of draws that the host counts: not indirect ones
     uint64_t allocations = 0, pipelines = 0, buffers = 0, images = 0, descriptor_pools = 0;

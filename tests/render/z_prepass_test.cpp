@@ -74,7 +74,8 @@ TEST(ZPrepass, Z2_ObjectIsDrawnAgainForEachEightLights) {
     const Shot shot = z_prepass({.world = &test.world, .camera = front_camera(5)});
     const auto add_until = [&](size_t count) {
         for (size_t i = test.world.lights.size(); i < count; ++i)
-            test.add_light({.kind = LightKind::point, .intensity = 0.3f, .range = 3}, {0.15 * double(i) - 1.4, 0.3 * double(i % 7) - 1, 1});
+            test.add_light({.kind = LightKind::point, .intensity = 0.3f, .range = 3},
+                           {0.15 * double(i) - 1.4, 0.3 * double(i % 7) - 1, 1});
     };
     const std::pair<size_t, uint64_t> expected[] = {{0, 2}, {8, 2}, {9, 3}, {16, 3}, {19, 4}};
     for (const auto& [lights, draws] : expected) {
@@ -91,7 +92,12 @@ TEST(ZPrepass, Z2_ListsGoByStrength) {
     const auto light = [](float intensity, double z, float range = 10) {
         return PlacedLight{{.kind = LightKind::point, .intensity = intensity, .range = range}, {0, 0, z}};
     };
-    const std::vector<PlacedLight> lights{light(1, 2), light(8, 2), light(4, 1.5), light(100, 30), light(2, 2), light(1, 2),
+    const std::vector<PlacedLight> lights{light(1, 2),
+                                          light(8, 2),
+                                          light(4, 1.5),
+                                          light(100, 30),
+                                          light(2, 2),
+                                          light(1, 2),
                                           {{.kind = LightKind::directional, .intensity = 3}, {0, 0, 0}}};
     resident::Draw draw;
     draw.low = {-1, -1, -1};

@@ -61,8 +61,8 @@ TEST(Sample, RotationsTakeTheShorterArc) {
 
 TEST(Sample, RotationsComeOutOfUnitLength) {
     const AnimationSampler cubic{{0, 2},
-                                 {0, 0, 0, 0, 0, 0, 0, 1, 0.5f, 0, 0, 0, //
-                                  0, 0, 0, 0, 0, 0.6f, 0, 0.8f, 0, 0, 0, 0},
+                                 {0, 0, 0, 0, 0, 0,    0, 1,    0.5f, 0, 0, 0, //
+                                  0, 0, 0, 0, 0, 0.6f, 0, 0.8f, 0,    0, 0, 0},
                                  Interpolation::cubic_spline};
     // t = 1/2: (0, 0.3, 0, 0.9) + 2 · 1/8 · (0.5, 0, 0, 0), then of unit length.
     const double length = std::sqrt(0.125 * 0.125 + 0.09 + 0.81);
@@ -88,9 +88,8 @@ Scene moving_triangle() {
     scene.nodes[1].trs = Trs{{5, 6, 7}, {1, 0, 0, 0}, {2, 2, 2}};
     scene.nodes[1].local = scene.nodes[1].trs->matrix();
     scene.scenes.push_back({"", {0}});
-    scene.animations.push_back({"walk",
-                                {{{1, 3}, {0, 0, 0, 2, 0, 0}, Interpolation::linear}},
-                                {{0, 1, AnimationPath::translation}}});
+    scene.animations.push_back(
+        {"walk", {{{1, 3}, {0, 0, 0, 2, 0, 0}, Interpolation::linear}}, {{0, 1, AnimationPath::translation}}});
     return scene;
 }
 

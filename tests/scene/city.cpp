@@ -45,8 +45,8 @@ uint64_t digest(const Scene& scene) {
     for (const Node& node : scene.nodes)
         d.add(std::vector{node.local});
     for (const Light& light : scene.lights)
-        d.add(std::vector{light.colour.r, light.colour.g, light.colour.b, light.intensity,
-                          light.range, light.inner_cone, light.outer_cone});
+        d.add(std::vector{light.colour.r, light.colour.g, light.colour.b, light.intensity, light.range,
+                          light.inner_cone, light.outer_cone});
     return d.value;
 }
 
@@ -76,9 +76,8 @@ struct Ref {
 std::vector<Ref> textures(const Material& m) {
     std::vector<Ref> used;
     for (const Ref& r :
-         {Ref{"base colour", m.base_colour_texture},
-          Ref{"metallic-roughness", m.metallic_roughness_texture}, Ref{"normal", m.normal_texture},
-          Ref{"occlusion", m.occlusion_texture}, Ref{"emissive", m.emissive_texture}})
+         {Ref{"base colour", m.base_colour_texture}, Ref{"metallic-roughness", m.metallic_roughness_texture},
+          Ref{"normal", m.normal_texture}, Ref{"occlusion", m.occlusion_texture}, Ref{"emissive", m.emissive_texture}})
         if (r.ref)
             used.push_back(r);
     return used;
@@ -93,8 +92,7 @@ TEST_P(CityLights, AreExactlyAsMany) {
     for (const uint32_t root : scene.scenes.at(0).nodes)
         if (const auto light = scene.nodes.at(root).light)
             ++used.at(*light);
-    EXPECT_EQ(std::count(used.begin(), used.end(), 1u), std::ptrdiff_t(GetParam()))
-        << "each light hangs on one node";
+    EXPECT_EQ(std::count(used.begin(), used.end(), 1u), std::ptrdiff_t(GetParam())) << "each light hangs on one node";
     for (const Light& light : scene.lights) {
         ASSERT_TRUE(std::isfinite(light.intensity) && light.intensity > 0);
         ASSERT_TRUE(std::isfinite(light.range) && light.range > 0);
@@ -149,8 +147,7 @@ TEST(City, ObjectsDoNotDependOnTheNumberOfLights) {
     ASSERT_EQ(few.meshes.size(), city().meshes.size());
     for (size_t i = 0; i < few.meshes.size(); ++i)
         for (size_t k = 0; k < few.meshes[i].primitives.size(); ++k)
-            EXPECT_EQ(few.meshes[i].primitives[k].positions,
-                      city().meshes[i].primitives[k].positions);
+            EXPECT_EQ(few.meshes[i].primitives[k].positions, city().meshes[i].primitives[k].positions);
 }
 
 TEST(City, HasTheSizeOfItsDescription) {
@@ -212,12 +209,11 @@ TEST(City, TrianglesHaveAreaAndTurnTheWayTheirNormalsFace) {
         for (size_t i = 0; i < p.indices.size(); i += 3) {
             const uint32_t a = p.indices[i], b = p.indices[i + 1], c = p.indices[i + 2];
             const glm::dvec3 origin(p.positions[a]);
-            const glm::dvec3 cross = glm::cross(glm::dvec3(p.positions[b]) - origin,
-                                                glm::dvec3(p.positions[c]) - origin);
+            const glm::dvec3 cross =
+                glm::cross(glm::dvec3(p.positions[b]) - origin, glm::dvec3(p.positions[c]) - origin);
             ASSERT_GT(glm::length(cross), 1e-9) << "triangle " << i / 3;
             for (const uint32_t v : {a, b, c})
-                ASSERT_GT(glm::dot(glm::normalize(cross), glm::dvec3(p.normals[v])), 0)
-                    << "triangle " << i / 3;
+                ASSERT_GT(glm::dot(glm::normalize(cross), glm::dvec3(p.normals[v])), 0) << "triangle " << i / 3;
         }
     });
 }
@@ -228,8 +224,7 @@ TEST(City, TangentsFollowTheTextureCoordinates) {
     for_each_primitive(city(), [&](const Primitive& p) {
         for (size_t i = 0; i < p.indices.size() && !p.tangents.empty(); i += 3) {
             const uint32_t a = p.indices[i], b = p.indices[i + 1], c = p.indices[i + 2];
-            const glm::dvec3 e1(p.positions[b] - p.positions[a]),
-                e2(p.positions[c] - p.positions[a]);
+            const glm::dvec3 e1(p.positions[b] - p.positions[a]), e2(p.positions[c] - p.positions[a]);
             const auto& uv = p.texcoords[0];
             const glm::dvec2 d1(uv[b] - uv[a]), d2(uv[c] - uv[a]);
             const double det = d1.x * d2.y - d2.x * d1.y;
@@ -238,9 +233,7 @@ TEST(City, TangentsFollowTheTextureCoordinates) {
             const glm::dvec3 along_v = (e2 * d1.x - e1 * d2.x) / det;
             const glm::dvec3 n(p.normals[a]), t(p.tangents[a]);
             ASSERT_GT(glm::dot(glm::normalize(along_u), t), 0.999);
-            ASSERT_GT(
-                glm::dot(glm::normalize(-along_v), glm::cross(n, t) * double(p.tangents[a].w)),
-                0.999);
+            ASSERT_GT(glm::dot(glm::normalize(-along_v), glm::cross(n, t) * double(p.tangents[a].w)), 0.999);
             ++checked;
         }
     });
@@ -260,8 +253,7 @@ TEST(City, MaterialsReferToPicturesAndPrimitivesCarryWhatTheyNeed) {
         used[p.material] = true;
         const Material& material = city().materials[p.material];
         for (const Ref& r : textures(material))
-            EXPECT_EQ(p.texcoords[r.ref.texcoord].size(), p.positions.size())
-                << material.name << ' ' << r.what;
+            EXPECT_EQ(p.texcoords[r.ref.texcoord].size(), p.positions.size()) << material.name << ' ' << r.what;
         EXPECT_EQ(p.tangents.empty(), !material.normal_texture) << material.name;
     });
     EXPECT_EQ(std::count(used.begin(), used.end(), false), 0);
@@ -305,10 +297,8 @@ TEST(City, PicturesThatRepeatAreContinuousOverTheirEdges) {
                 inside.push_back(step_across(image, line, vertical));
             std::sort(inside.begin(), inside.end());
             const bool slopes = image.name.ends_with("normal");
-            const double bound =
-                slopes ? 1.1 * inside.back() : 1.5 * inside[inside.size() / 2] + 0.5;
-            EXPECT_LE(step_across(image, 0, vertical), bound)
-                << image.name << (vertical ? " u" : " v");
+            const double bound = slopes ? 1.1 * inside.back() : 1.5 * inside[inside.size() / 2] + 0.5;
+            EXPECT_LE(step_across(image, 0, vertical), bound) << image.name << (vertical ? " u" : " v");
         }
     }
     EXPECT_EQ(checked, 11);
@@ -330,10 +320,9 @@ TEST(City, NoTwoFacesFightForOnePlane) {
         for (const CoplanarPair& pair : pairs) {
             const std::string what = name_of(world, pair.a) + " | " + name_of(world, pair.b);
             if (told.insert(what).second)
-                ADD_FAILURE() << what << ": " << 1e4 * pair.area << " cm² at (" << pair.point.x
-                              << ", " << pair.point.y << ", " << pair.point.z << ") facing ("
-                              << pair.normal.x << ", " << pair.normal.y << ", " << pair.normal.z
-                              << ')';
+                ADD_FAILURE() << what << ": " << 1e4 * pair.area << " cm² at (" << pair.point.x << ", " << pair.point.y
+                              << ", " << pair.point.z << ") facing (" << pair.normal.x << ", " << pair.normal.y << ", "
+                              << pair.normal.z << ')';
         }
     }
 }

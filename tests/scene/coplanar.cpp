@@ -34,8 +34,7 @@ std::vector<Triangle> triangles(const World& world, double margin) {
                 Triangle& out = list.emplace_back();
                 for (uint32_t c = 0; c < 3; ++c)
                     out.corner[c] =
-                        glm::dvec3(instance.transform *
-                                   glm::dvec4(glm::dvec3(p.positions[p.indices[3 * t + c]]), 1));
+                        glm::dvec3(instance.transform * glm::dvec4(glm::dvec3(p.positions[p.indices[3 * t + c]]), 1));
                 if (instance.mirrored)
                     std::swap(out.corner[1], out.corner[2]);
                 const auto& [a, b, c] = out.corner;
@@ -95,9 +94,8 @@ public:
             }
             split(members, low, high);
         }
-        std::sort(found.begin(), found.end(), [](const CoplanarPair& p, const CoplanarPair& q) {
-            return std::tie(p.a, p.b) < std::tie(q.a, q.b);
-        });
+        std::sort(found.begin(), found.end(),
+                  [](const CoplanarPair& p, const CoplanarPair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
         return std::move(found);
     }
 
@@ -122,8 +120,7 @@ private:
     }
 
     /// Halves the box until few triangles are left in it; one on the cut goes to both sides.
-    void split(const std::vector<uint32_t>& members, const glm::dvec3& low,
-               const glm::dvec3& high) {
+    void split(const std::vector<uint32_t>& members, const glm::dvec3& low, const glm::dvec3& high) {
         const glm::dvec3 size = high - low;
         int axis = size.x > size.y ? 0 : 1;
         axis = size[axis] > size.z ? axis : 2;
@@ -157,8 +154,7 @@ private:
             return;
         if (glm::any(glm::lessThan(a.high, b.low)) || glm::any(glm::lessThan(b.high, a.low)))
             return;
-        const bool same =
-            a.face.instance == b.face.instance && a.face.primitive == b.face.primitive;
+        const bool same = a.face.instance == b.face.instance && a.face.primitive == b.face.primitive;
         if (same && a.colour == b.colour)
             return;
         const std::vector<glm::dvec3> part = shared_part(a, b, distance);

@@ -25,7 +25,6 @@ struct CoplanarPair {
 /// them, overlap by more than `min_area` (m²) where they are less than `distance` (m) apart.
 /// Triangles of the same primitive of the same instance count only when their vertex colours
 /// differ; those that face opposite ways never do, but for materials that are double-sided.
-std::vector<CoplanarPair> find_coplanar(const World& world, double distance = 1e-3,
-                                        double min_area = 1e-4);
+std::vector<CoplanarPair> find_coplanar(const World& world, double distance = 1e-3, double min_area = 1e-4);
 
 } // namespace prelight

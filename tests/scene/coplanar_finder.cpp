@@ -11,8 +11,7 @@ namespace {
 /// A square of 1 m, `corner` its lower left one, facing +z, in a primitive of its own.
 Primitive square(glm::vec3 corner, glm::vec4 colour = glm::vec4(1)) {
     Primitive p;
-    for (const glm::vec2& at :
-         {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
+    for (const glm::vec2& at : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
         p.positions.push_back(corner + glm::vec3(at, 0));
         p.normals.emplace_back(0, 0, 1);
         p.colours.push_back(colour);

@@ -40,8 +40,7 @@ Scene scene_of(Primitive p) {
 /// World position of a vertex.
 glm::dvec3 place(const World& world, uint32_t vertex, size_t instance = 0) {
     const Instance& shown = world.instances.at(instance);
-    return glm::dvec3(shown.transform *
-                      glm::dvec4(world.mesh_of(shown).primitives.at(0).positions.at(vertex), 1));
+    return glm::dvec3(shown.transform * glm::dvec4(world.mesh_of(shown).primitives.at(0).positions.at(vertex), 1));
 }
 
 glm::dvec3 previous_place(const World& world, uint32_t vertex) {
@@ -83,8 +82,7 @@ TEST(Morph, AddsWeightedTargets) {
 
 TEST(Morph, AnimatedWeightsMoveVertices) {
     Scene scene = morphing();
-    scene.animations.push_back(
-        {"", {{{0, 1}, {0, 0, 1, 1}, Interpolation::linear}}, {{0, 0, AnimationPath::weights}}});
+    scene.animations.push_back({"", {{{0, 1}, {0, 0, 1, 1}, Interpolation::linear}}, {{0, 0, AnimationPath::weights}}});
     scene.nodes[0].local = glm::translate(glm::dmat4(1), {0, 0, -3}); // weights need no TRS
     const World world = resolve(scene, {}, Moment{0.5, 0.25});
     expect_near(place(world, 1), {1, -1, -1});
@@ -129,8 +127,7 @@ Scene skinned_strip() {
     scene.nodes[1].trs = Trs{};
     scene.nodes[2].trs = Trs{{1, 0, 0}};
     scene.nodes[2].local = scene.nodes[2].trs->matrix();
-    scene.skins.push_back(
-        {"skin", {1, 2}, {glm::dmat4(1), glm::translate(glm::dmat4(1), {-1, 0, 0})}});
+    scene.skins.push_back({"skin", {1, 2}, {glm::dmat4(1), glm::translate(glm::dmat4(1), {-1, 0, 0})}});
     return scene;
 }
 
@@ -148,9 +145,8 @@ TEST(Skin, FollowsItsJointsAndNotItsNode) {
     const float s = std::sqrt(0.5f);
     // Joint 1 turns by 90° about z in one second; the whole skeleton is lifted by 10 m.
     scene.nodes[1].local = glm::translate(glm::dmat4(1), {0, 0, 10});
-    scene.animations.push_back({"bend",
-                                {{{0, 1}, {0, 0, 0, 1, 0, 0, s, s}, Interpolation::linear}},
-                                {{0, 2, AnimationPath::rotation}}});
+    scene.animations.push_back(
+        {"bend", {{{0, 1}, {0, 0, 0, 1, 0, 0, s, s}, Interpolation::linear}}, {{0, 2, AnimationPath::rotation}}});
     const World world = resolve(scene, {}, Moment{1, 0.5});
     expect_near(place(world, 0), {0, 0, 10});
     expect_near(place(world, 1), {1, 0, 10});
@@ -253,8 +249,7 @@ TEST(Skin, WhatDoesNotFitEndsInALine) {
     EXPECT_THAT(line([](Scene& s) { s.skins[0].inverse_bind.pop_back(); }), HasSubstr("fewer inverse bind"));
     EXPECT_THAT(line([](Scene& s) { s.skins[0].inverse_bind[0][0][0] = 1e308 * 10; }),
                 HasSubstr("skin 0: the matrix of joint 0 is not finite"));
-    EXPECT_THAT(line([](Scene& s) { s.skins[0].inverse_bind[0][0][0] = 1e300; }),
-                HasSubstr("node 0: its vertex"));
+    EXPECT_THAT(line([](Scene& s) { s.skins[0].inverse_bind[0][0][0] = 1e300; }), HasSubstr("node 0: its vertex"));
     // Without joints in the mesh the skin has nothing to move: the mesh stays at its node.
     Scene scene = skinned_strip();
     scene.meshes[0].primitives[0].joint_sets.clear();

@@ -15,9 +15,7 @@ glm::dmat4 tilted() { return glm::rotate(translation({3, 2, -1}), 0.7, glm::norm
 double age_of(const Emitter& e, const Particle& p) { return p.share * static_cast<double>(e.lifetime_from); }
 
 /// An emitter whose particles all live equally long: their age follows from their share.
-Emitter even(float lifetime) {
-    return {.count = 50, .seed = 7, .lifetime_from = lifetime, .lifetime_to = lifetime};
-}
+Emitter even(float lifetime) { return {.count = 50, .seed = 7, .lifetime_from = lifetime, .lifetime_to = lifetime}; }
 
 TEST(Emitter, ThrowsIntoItsConeWithItsSpeeds) {
     Emitter e = even(2);
@@ -50,7 +48,9 @@ Particle in_steps(const Emitter& e, const glm::dmat4& node, uint32_t number, dou
     p.position -= p.velocity * age;
     const int steps = 1 + static_cast<int>(age / 2e-5);
     const double dt = age / steps;
-    const auto force = [&](glm::dvec3 v) { return glm::dvec3(0, -static_cast<double>(e.gravity), 0) - static_cast<double>(e.drag) * v; };
+    const auto force = [&](glm::dvec3 v) {
+        return glm::dvec3(0, -static_cast<double>(e.gravity), 0) - static_cast<double>(e.drag) * v;
+    };
     for (int i = 0; i < steps; ++i) {
         const glm::dvec3 a = force(p.velocity), guess = p.velocity + a * dt, b = force(guess);
         p.position += 0.5 * dt * (p.velocity + guess);
@@ -118,7 +118,13 @@ struct Fountain {
         scene.scenes = {{.name = "fountain", .nodes = {}}};
         scene.materials = {{.name = "spark", .unlit = true}};
         add_light(scene, {.name = "lamp"}, {0, 5, 0});
-        scene.emitters = {{.count = 30, .seed = 3, .colours = {{5, 4, 3}, {1, 0, 0}}, .intensity = 2, .range = 1.5f, .size = 0.02f, .streak = 0.02f}};
+        scene.emitters = {{.count = 30,
+                           .seed = 3,
+                           .colours = {{5, 4, 3}, {1, 0, 0}},
+                           .intensity = 2,
+                           .range = 1.5f,
+                           .size = 0.02f,
+                           .streak = 0.02f}};
         add_root(scene, "fountain", tilted()).emitter = 0;
     }
 };
@@ -142,8 +148,10 @@ TEST(Emitter, IsLightsAndShapesOfTheWorld) {
         EXPECT_LE(shapes.colours[6 * i].r, 1);
         EXPECT_NEAR(shapes.texcoords[0][6 * i].x, p.share, 1e-6);
         for (int c = 0; c < 6; ++c) {
-            const glm::dvec3 corner = glm::dvec3(world.instances[0].transform * glm::dvec4(shapes.positions[6 * i + c], 1));
-            EXPECT_TRUE(glm::all(glm::lessThanEqual(world.bounds_min, corner)) && glm::all(glm::lessThanEqual(corner, world.bounds_max)));
+            const glm::dvec3 corner =
+                glm::dvec3(world.instances[0].transform * glm::dvec4(shapes.positions[6 * i + c], 1));
+            EXPECT_TRUE(glm::all(glm::lessThanEqual(world.bounds_min, corner)) &&
+                        glm::all(glm::lessThanEqual(corner, world.bounds_max)));
             // One interval earlier it was where its velocity says.
             const glm::dvec3 moved = glm::dvec3(shapes.positions[6 * i + c] - shapes.previous_positions[6 * i + c]);
             if (p.share > 0.1) { // else it may have begun in between, and has not moved
@@ -153,7 +161,10 @@ TEST(Emitter, IsLightsAndShapesOfTheWorld) {
         // Outward faces: the volume is positive.
         double volume = 0;
         for (int t = 0; t < 8; ++t) {
-            const auto at = [&](int k) { return glm::dvec3(shapes.positions[shapes.indices[24 * i + 3 * t + k]]) - (p.position - glm::dvec3(tilted()[3])); };
+            const auto at = [&](int k) {
+                return glm::dvec3(shapes.positions[shapes.indices[24 * i + 3 * t + k]]) -
+                       (p.position - glm::dvec3(tilted()[3]));
+            };
             volume += glm::dot(at(0), glm::cross(at(1), at(2)));
         }
         EXPECT_GT(volume, 0);
@@ -186,7 +197,8 @@ TEST(PlacedDecals, LieInTheirOrderAndMoveWithTheirNodes) {
     }
     add_root(scene, "flat", glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1))).decal = 0;
     scene.nodes[2].trs = Trs{};
-    scene.animations = {{.name = "move", .samplers = {{.times = {0, 2}, .values = {0, 0, 0, 8, 4, 0}}}, .channels = {{.node = 2}}}};
+    scene.animations = {
+        {.name = "move", .samplers = {{.times = {0, 2}, .values = {0, 0, 0, 8, 4, 0}}}, .channels = {{.node = 2}}}};
     const World world = resolve(scene, {}, Moment{0.5});
     ASSERT_EQ(world.decals.size(), 4u) << "a flat box holds nothing";
     EXPECT_EQ(world.decals[0].decal.order, -1);

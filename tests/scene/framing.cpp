@@ -60,7 +60,8 @@ void expect_framed(const World& world, double aspect, const Framing& framing) {
         for (int j = 0; j < 3; ++j)
             EXPECT_NEAR(glm::dot(camera.axes[i], camera.axes[j]), i == j, 1e-12);
     const double azimuth = framing.azimuth * pi / 180, elevation = framing.elevation * pi / 180;
-    const glm::dvec3 back(std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation));
+    const glm::dvec3 back(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                          std::cos(azimuth) * std::cos(elevation));
     EXPECT_LT(glm::length(camera.axes[2] - back), 1e-12);
 }
 
@@ -90,15 +91,19 @@ void add_node(Scene& scene, const glm::dmat4& local) {
 
 TEST(Frame, WhatIsDrawnFillsTheShareOfThePictureThatWasAskedFor) {
     std::mt19937 random(4);
-    const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     for (int i = 0; i < 300; ++i) {
         SCOPED_TRACE(i);
         const double scale = std::pow(10, between(-4, 5));
-        Scene scene = cloud(random, glm::vec3(float(scale * between(0.001, 1)), float(scale * between(0.001, 1)), float(scale)));
-        const glm::dvec3 away = scale * std::pow(10, between(-1, 5)) * glm::dvec3(between(-1, 1), between(-1, 1), between(-1, 1));
+        Scene scene =
+            cloud(random, glm::vec3(float(scale * between(0.001, 1)), float(scale * between(0.001, 1)), float(scale)));
+        const glm::dvec3 away =
+            scale * std::pow(10, between(-1, 5)) * glm::dvec3(between(-1, 1), between(-1, 1), between(-1, 1));
         for (int node = 0; node < 1 + i % 3; ++node)
             add_node(scene, glm::rotate(glm::translate(glm::dmat4(1), away + scale * glm::dvec3(node)), between(-3, 3),
-                                     glm::dvec3(between(-1, 1), between(-1, 1), 1)));
+                                        glm::dvec3(between(-1, 1), between(-1, 1), 1)));
         const double elevations[] = {between(-90, 90), 90, -90, 0};
         expect_framed(resolve(scene), std::exp(between(-1.2, 1.2)),
                       {.azimuth = between(-400, 400), .elevation = elevations[i % 4], .fit = between(0.1, 0.95)});
@@ -107,7 +112,8 @@ TEST(Frame, WhatIsDrawnFillsTheShareOfThePictureThatWasAskedFor) {
 
 TEST(Frame, FlatThingsFillThePictureToo) {
     std::mt19937 random(5);
-    for (const glm::vec3& size : {glm::vec3(1, 0, 2), glm::vec3(1, 2, 0), glm::vec3(0, 1, 1), glm::vec3(3, 0, 0), glm::vec3(0, 3, 0), glm::vec3(0, 0, 3)})
+    for (const glm::vec3& size : {glm::vec3(1, 0, 2), glm::vec3(1, 2, 0), glm::vec3(0, 1, 1), glm::vec3(3, 0, 0),
+                                  glm::vec3(0, 3, 0), glm::vec3(0, 0, 3)})
         for (const double elevation : {15.0, 60.0}) {
             Scene scene = cloud(random, size);
             add_node(scene, glm::dmat4(1));
@@ -140,7 +146,9 @@ TEST(Frame, TheFrontIsPlusZAndTheRightPlusX) {
     Scene scene = cloud(random, glm::vec3(1));
     add_node(scene, glm::dmat4(1));
     const World world = resolve(scene);
-    const auto from = [&](double azimuth, double elevation) { return frame(world, 1, {.azimuth = azimuth, .elevation = elevation}); };
+    const auto from = [&](double azimuth, double elevation) {
+        return frame(world, 1, {.azimuth = azimuth, .elevation = elevation});
+    };
     const auto near = [](glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b) < 1e-12; };
     EXPECT_TRUE(near(from(0, 0).axes[2], {0, 0, 1}));
     EXPECT_TRUE(near(from(90, 0).axes[2], {1, 0, 0}));

@@ -90,8 +90,7 @@ TEST(GltfAnimation, ReadsAllOfIt) {
     // Half way: the target by a half; joint 1 at (1, 1, 0), of which vertex (0, 1, 0) takes a half.
     const World world = resolve(scene, {}, Moment{0.5, 0});
     const Instance& shown = world.instances.at(0);
-    const glm::dvec3 top(shown.transform *
-                         glm::dvec4(world.mesh_of(shown).primitives[0].positions[2], 1));
+    const glm::dvec3 top(shown.transform * glm::dvec4(world.mesh_of(shown).primitives[0].positions[2], 1));
     EXPECT_NEAR(top.x, 0, 1e-6);
     EXPECT_NEAR(top.y, 1.5, 1e-6);
     EXPECT_NEAR(top.z, 0.5, 1e-6);
@@ -103,8 +102,7 @@ TEST(GltfAnimation, NormalisedIntegersAreFractions) {
         b.json["accessors"][accessor]["normalized"] = true;
         return accessor;
     };
-    sampler(b, 1)["output"] =
-        normalised(b.add_values<int16_t>({0, 0, 0, 32767, 0, 0, -32767, 0}, 5122, "VEC4"));
+    sampler(b, 1)["output"] = normalised(b.add_values<int16_t>({0, 0, 0, 32767, 0, 0, -32767, 0}, 5122, "VEC4"));
     sampler(b, 2)["output"] = normalised(b.add_values<uint8_t>({0, 51, 0, 0, 255, 0}, 5121, "SCALAR"));
     b.attributes()["WEIGHTS_0"] =
         normalised(b.add_values<uint16_t>({65535, 0, 0, 0, 65535, 0, 0, 0, 13107, 52428, 0, 0}, 5123, "VEC4"));
@@ -115,8 +113,7 @@ TEST(GltfAnimation, NormalisedIntegersAreFractions) {
     b.json["bufferViews"].back()["byteStride"] = 4;
     const Scene scene = b.load();
     EXPECT_THAT(scene.animations[0].samplers[1].values, ElementsAre(0, 0, 0, 1, 0, 0, -1, 0));
-    EXPECT_THAT(scene.animations[0].samplers[2].values,
-                Pointwise(FloatNear(1e-6f), {0.f, 0.2f, 0.f, 0.f, 1.f, 0.f}));
+    EXPECT_THAT(scene.animations[0].samplers[2].values, Pointwise(FloatNear(1e-6f), {0.f, 0.2f, 0.f, 0.f, 1.f, 0.f}));
     const JointSet& set = scene.meshes[0].primitives[0].joint_sets[0];
     EXPECT_NEAR(set.weights[2].x, 0.2, 1e-6);
     EXPECT_EQ(set.joints[1][1], 0) << "a joint of weight 0 may have any number";
@@ -128,14 +125,13 @@ TEST(GltfAnimation, SparseTargetsAndSeveralJointSets) {
     const size_t indices = b.add_view(bytes_of<uint8_t>({1}));
     const size_t values = b.add_view(bytes_of<float>({0, 3, 0}));
     b.primitive()["targets"] = {
-        {{"POSITION",
-          b.add_accessor({{"componentType", 5126},
-                          {"type", "VEC3"},
-                          {"count", 3},
-                          {"sparse",
-                           {{"count", 1},
-                            {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
-                            {"values", {{"bufferView", values}}}}}})},
+        {{"POSITION", b.add_accessor({{"componentType", 5126},
+                                      {"type", "VEC3"},
+                                      {"count", 3},
+                                      {"sparse",
+                                       {{"count", 1},
+                                        {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                                        {"values", {{"bufferView", values}}}}}})},
          {"NORMAL", b.add_floats({1, 0, 0, 1, 0, 0, 1, 0, 0}, "VEC3")}}};
     b.attributes()["WEIGHTS_0"] = b.add_floats({0.5, 0, 0, 0, 0.5, 0, 0, 0, 0, 0, 0, 0}, "VEC4");
     b.attributes()["JOINTS_1"] = b.add_values<uint8_t>({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, 5121, "VEC4");
@@ -184,9 +180,7 @@ TEST(GltfAnimation, WhatMovesNothingIsLeftOutWithAWarning) {
 
 class GltfAnimationErrors : public testing::TestWithParam<Damage> {};
 
-TEST_P(GltfAnimationErrors, OneLineThatNamesTheObject) {
-    expect_told(animated(), GetParam());
-}
+TEST_P(GltfAnimationErrors, OneLineThatNamesTheObject) { expect_told(animated(), GetParam()); }
 
 std::vector<Damage> damaged_animations() {
     return {
@@ -201,7 +195,9 @@ std::vector<Damage> damaged_animations() {
         {"JointsTooNarrow", [](GltfBuilder& b) { b.attributes()["JOINTS_0"] = b.attributes()["POSITION"]; },
          "mesh 0 primitive 0: JOINTS_0: accessor"},
         {"JointsTooShort",
-         [](GltfBuilder& b) { b.attributes()["JOINTS_0"] = b.add_values<uint8_t>({0, 0, 0, 0}, 5121, "VEC4"); },
+         [](GltfBuilder& b) {
+             b.attributes()["JOINTS_0"] = b.add_values<uint8_t>({0, 0, 0, 0}, 5121, "VEC4");
+         },
          "mesh 0 primitive 0: JOINTS_0: has 1 values for 3 vertices"},
         {"NegativeWeight",
          [](GltfBuilder& b) {
@@ -229,7 +225,8 @@ std::vector<Damage> damaged_animations() {
         {"SkeletonCycle", [](GltfBuilder& b) { b.json["nodes"][2]["children"] = {1}; }, "node 1: is its own ancestor"},
         {"FewInverseBindMatrices",
          [](GltfBuilder& b) {
-             b.json["skins"][0]["inverseBindMatrices"] = b.add_floats({identities.begin(), identities.begin() + 16}, "MAT4");
+             b.json["skins"][0]["inverseBindMatrices"] =
+                 b.add_floats({identities.begin(), identities.begin() + 16}, "MAT4");
          },
          "skin 0: has 2 joints, but 1 inverse bind matrices"},
         {"InverseBindType", [](GltfBuilder& b) { b.json["skins"][0]["inverseBindMatrices"] = 0; },
@@ -256,9 +253,12 @@ std::vector<Damage> damaged_animations() {
         {"TargetsNoObjects", [](GltfBuilder& b) { b.primitive()["targets"] = {5}; },
          "mesh 0 primitive 0 target 0: is not a JSON object"},
         {"TargetType", [](GltfBuilder& b) { b.primitive()["targets"][0]["POSITION"] = b.attributes()["TEXCOORD_0"]; },
-         "mesh 0 primitive 0 target 0: POSITION: accessor 2 holds VEC2 of floats, not VEC3 of floats; it is left out", true},
+         "mesh 0 primitive 0 target 0: POSITION: accessor 2 holds VEC2 of floats, not VEC3 of floats; it is left out",
+         true},
         {"TargetTooShort",
-         [](GltfBuilder& b) { b.primitive()["targets"][0]["NORMAL"] = b.add_floats({0, 0, 0}, "VEC3"); },
+         [](GltfBuilder& b) {
+             b.primitive()["targets"][0]["NORMAL"] = b.add_floats({0, 0, 0}, "VEC3");
+         },
          "mesh 0 primitive 0 target 0: NORMAL: has 1 values for 3 vertices"},
         {"TargetNotFinite",
          [](GltfBuilder& b) {
@@ -274,9 +274,15 @@ std::vector<Damage> damaged_animations() {
              b.json["meshes"][0]["primitives"].push_back(second);
          },
          "mesh 0 primitive 1: has 0 morph targets, but the mesh's first has 1"},
-        {"MeshWeights", [](GltfBuilder& b) { b.json["meshes"][0]["weights"] = {1, 2}; },
+        {"MeshWeights",
+         [](GltfBuilder& b) {
+             b.json["meshes"][0]["weights"] = {1, 2};
+         },
          "mesh 0: weights has 2 values for 1 morph targets", true},
-        {"NodeWeights", [](GltfBuilder& b) { b.json["nodes"][0]["weights"] = {1, 2}; },
+        {"NodeWeights",
+         [](GltfBuilder& b) {
+             b.json["nodes"][0]["weights"] = {1, 2};
+         },
          "node 0: weights has 2 values for 1 morph targets", true},
         {"WeightTooLarge", [](GltfBuilder& b) { b.json["nodes"][0]["weights"] = {1e300}; },
          "node 0: weights 0 is no number that fits into 32 bits", true},
@@ -293,7 +299,10 @@ std::vector<Damage> damaged_animations() {
          "animation 0 channel 0: node 2 has a matrix", true},
         {"SamplerWidth", [](GltfBuilder& b) { channel(b, 0)["sampler"] = 1; },
          "animation 0 channel 0: sampler 1: output: accessor", true},
-        {"SamplerTooFew", [](GltfBuilder& b) { sampler(b, 0)["output"] = b.add_floats({0, 0, 0}, "VEC3"); },
+        {"SamplerTooFew",
+         [](GltfBuilder& b) {
+             sampler(b, 0)["output"] = b.add_floats({0, 0, 0}, "VEC3");
+         },
          "animation 0 channel 0: sampler 0: it has 1 values for 2 keyframes", true},
         {"SamplerNoTriples", [](GltfBuilder& b) { sampler(b, 0)["interpolation"] = "CUBICSPLINE"; },
          "animation 0 channel 0: its sampler has 1 values for each keyframe, which needs 3", true},
@@ -310,14 +319,25 @@ std::vector<Damage> damaged_animations() {
              sampler(b, 0)["output"] = b.add_values<uint8_t>({0, 0, 0, 0, 0, 0}, 5121, "VEC3");
          },
          "animation 0 channel 0: sampler 0: output: accessor", true},
-        {"TimeNegative", [](GltfBuilder& b) { sampler(b, 0)["input"] = b.add_floats({-1, 1}, "SCALAR"); },
+        {"TimeNegative",
+         [](GltfBuilder& b) {
+             sampler(b, 0)["input"] = b.add_floats({-1, 1}, "SCALAR");
+         },
          "animation 0 sampler 0: keyframe 0 (at -1 s) is before 0 s; it counts", true},
-        {"TimeNotFinite", [](GltfBuilder& b) { sampler(b, 0)["input"] = b.add_floats({0, no_number}, "SCALAR"); },
+        {"TimeNotFinite",
+         [](GltfBuilder& b) {
+             sampler(b, 0)["input"] = b.add_floats({0, no_number}, "SCALAR");
+         },
          "animation 0 sampler 0: keyframe 1 (at nan s) is not finite; it is left out", true},
-        {"TimeTwice", [](GltfBuilder& b) { sampler(b, 0)["input"] = b.add_floats({1, 1}, "SCALAR"); },
+        {"TimeTwice",
+         [](GltfBuilder& b) {
+             sampler(b, 0)["input"] = b.add_floats({1, 1}, "SCALAR");
+         },
          "animation 0 sampler 0: keyframe 1 (at 1 s) is at the time of another", true},
         {"ValueNotFinite",
-         [](GltfBuilder& b) { sampler(b, 0)["output"] = b.add_floats({0, 0, 0, 0, no_number, 0}, "VEC3"); },
+         [](GltfBuilder& b) {
+             sampler(b, 0)["output"] = b.add_floats({0, 0, 0, 0, no_number, 0}, "VEC3");
+         },
          "animation 0 sampler 0: keyframe 1 (at ", true},
     };
 }

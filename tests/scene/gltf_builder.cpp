@@ -10,9 +10,7 @@
 
 namespace prelight::test {
 
-GltfBuilder::GltfBuilder() {
-    json = {{"asset", {{"version", "2.0"}}}};
-}
+GltfBuilder::GltfBuilder() { json = {{"asset", {{"version", "2.0"}}}}; }
 
 GltfBuilder GltfBuilder::triangle() {
     GltfBuilder b;
@@ -77,9 +75,7 @@ Bytes glb_of(const std::string& json, const Bytes& binary) {
     return out;
 }
 
-Bytes GltfBuilder::glb() const {
-    return glb_of(json.dump(), binary);
-}
+Bytes GltfBuilder::glb() const { return glb_of(json.dump(), binary); }
 
 Bytes GltfBuilder::gltf() const {
     Json copy = json;
@@ -102,15 +98,9 @@ std::string base64(const Bytes& bytes) {
     return out;
 }
 
-Scene load_bytes(const Bytes& bytes) {
-    return gltf::load(bytes, "test.glb", std::filesystem::temp_directory_path());
-}
-Scene load_text(const std::string& json) {
-    return load_bytes({json.begin(), json.end()});
-}
-Scene GltfBuilder::load() const {
-    return load_bytes(glb());
-}
+Scene load_bytes(const Bytes& bytes) { return gltf::load(bytes, "test.glb", std::filesystem::temp_directory_path()); }
+Scene load_text(const std::string& json) { return load_bytes({json.begin(), json.end()}); }
+Scene GltfBuilder::load() const { return load_bytes(glb()); }
 
 namespace {
 Bytes take(uint8_t* data, size_t size) {
@@ -135,15 +125,13 @@ Bytes jpeg(uint32_t width, uint32_t height, const Bytes& rgba) {
 
 Bytes webp_lossless(uint32_t width, uint32_t height, const Bytes& rgba) {
     uint8_t* out = nullptr;
-    const size_t size =
-        WebPEncodeLosslessRGBA(rgba.data(), int(width), int(height), int(width) * 4, &out);
+    const size_t size = WebPEncodeLosslessRGBA(rgba.data(), int(width), int(height), int(width) * 4, &out);
     return take(out, size);
 }
 
 Bytes webp_lossy(uint32_t width, uint32_t height, const Bytes& rgba) {
     uint8_t* out = nullptr;
-    const size_t size =
-        WebPEncodeRGBA(rgba.data(), int(width), int(height), int(width) * 4, 95, &out);
+    const size_t size = WebPEncodeRGBA(rgba.data(), int(width), int(height), int(width) * 4, 95, &out);
     return take(out, size);
 }
 
@@ -167,19 +155,11 @@ std::string error_of(const Bytes& bytes, const LoadOptions& options) {
 }
 } // namespace
 
-std::string error_of(const Bytes& bytes) {
-    return error_of(bytes, {});
-}
-std::string strict_error_of(const GltfBuilder& builder) {
-    return error_of(builder.glb(), {.strict = true});
-}
+std::string error_of(const Bytes& bytes) { return error_of(bytes, {}); }
+std::string strict_error_of(const GltfBuilder& builder) { return error_of(builder.glb(), {.strict = true}); }
 
-std::string error_of(const GltfBuilder& builder) {
-    return error_of(builder.glb());
-}
-std::string error_of_text(const std::string& json) {
-    return error_of(Bytes(json.begin(), json.end()));
-}
+std::string error_of(const GltfBuilder& builder) { return error_of(builder.glb()); }
+std::string error_of_text(const std::string& json) { return error_of(Bytes(json.begin(), json.end())); }
 
 size_t peak_memory() {
     std::ifstream status("/proc/self/status");
@@ -189,9 +169,7 @@ size_t peak_memory() {
     return 0;
 }
 
-void reset_peak_memory() {
-    std::ofstream("/proc/self/clear_refs") << 5;
-}
+void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << 5; }
 
 TemporaryFolder::TemporaryFolder() {
     std::random_device random;

@@ -38,13 +38,10 @@ void add_skin(GltfBuilder& b) {
 GltfBuilder draco_grid(bool edgebreaker, Bytes* draco, bool with_joints) {
     draco::TriangleSoupMeshBuilder soup;
     soup.Start(int(cells * cells * 2));
-    const int position =
-        soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
     const int normal = soup.AddAttribute(draco::GeometryAttribute::NORMAL, 3, draco::DT_FLOAT32);
-    const int joint =
-        with_joints ? soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT16) : -1;
-    const int weight =
-        with_joints ? soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_FLOAT32) : -1;
+    const int joint = with_joints ? soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT16) : -1;
+    const int weight = with_joints ? soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_FLOAT32) : -1;
     uint32_t face = 0;
     for (uint32_t y = 0; y < cells; ++y)
         for (uint32_t x = 0; x < cells; ++x)
@@ -56,8 +53,7 @@ GltfBuilder draco_grid(bool edgebreaker, Bytes* draco, bool with_joints) {
                     corners[2][0] = fx, corners[2][1] = fy + 1;
                 }
                 const float up[3] = {0, 0, 1};
-                soup.SetAttributeValuesForFace(position, draco::FaceIndex(face), corners[0],
-                                               corners[1], corners[2]);
+                soup.SetAttributeValuesForFace(position, draco::FaceIndex(face), corners[0], corners[1], corners[2]);
                 soup.SetAttributeValuesForFace(normal, draco::FaceIndex(face), up, up, up);
                 if (with_joints) {
                     const uint16_t joints[4] = {0, 1, 0, 0};
@@ -73,8 +69,7 @@ GltfBuilder draco_grid(bool edgebreaker, Bytes* draco, bool with_joints) {
             }
     const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
     draco::ExpertEncoder encoder(*mesh);
-    encoder.SetEncodingMethod(edgebreaker ? draco::MESH_EDGEBREAKER_ENCODING
-                                          : draco::MESH_SEQUENTIAL_ENCODING);
+    encoder.SetEncodingMethod(edgebreaker ? draco::MESH_EDGEBREAKER_ENCODING : draco::MESH_SEQUENTIAL_ENCODING);
     if (!edgebreaker) // indices as they are, so that a test can reach them
         encoder.options().SetGlobalBool("compress_connectivity", false);
     draco::EncoderBuffer buffer;
@@ -85,15 +80,13 @@ GltfBuilder draco_grid(bool edgebreaker, Bytes* draco, bool with_joints) {
         *draco = bytes;
     GltfBuilder b = grid_node();
     b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-    const Json vec3 = {
-        {"componentType", 5126}, {"type", "VEC3"}, {"count", encoder.num_encoded_points()}};
+    const Json vec3 = {{"componentType", 5126}, {"type", "VEC3"}, {"count", encoder.num_encoded_points()}};
     const size_t positions = b.add_accessor(vec3), normals = b.add_accessor(vec3);
-    const size_t indices =
-        b.add_accessor({{"componentType", 5125}, {"type", "SCALAR"}, {"count", cells * cells * 6}});
-    const Json extension = {{"bufferView", b.add_view(bytes)},
-                            {"attributes",
-                             {{"POSITION", mesh->attribute(position)->unique_id()},
-                              {"NORMAL", mesh->attribute(normal)->unique_id()}}}};
+    const size_t indices = b.add_accessor({{"componentType", 5125}, {"type", "SCALAR"}, {"count", cells * cells * 6}});
+    const Json extension = {
+        {"bufferView", b.add_view(bytes)},
+        {"attributes",
+         {{"POSITION", mesh->attribute(position)->unique_id()}, {"NORMAL", mesh->attribute(normal)->unique_id()}}}};
     b.json["meshes"] = {{{"primitives",
                           {{{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
                             {"indices", indices},
@@ -126,11 +119,10 @@ GltfBuilder meshopt_grid(bool with_joints) {
         }
     const size_t vertices = positions.size() / 3;
     Bytes packed(meshopt_encodeVertexBufferBound(vertices, 12));
-    packed.resize(
-        meshopt_encodeVertexBuffer(packed.data(), packed.size(), positions.data(), vertices, 12));
+    packed.resize(meshopt_encodeVertexBuffer(packed.data(), packed.size(), positions.data(), vertices, 12));
     Bytes packed_indices(meshopt_encodeIndexBufferBound(indices.size(), vertices));
-    packed_indices.resize(meshopt_encodeIndexBuffer(packed_indices.data(), packed_indices.size(),
-                                                    indices.data(), indices.size()));
+    packed_indices.resize(
+        meshopt_encodeIndexBuffer(packed_indices.data(), packed_indices.size(), indices.data(), indices.size()));
     // Normals through the octahedral filter: two components of 8 bits in 4 bytes.
     std::vector<float> normals;
     for (size_t i = 0; i < vertices; ++i)
@@ -138,8 +130,8 @@ GltfBuilder meshopt_grid(bool with_joints) {
     Bytes filtered(vertices * 4);
     meshopt_encodeFilterOct(filtered.data(), vertices, 4, 8, normals.data());
     Bytes packed_normals(meshopt_encodeVertexBufferBound(vertices, 4));
-    packed_normals.resize(meshopt_encodeVertexBuffer(packed_normals.data(), packed_normals.size(),
-                                                     filtered.data(), vertices, 4));
+    packed_normals.resize(
+        meshopt_encodeVertexBuffer(packed_normals.data(), packed_normals.size(), filtered.data(), vertices, 4));
     GltfBuilder b = grid_node();
     b.json["extensionsRequired"] = {"EXT_meshopt_compression"};
     const auto compressed = [&b](const Bytes& bytes, size_t count, size_t stride, const char* mode,
@@ -151,30 +143,20 @@ GltfBuilder meshopt_grid(bool with_joints) {
         extension["mode"] = mode;
         extension["filter"] = filter;
         // The view itself lies in the fallback buffer, which has no data.
-        b.json["bufferViews"].push_back({{"buffer", 1},
-                                         {"byteLength", count * stride},
-                                         {"extensions", {{"EXT_meshopt_compression", extension}}}});
+        b.json["bufferViews"].push_back(
+            {{"buffer", 1}, {"byteLength", count * stride}, {"extensions", {{"EXT_meshopt_compression", extension}}}});
         return b.json["bufferViews"].size() - 1;
     };
     const size_t p = compressed(packed, vertices, 12, "ATTRIBUTES", "NONE");
     const size_t n = compressed(packed_normals, vertices, 4, "ATTRIBUTES", "OCTAHEDRAL");
     const size_t i = compressed(packed_indices, indices.size(), 4, "TRIANGLES", "NONE");
     b.json["buffers"].push_back(
-        {{"byteLength", 4096},
-         {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+        {{"byteLength", 4096}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+    b.add_accessor({{"bufferView", p}, {"componentType", 5126}, {"type", "VEC3"}, {"count", vertices}});
     b.add_accessor(
-        {{"bufferView", p}, {"componentType", 5126}, {"type", "VEC3"}, {"count", vertices}});
-    b.add_accessor({{"bufferView", n},
-                    {"componentType", 5120},
-                    {"normalized", true},
-                    {"type", "VEC3"},
-                    {"count", vertices}});
-    b.add_accessor({{"bufferView", i},
-                    {"componentType", 5125},
-                    {"type", "SCALAR"},
-                    {"count", indices.size()}});
-    b.json["meshes"] = {
-        {{"primitives", {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}, {"indices", 2}}}}}};
+        {{"bufferView", n}, {"componentType", 5120}, {"normalized", true}, {"type", "VEC3"}, {"count", vertices}});
+    b.add_accessor({{"bufferView", i}, {"componentType", 5125}, {"type", "SCALAR"}, {"count", indices.size()}});
+    b.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}, {"indices", 2}}}}}};
     if (with_joints) {
         Bytes joints, weights; // four bytes each: weights normalised
         for (size_t v = 0; v < vertices; ++v) {
@@ -184,14 +166,12 @@ GltfBuilder meshopt_grid(bool with_joints) {
         }
         for (const auto& [name, values] : {std::pair("JOINTS_0", joints), {"WEIGHTS_0", weights}}) {
             Bytes bytes(meshopt_encodeVertexBufferBound(vertices, 4));
-            bytes.resize(
-                meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), values.data(), vertices, 4));
-            b.attributes()[name] =
-                b.add_accessor({{"bufferView", compressed(bytes, vertices, 4, "ATTRIBUTES", "NONE")},
-                                {"componentType", 5121},
-                                {"normalized", name[0] == 'W'},
-                                {"type", "VEC4"},
-                                {"count", vertices}});
+            bytes.resize(meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), values.data(), vertices, 4));
+            b.attributes()[name] = b.add_accessor({{"bufferView", compressed(bytes, vertices, 4, "ATTRIBUTES", "NONE")},
+                                                   {"componentType", 5121},
+                                                   {"normalized", name[0] == 'W'},
+                                                   {"type", "VEC4"},
+                                                   {"count", vertices}});
         }
         add_skin(b);
     }

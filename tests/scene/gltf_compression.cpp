@@ -31,15 +31,9 @@ void expect_grid(const Scene& scene, float tolerance) {
     EXPECT_NEAR(world.bounds_max.y, 4, tolerance);
 }
 
-TEST(GltfCompression, DracoEdgebreaker) {
-    expect_grid(draco_grid(true).load(), 1e-6f);
-}
-TEST(GltfCompression, DracoSequential) {
-    expect_grid(draco_grid(false).load(), 1e-6f);
-}
-TEST(GltfCompression, MeshoptWithFallbackBuffer) {
-    expect_grid(meshopt_grid().load(), 0);
-}
+TEST(GltfCompression, DracoEdgebreaker) { expect_grid(draco_grid(true).load(), 1e-6f); }
+TEST(GltfCompression, DracoSequential) { expect_grid(draco_grid(false).load(), 1e-6f); }
+TEST(GltfCompression, MeshoptWithFallbackBuffer) { expect_grid(meshopt_grid().load(), 0); }
 
 /// Each vertex is lifted by 2 · x.
 void expect_bent_grid(const Scene& scene, double tolerance) {
@@ -64,8 +58,7 @@ TEST(GltfCompression, JointsInDracoAndMeshopt) {
 /// a mesh, never anything else. Under the address sanitizer this sees reads out of bounds too.
 void damage_each_byte(GltfBuilder builder, size_t view) {
     Json& json = builder.json["bufferViews"][view];
-    const Json& range =
-        json.contains("extensions") ? json["extensions"]["EXT_meshopt_compression"] : json;
+    const Json& range = json.contains("extensions") ? json["extensions"]["EXT_meshopt_compression"] : json;
     const size_t begin = range["byteOffset"], length = range["byteLength"];
     size_t errors = 0;
     for (size_t i = 0; i < length; ++i)
@@ -84,12 +77,8 @@ void damage_each_byte(GltfBuilder builder, size_t view) {
     }
 }
 
-TEST(GltfCompression, DamagedDracoEdgebreaker) {
-    damage_each_byte(draco_grid(true), 0);
-}
-TEST(GltfCompression, DamagedDracoSequential) {
-    damage_each_byte(draco_grid(false), 0);
-}
+TEST(GltfCompression, DamagedDracoEdgebreaker) { damage_each_byte(draco_grid(true), 0); }
+TEST(GltfCompression, DamagedDracoSequential) { damage_each_byte(draco_grid(false), 0); }
 TEST(GltfCompression, DamagedMeshopt) {
     for (size_t view = 0; view < 3; ++view)
         damage_each_byte(meshopt_grid(), view);
@@ -103,8 +92,7 @@ TEST(GltfCompression, DracoIndexBeyondItsVertices) {
     ASSERT_EQ(b.binary[12], 25);
     ASSERT_EQ(b.binary[13], 1);
     b.binary[14] = 200;
-    EXPECT_THAT(error_of(b),
-                HasSubstr("test.glb: mesh 0 primitive 0 KHR_draco_mesh_compression: "));
+    EXPECT_THAT(error_of(b), HasSubstr("test.glb: mesh 0 primitive 0 KHR_draco_mesh_compression: "));
 }
 
 TEST(GltfCompression, DracoCountsThatLieAreRefusedBeforeTheyAllocate) {
@@ -117,8 +105,7 @@ TEST(GltfCompression, DracoCountsThatLieAreRefusedBeforeTheyAllocate) {
         b.binary.insert(b.binary.begin() + at, huge.begin(), huge.end());
         b.json["bufferViews"][0]["byteLength"] = b.binary.size();
         b.json["buffers"][0]["byteLength"] = b.binary.size();
-        const size_t taken = memory_growth(
-            [&] { EXPECT_THAT(error_of(b), HasSubstr("more memory")) << edgebreaker; });
+        const size_t taken = memory_growth([&] { EXPECT_THAT(error_of(b), HasSubstr("more memory")) << edgebreaker; });
         if (!sanitized) {
             EXPECT_LT(taken, size_t(8) << 20) << edgebreaker;
         }

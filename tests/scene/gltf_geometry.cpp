@@ -10,9 +10,7 @@ using testing::SizeIs;
 
 namespace {
 
-const Primitive& only_primitive(const Scene& scene) {
-    return scene.meshes.at(0).primitives.at(0);
-}
+const Primitive& only_primitive(const Scene& scene) { return scene.meshes.at(0).primitives.at(0); }
 
 TEST(GltfGeometry, TriangleWithoutNormalsGetsFlatOnes) {
     const Scene scene = GltfBuilder::triangle().load();
@@ -35,10 +33,9 @@ TEST(GltfGeometry, FlatNormalsUnshareVerticesAndDropGivenTangents) {
     b.json["textures"] = Json::array({{{"source", 0}}});
     b.json["materials"] = Json::array({{{"normalTexture", {{"index", 0}}}}});
     b.json["meshes"] = Json::array(
-        {{{"primitives",
-           Json::array({{{"attributes", {{"POSITION", p}, {"TANGENT", t}, {"TEXCOORD_0", uv}}},
-                         {"indices", i},
-                         {"material", 0}}})}}});
+        {{{"primitives", Json::array({{{"attributes", {{"POSITION", p}, {"TANGENT", t}, {"TEXCOORD_0", uv}}},
+                                       {"indices", i},
+                                       {"material", 0}}})}}});
     b.json["nodes"] = Json::array({{{"mesh", 0}}});
     const Scene scene = b.load();
     const Primitive& out = only_primitive(scene);
@@ -85,20 +82,15 @@ TEST_P(GltfIndices, ReadsEveryType) {
         bytes.push_back(index);
         bytes.resize(bytes.size() + GetParam().size - 1);
     }
-    b.primitive()["indices"] = b.add_accessor({{"bufferView", b.add_view(bytes)},
-                                               {"componentType", GetParam().component},
-                                               {"type", "SCALAR"},
-                                               {"count", 3}});
+    b.primitive()["indices"] = b.add_accessor(
+        {{"bufferView", b.add_view(bytes)}, {"componentType", GetParam().component}, {"type", "SCALAR"}, {"count", 3}});
     EXPECT_THAT(only_primitive(b.load()).indices, ElementsAre(2, 0, 1));
 }
-INSTANTIATE_TEST_SUITE_P(All, GltfIndices,
-                         testing::Values(IndexType{5121, 1}, IndexType{5123, 2},
-                                         IndexType{5125, 4}));
+INSTANTIATE_TEST_SUITE_P(All, GltfIndices, testing::Values(IndexType{5121, 1}, IndexType{5123, 2}, IndexType{5125, 4}));
 
 Scene five_points(int mode, bool indexed) {
     GltfBuilder b = GltfBuilder::triangle();
-    b.attributes()["POSITION"] =
-        b.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}, "VEC3");
+    b.attributes()["POSITION"] = b.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}, "VEC3");
     b.attributes()["NORMAL"] = b.add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
     b.primitive()["mode"] = mode;
     if (indexed)
@@ -109,10 +101,8 @@ Scene five_points(int mode, bool indexed) {
 TEST(GltfGeometry, EveryModeThatMakesTriangles) {
     for (const bool indexed : {false, true}) {
         EXPECT_THAT(only_primitive(five_points(4, indexed)).indices, ElementsAre(0, 1, 2));
-        EXPECT_THAT(only_primitive(five_points(5, indexed)).indices,
-                    ElementsAre(0, 1, 2, 1, 3, 2, 2, 3, 4));
-        EXPECT_THAT(only_primitive(five_points(6, indexed)).indices,
-                    ElementsAre(1, 2, 0, 2, 3, 0, 3, 4, 0));
+        EXPECT_THAT(only_primitive(five_points(5, indexed)).indices, ElementsAre(0, 1, 2, 1, 3, 2, 2, 3, 4));
+        EXPECT_THAT(only_primitive(five_points(6, indexed)).indices, ElementsAre(1, 2, 0, 2, 3, 0, 3, 4, 0));
     }
 }
 
@@ -125,9 +115,8 @@ TEST(GltfGeometry, PointsAndLinesAreSkippedAndCounted) {
     }
     const Scene scene = b.load();
     EXPECT_THAT(scene.meshes[0].primitives, SizeIs(1));
-    EXPECT_THAT(scene.warnings,
-                ElementsAre("test.glb: mesh 0 primitive 1: points and lines are not "
-                            "drawn (4 in all)"));
+    EXPECT_THAT(scene.warnings, ElementsAre("test.glb: mesh 0 primitive 1: points and lines are not "
+                                            "drawn (4 in all)"));
 }
 
 TEST(GltfGeometry, OnlyTheVerticesThatTrianglesUseAreKept) {
@@ -140,18 +129,16 @@ TEST(GltfGeometry, OnlyTheVerticesThatTrianglesUseAreKept) {
     b.primitive()["indices"] = b.add_values<uint16_t>({999, 500, 7, 7, 500, 8}, 5123, "SCALAR");
     const Scene scene = b.load();
     const Primitive& p = only_primitive(scene);
-    EXPECT_THAT(p.positions, ElementsAre(glm::vec3(7, 1, 0), glm::vec3(8, 0, 0),
-                                         glm::vec3(500, 0, 0), glm::vec3(999, 1, 0)));
+    EXPECT_THAT(p.positions,
+                ElementsAre(glm::vec3(7, 1, 0), glm::vec3(8, 0, 0), glm::vec3(500, 0, 0), glm::vec3(999, 1, 0)));
     EXPECT_THAT(p.indices, ElementsAre(3, 2, 0, 0, 2, 1));
 }
 
 TEST(GltfGeometry, StridedAndOffsetAttributesShareAView) {
     GltfBuilder b = GltfBuilder::triangle();
-    const std::vector<float> mixed = {9, 0, 0, 0, 0, 0, 1, 9, 1, 0, 0,
-                                      0, 0, 1, 9, 0, 1, 0, 0, 0, 1};
+    const std::vector<float> mixed = {9, 0, 0, 0, 0, 0, 1, 9, 1, 0, 0, 0, 0, 1, 9, 0, 1, 0, 0, 0, 1};
     const size_t view = b.add_view(bytes_of(mixed), 28);
-    const Json vec3 = {
-        {"bufferView", view}, {"componentType", 5126}, {"type", "VEC3"}, {"count", 3}};
+    const Json vec3 = {{"bufferView", view}, {"componentType", 5126}, {"type", "VEC3"}, {"count", 3}};
     Json position = vec3, normal = vec3;
     position["byteOffset"] = 4;
     normal["byteOffset"] = 16;
@@ -171,8 +158,7 @@ TEST(GltfGeometry, SparseAccessorsReplaceElements) {
     b.json["accessors"][0]["sparse"] = sparse;
     EXPECT_EQ(only_primitive(b.load()).positions.at(1), glm::vec3(5, 6, 7));
     b.json["accessors"][0].erase("bufferView"); // all zero but the one
-    EXPECT_THAT(only_primitive(b.load()).positions,
-                ElementsAre(glm::vec3(0), glm::vec3(5, 6, 7), glm::vec3(0)));
+    EXPECT_THAT(only_primitive(b.load()).positions, ElementsAre(glm::vec3(0), glm::vec3(5, 6, 7), glm::vec3(0)));
 }
 
 TEST(GltfGeometry, NormalisedIntegersOfEveryType) {
@@ -182,16 +168,13 @@ TEST(GltfGeometry, NormalisedIntegersOfEveryType) {
         b.attributes()["COLOR_0"] = accessor;
         return only_primitive(b.load()).colours;
     };
-    EXPECT_THAT(
-        set_colour(b.add_values<uint8_t>({255, 0, 51, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 5121, "VEC4")),
-        testing::Contains(glm::vec4(1, 0, 0.2f, 0)));
-    EXPECT_THAT(
-        set_colour(b.add_values<uint16_t>({65535, 0, 13107, 0, 0, 0, 0, 0, 0}, 5123, "VEC3")),
-        testing::Contains(glm::vec4(1, 0, 0.2f, 1)));
+    EXPECT_THAT(set_colour(b.add_values<uint8_t>({255, 0, 51, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 5121, "VEC4")),
+                testing::Contains(glm::vec4(1, 0, 0.2f, 0)));
+    EXPECT_THAT(set_colour(b.add_values<uint16_t>({65535, 0, 13107, 0, 0, 0, 0, 0, 0}, 5123, "VEC3")),
+                testing::Contains(glm::vec4(1, 0, 0.2f, 1)));
     EXPECT_THAT(set_colour(b.add_floats({2, -1, 0.5f, 0, 0, 0, 0, 0, 0}, "VEC3")),
                 testing::Contains(glm::vec4(1, 0, 0.5f, 1)));
-    const size_t normal =
-        b.add_values<int8_t>({0, 0, 127, 0, 0, 0, -128, 0, 0, -127, 0, 0}, 5120, "VEC4");
+    const size_t normal = b.add_values<int8_t>({0, 0, 127, 0, 0, 0, -128, 0, 0, -127, 0, 0}, 5120, "VEC4");
     b.json["accessors"][normal]["type"] = "VEC3";
     b.json["bufferViews"].back()["byteStride"] = 4;
     b.json["accessors"][normal]["normalized"] = true;
@@ -203,19 +186,16 @@ TEST(GltfGeometry, NormalisedIntegersOfEveryType) {
 TEST(GltfGeometry, QuantisedPositionsAndTextureCoordinates) {
     GltfBuilder b = GltfBuilder::triangle();
     b.json["extensionsRequired"] = {"KHR_mesh_quantization"};
-    b.attributes()["POSITION"] =
-        b.add_values<int16_t>({-5, 0, 0, 0, 300, 0, 0, 0, 0, 7, 0, 0}, 5122, "VEC4");
+    b.attributes()["POSITION"] = b.add_values<int16_t>({-5, 0, 0, 0, 300, 0, 0, 0, 0, 7, 0, 0}, 5122, "VEC4");
     b.json["accessors"].back()["type"] = "VEC3";
     b.json["bufferViews"].back()["byteStride"] = 8;
     b.attributes()["TEXCOORD_0"] = b.add_values<uint16_t>({0, 0, 65535, 0, 0, 13107}, 5123, "VEC2");
     b.json["accessors"].back()["normalized"] = true;
-    b.attributes()["TEXCOORD_1"] =
-        b.add_values<int8_t>({-2, 3, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5120, "VEC4");
+    b.attributes()["TEXCOORD_1"] = b.add_values<int8_t>({-2, 3, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5120, "VEC4");
     b.json["accessors"].back()["type"] = "VEC2";
     b.json["bufferViews"].back()["byteStride"] = 4;
     const Primitive p = only_primitive(b.load());
-    EXPECT_THAT(p.positions,
-                ElementsAre(glm::vec3(-5, 0, 0), glm::vec3(300, 0, 0), glm::vec3(0, 7, 0)));
+    EXPECT_THAT(p.positions, ElementsAre(glm::vec3(-5, 0, 0), glm::vec3(300, 0, 0), glm::vec3(0, 7, 0)));
     EXPECT_THAT(p.texcoords[0], ElementsAre(glm::vec2(0), glm::vec2(1, 0), glm::vec2(0, 0.2f)));
     EXPECT_THAT(p.texcoords[1], ElementsAre(glm::vec2(-2, 3), glm::vec2(1, 0), glm::vec2(0, 1)));
 }

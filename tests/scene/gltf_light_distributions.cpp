@@ -37,7 +37,10 @@ const Json point{{"type", "point"}}, sun{{"type", "directional"}}, spot{{"type",
 Json cookie(int texture) { return {{"cookie", {{"texture", {{"index", texture}}}}}}; }
 
 TEST(GltfLightDistributions, ReadsCookiesProfilesAndSizes) {
-    const Scene scene = with_light(spot, {{"cookie", {{"texture", {{"index", 3}}}}}, {"ies", "data:;base64," + base64({ies.begin(), ies.end()})}, {"size", 0.2}}).load();
+    const Scene scene = with_light(spot, {{"cookie", {{"texture", {{"index", 3}}}}},
+                                          {"ies", "data:;base64," + base64({ies.begin(), ies.end()})},
+                                          {"size", 0.2}})
+                            .load();
     const Light& light = scene.lights.at(0);
     ASSERT_LT(light.cookie, scene.images.size());
     EXPECT_EQ(scene.images[light.cookie].width, 3u);
@@ -47,7 +50,8 @@ TEST(GltfLightDistributions, ReadsCookiesProfilesAndSizes) {
     EXPECT_EQ(largest_intensity(light), 1);
     EXPECT_EQ(light.size, 0.2f);
     EXPECT_EQ(cookie_kind(scene, light), CookieKind::spot);
-    EXPECT_EQ(cookie_kind(with_light(point, cookie(1)).load(), with_light(point, cookie(1)).load().lights[0]), CookieKind::sphere);
+    EXPECT_EQ(cookie_kind(with_light(point, cookie(1)).load(), with_light(point, cookie(1)).load().lights[0]),
+              CookieKind::sphere);
     const Scene cube = with_light(point, cookie(2)).load();
     EXPECT_EQ(cookie_kind(cube, cube.lights[0]), CookieKind::cube);
     EXPECT_EQ(with_light(point, Json::object()).load().lights[0].cookie, no_cookie);
@@ -58,10 +62,12 @@ TEST(GltfLightDistributions, FilesBesideTheSceneAndViewsAreReadOnce) {
     GltfBuilder b = with_light(point, {{"ies", {{"uri", "a%20lamp.ies"}, {"candela", true}}}});
     Json& lights = b.json["extensions"]["KHR_lights_punctual"]["lights"];
     lights.push_back(lights[0]);
-    lights.push_back({{"type", "spot"}, {"extras", {{"prelight", {{"ies", {{"bufferView", b.add_view({ies.begin(), ies.end()})}}}}}}}});
+    lights.push_back({{"type", "spot"},
+                      {"extras", {{"prelight", {{"ies", {{"bufferView", b.add_view({ies.begin(), ies.end()})}}}}}}}});
     std::ofstream(folder.path / "a lamp.ies") << ies;
     const Bytes bytes = b.gltf();
-    std::ofstream(folder.path / "a.gltf", std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    std::ofstream(folder.path / "a.gltf", std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     const Scene scene = load_gltf(folder.path / "a.gltf");
     EXPECT_EQ(scene.lights[0].profile, scene.lights[1].profile);
     EXPECT_TRUE(scene.lights[0].profile_candela);
@@ -108,30 +114,42 @@ TEST(GltfLightDistributions, TheBuiltInSceneSurvivesWriting) {
 TEST(GltfLightDistributions, WrongOnesAreOneLine) {
     const auto error = [](const Json& light, const Json& own) { return strict_error_of(with_light(light, own)); };
     EXPECT_EQ(error(point, cookie(1)), "");
-    EXPECT_THAT(error(point, cookie(0)), StartsWith("test.glb: light 0: cookie: image 0 of 1x1 pixels is neither 2:1 (equirectangular) nor 6:1 (faces of a cube), as a point light's is"));
-    EXPECT_THAT(error(point, cookie(3)), StartsWith("test.glb: light 0: cookie: image 0 of 3x1 pixels is neither 2:1 (equirectangular) nor 6:1 (faces of a cube), as a point light's is"));
-    EXPECT_THAT(error(sun, cookie(1)), StartsWith("test.glb: light 0: a directional light has no cookie: points and spots do"));
+    EXPECT_THAT(error(point, cookie(0)),
+                StartsWith("test.glb: light 0: cookie: image 0 of 1x1 pixels is neither 2:1 (equirectangular) nor 6:1 "
+                           "(faces of a cube), as a point light's is"));
+    EXPECT_THAT(error(point, cookie(3)),
+                StartsWith("test.glb: light 0: cookie: image 0 of 3x1 pixels is neither 2:1 (equirectangular) nor 6:1 "
+                           "(faces of a cube), as a point light's is"));
+    EXPECT_THAT(error(sun, cookie(1)),
+                StartsWith("test.glb: light 0: a directional light has no cookie: points and spots do"));
     EXPECT_THAT(error(point, cookie(9)), HasSubstr("light 0 extras prelight cookie texture: index"));
-    EXPECT_THAT(error(point, {{"cookie", Json::object()}}), StartsWith("test.glb: light 0 extras prelight cookie: has no texture"));
+    EXPECT_THAT(error(point, {{"cookie", Json::object()}}),
+                StartsWith("test.glb: light 0 extras prelight cookie: has no texture"));
     EXPECT_THAT(error(point, {{"cookie", 3}}), HasSubstr("light 0 extras prelight cookie: is not a JSON object"));
-    EXPECT_THAT(error({{"type", "spot"}, {"spot", {{"outerConeAngle", 1.5}}}}, cookie(0)),
-              StartsWith("test.glb: light 0: cookie: an outer cone of 85.9° is wider than a picture can be thrown (85°)"));
-    EXPECT_THAT(error(point, {{"size", 0}}), StartsWith("test.glb: light 0 extras prelight: size 0 is not above 0; 0.03 is used"));
+    EXPECT_THAT(
+        error({{"type", "spot"}, {"spot", {{"outerConeAngle", 1.5}}}}, cookie(0)),
+        StartsWith("test.glb: light 0: cookie: an outer cone of 85.9° is wider than a picture can be thrown (85°)"));
+    EXPECT_THAT(error(point, {{"size", 0}}),
+                StartsWith("test.glb: light 0 extras prelight: size 0 is not above 0; 0.03 is used"));
     EXPECT_THAT(error(point, {{"size", -1}}), StartsWith("test.glb: light 0 extras prelight: size -1 is not above 0"));
     EXPECT_THAT(error(point, {{"size", "big"}}), HasSubstr("light 0 extras prelight: size"));
-    EXPECT_THAT(error(point, {{"ies", Json::object()}}), StartsWith("test.glb: light 0 extras prelight ies: has neither uri nor bufferView"));
+    EXPECT_THAT(error(point, {{"ies", Json::object()}}),
+                StartsWith("test.glb: light 0 extras prelight ies: has neither uri nor bufferView"));
     EXPECT_THAT(error(point, {{"ies", {{"bufferView", 99}}}}), HasSubstr("light 0 extras prelight ies: bufferView"));
     EXPECT_THAT(error(point, {{"ies", 7}}), HasSubstr("light 0 extras prelight ies: is not a JSON object"));
     EXPECT_THAT(error(point, {{"ies", "../a.ies"}}), HasSubstr("light 0 extras prelight: "));
     EXPECT_THAT(error(point, {{"ies", "http://a/b.ies"}}), HasSubstr("light 0 extras prelight: "));
-    EXPECT_THAT(error(point, {{"ies", "data:;base64,SGVsbG8="}}), HasSubstr("light 0 extras prelight: ies: line 1: there is no TILT= line"));
+    EXPECT_THAT(error(point, {{"ies", "data:;base64,SGVsbG8="}}),
+                HasSubstr("light 0 extras prelight: ies: line 1: there is no TILT= line"));
     const std::string good = "data:;base64," + base64({ies.begin(), ies.end()});
-    EXPECT_THAT(error(sun, {{"ies", good}}), StartsWith("test.glb: light 0: a directional light has no profile (ies): points and spots do"));
+    EXPECT_THAT(error(sun, {{"ies", good}}),
+                StartsWith("test.glb: light 0: a directional light has no profile (ies): points and spots do"));
     EXPECT_THAT(error(point, {{"ies", {{"uri", good}, {"candela", 1}}}}), HasSubstr("candela"));
 }
 
 TEST(GltfLightDistributions, WrongOnesLeaveTheLight) {
-    for (const Json& own : {cookie(3), Json{{"ies", "none.ies"}}, Json{{"ies", "data:;base64,SGVsbG8="}}, Json{{"size", -1}}}) {
+    for (const Json& own :
+         {cookie(3), Json{{"ies", "none.ies"}}, Json{{"ies", "data:;base64,SGVsbG8="}}, Json{{"size", -1}}}) {
         const Scene scene = with_light(point, own).load();
         ASSERT_EQ(scene.lights.size(), 1u) << own;
         EXPECT_EQ(scene.lights[0].cookie, no_cookie) << own;

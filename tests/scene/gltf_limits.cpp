@@ -22,10 +22,8 @@ TEST(GltfLimits, NestedExtrasAreRefused) {
     std::string objects = head;
     for (int i = 0; i < 400'000; ++i)
         objects += "{\"a\":";
-    EXPECT_EQ(error_of_text(objects + "1" + std::string(400'001, '}')),
-              "test.glb: JSON: is nested deeper than 128");
-    EXPECT_EQ(error_of_text(head + std::string(100, '[') + std::string(100, ']') + "}"),
-              "");
+    EXPECT_EQ(error_of_text(objects + "1" + std::string(400'001, '}')), "test.glb: JSON: is nested deeper than 128");
+    EXPECT_EQ(error_of_text(head + std::string(100, '[') + std::string(100, ']') + "}"), "");
 }
 
 TEST(GltfLimits, TwentyMegabytesOfExtrasTakeAFewTimesTheirSize) {
@@ -38,8 +36,7 @@ TEST(GltfLimits, TwentyMegabytesOfExtrasTakeAFewTimesTheirSize) {
         text.back() = ']';
         text += '}';
         const auto start = std::chrono::steady_clock::now();
-        const size_t taken = memory_growth(
-            [&] { EXPECT_EQ(error_of_text(text), ""); });
+        const size_t taken = memory_growth([&] { EXPECT_EQ(error_of_text(text), ""); });
         if (!sanitized) {
             EXPECT_LT(taken, 20 * size) << unit;
         }
@@ -57,8 +54,7 @@ TEST(GltfLimits, MillionsOfEmptyObjectsStayBelowTheMultiple) {
         text += '}';
         const size_t taken = memory_growth([&] { error_of_text(text); });
         if (!sanitized) {
-            EXPECT_LT(taken, gltf::Budget::geometry_constant + gltf::Budget::multiple * text.size())
-                << table;
+            EXPECT_LT(taken, gltf::Budget::geometry_constant + gltf::Budget::multiple * text.size()) << table;
         }
     }
 }
@@ -127,8 +123,8 @@ TEST(GltfLimits, PngChunkWithANewlineInItsName) {
     Bytes bytes = png(1, 1, solid(1, 1, {1, 2, 3, 4}));
     const Bytes name = {'A', '\n', 0xff, 'A'};
     std::copy(name.begin(), name.end(), bytes.begin() + 37); // where IDAT stands
-    EXPECT_EQ(picture_error(bytes),
-              "test.glb: image 0: does not decode (PNG: it has a chunk of an unknown kind that matters); what shows it is plain");
+    EXPECT_EQ(picture_error(bytes), "test.glb: image 0: does not decode (PNG: it has a chunk of an unknown kind that "
+                                    "matters); what shows it is plain");
 }
 
 TEST(GltfLimits, PngThatUnpacksToMoreThanItsPicture) {
@@ -171,8 +167,7 @@ TEST(GltfLimits, JpegWithAHuffmanTableThatIsTooLong) {
     table.insert(table.end(), 16, 17);
     table.insert(table.end(), 272, 1);
     bytes.insert(bytes.begin() + 2, table.begin(), table.end());
-    EXPECT_THAT(picture_error(bytes),
-                HasSubstr("image 0: does not decode (JPEG: Bogus Huffman table definition)"));
+    EXPECT_THAT(picture_error(bytes), HasSubstr("image 0: does not decode (JPEG: Bogus Huffman table definition)"));
 }
 
 TEST(GltfLimits, ManyPrimitivesOverOneLargeBufferStaySmallAndFast) {
@@ -185,8 +180,7 @@ TEST(GltfLimits, ManyPrimitivesOverOneLargeBufferStaySmallAndFast) {
     for (int i = 1; i < 2'000; ++i)
         b.json["meshes"][0]["primitives"].push_back(primitive);
     const Bytes bytes = b.glb();
-    const size_t taken =
-        memory_growth([&] { EXPECT_EQ(load_bytes(bytes).meshes[0].primitives.size(), 2'000u); });
+    const size_t taken = memory_growth([&] { EXPECT_EQ(load_bytes(bytes).meshes[0].primitives.size(), 2'000u); });
     if (!sanitized) {
         EXPECT_LT(taken, size_t(64) << 20);
     }
@@ -280,7 +274,8 @@ TEST(GltfPictureBudget, ValidTexturesOpenWhateverTheyUnpackTo) {
     EXPECT_EQ(scene.images.at(0).width, 4096u);
     EXPECT_EQ(scene.images.at(0).rgba.at(77), 200 + 55 * (77 % 4 == 3));
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_EQ(scene.warnings[0], "test.glb: image 0: scaled down from 8192 × 8192 to 4096 × 4096 pixels: pictures may take 128 MiB (a quarter of the memory limit)");
+    EXPECT_EQ(scene.warnings[0], "test.glb: image 0: scaled down from 8192 × 8192 to 4096 × 4096 pixels: pictures may "
+                                 "take 128 MiB (a quarter of the memory limit)");
     if (!sanitized) {
         EXPECT_LT(taken, size_t(160) << 20);
     }
@@ -308,7 +303,8 @@ TEST(GltfPictureBudget, TheLargestOnesAreScaledDown) {
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_THAT(scene.warnings[0], HasSubstr(": scaled down from 1024 × 1024 to 512 × 512 pixels"));
     EXPECT_THAT(scene.warnings[0], HasSubstr("in all)"));
-    EXPECT_THAT(load_with(with_pictures({flat_png(1024, 7)}), uint64_t(6) << 20).warnings.at(0), HasSubstr("to 256 × 256"));
+    EXPECT_THAT(load_with(with_pictures({flat_png(1024, 7)}), uint64_t(6) << 20).warnings.at(0),
+                HasSubstr("to 256 × 256"));
 }
 
 TEST(GltfPictureBudget, EachKindIsAveragedAsItMeans) {
@@ -323,7 +319,7 @@ TEST(GltfPictureBudget, EachKindIsAveragedAsItMeans) {
     };
     EXPECT_NEAR(texel("normalTexture"), 128, 1);
     EXPECT_NEAR(texel("occlusionTexture"), 128, 1); // (218 + 37) / 2
-    EXPECT_NEAR(texel("emissiveTexture"), 163, 1); // the mean of the light of codes 218 and 37
+    EXPECT_NEAR(texel("emissiveTexture"), 163, 1);  // the mean of the light of codes 218 and 37
 }
 
 TEST(GltfPictureBudget, OneThatNeverFitsCostsNoOtherItsTexels) {

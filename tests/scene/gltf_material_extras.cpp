@@ -21,8 +21,8 @@ GltfBuilder material_with_own(const Json& own) {
 
 TEST(GltfMaterialExtras, ChooseAMaterialWithParametersAndTextures) {
     GltfBuilder b = material_with_own({{"material", "detailed"},
-                              {"parameters", {{"depth", 0.05}, {"detail", {2}}}},
-                              {"textures", {{"gloss_map", {{"index", 0}, {"texCoord", 1}}}}}});
+                                       {"parameters", {{"depth", 0.05}, {"detail", {2}}}},
+                                       {"textures", {{"gloss_map", {{"index", 0}, {"texCoord", 1}}}}}});
     const Scene scene = b.load();
     const Material& material = scene.materials.at(0);
     ASSERT_TRUE(material.shader);
@@ -51,13 +51,18 @@ TEST(GltfMaterialExtras, ParametersOfAFileThatIsNamedElsewhereAreKept) {
 TEST(GltfMaterialExtras, WrongOnesAreOneLine) {
     const auto error = [](const Json& own) { return strict_error_of(material_with_own(own)); };
     EXPECT_THAT(error({{"material", "skn"}}), HasSubstr("material \"skn\" is not built in (blinn-phong"));
-    EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"roll_off", -1}}}}), HasSubstr("roll_off of skin: -1 is outside 0 … 2"));
+    EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"roll_off", -1}}}}),
+                HasSubstr("roll_off of skin: -1 is outside 0 … 2"));
     EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"k", 1}}}}), HasSubstr("skin has no parameter k"));
-    EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"roll_off", "much"}}}}), HasSubstr("parameter roll_off is neither a number"));
-    EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"roll_off", {1, 2, 3, 4, 5}}}}}), HasSubstr("parameter roll_off is neither"));
+    EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"roll_off", "much"}}}}),
+                HasSubstr("parameter roll_off is neither a number"));
+    EXPECT_THAT(error({{"material", "skin"}, {"parameters", {{"roll_off", {1, 2, 3, 4, 5}}}}}),
+                HasSubstr("parameter roll_off is neither"));
     EXPECT_THAT(error({{"material", "skin"}, {"parameters", {1}}}), HasSubstr("parameters is not an object"));
-    EXPECT_THAT(error({{"material", "detailed"}, {"textures", {{"gloss_map", {{"index", 9}}}}}}), HasSubstr("textures gloss_map: index"));
-    EXPECT_THAT(error({{"material", "detailed"}, {"textures", {{"shine", {{"index", 0}}}}}}), HasSubstr("detailed has no texture shine"));
+    EXPECT_THAT(error({{"material", "detailed"}, {"textures", {{"gloss_map", {{"index", 9}}}}}}),
+                HasSubstr("textures gloss_map: index"));
+    EXPECT_THAT(error({{"material", "detailed"}, {"textures", {{"shine", {{"index", 0}}}}}}),
+                HasSubstr("detailed has no texture shine"));
     EXPECT_THAT(error({{"material", 3}}), HasSubstr("material"));
 }
 
@@ -115,7 +120,8 @@ TEST(GltfEnvironment, WithAWrongFactorIsRefused) {
     own = {{"source", b.json["images"].size() - 1}, {"intensity", 2}};
     EXPECT_EQ(b.load().environment->intensity, 2);
     own["intensity"] = -1;
-    EXPECT_EQ(expect_repaired(b, "JSON extras prelight environment: intensity is -1, outside 0 …").environment->intensity, 0);
+    EXPECT_EQ(
+        expect_repaired(b, "JSON extras prelight environment: intensity is -1, outside 0 …").environment->intensity, 0);
     own["intensity"] = 1;
     own["rotation"] = "much";
     expect_repaired(b, "JSON extras prelight environment: rotation is \"much\", not a number; it is ignored");
@@ -125,7 +131,10 @@ TEST(GltfEnvironment, OfTheWrongShapeIsRefused) {
     GltfBuilder b = GltfBuilder::textured_triangle();
     b.add_image(png(2, 2, solid(2, 2, {9, 9, 9, 128})));
     b.json["extras"]["prelight"]["environment"] = {{"source", b.json["images"].size() - 1}};
-    EXPECT_FALSE(expect_repaired(b, "JSON extras prelight environment: an environment map is twice as wide as high, and this one has 2x2").environment);
+    EXPECT_FALSE(
+        expect_repaired(
+            b, "JSON extras prelight environment: an environment map is twice as wide as high, and this one has 2x2")
+            .environment);
 }
 
 } // namespace

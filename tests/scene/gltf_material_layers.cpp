@@ -19,11 +19,18 @@ GltfBuilder with_extensions(const Json& extensions) {
 }
 
 TEST(GltfMaterialLayers, AreReadWithTheirTextures) {
-    const Material m = with_extensions({{"KHR_materials_ior", {{"ior", 1.33}}},
-                                        {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 2}}, {"specularTexture", {{"index", 0}}}}},
-                                        {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.25}, {"clearcoatRoughnessTexture", {{"index", 0}}}}},
-                                        {"KHR_materials_sheen", {{"sheenColorFactor", {0.1, 0.2, 0.3}}, {"sheenRoughnessFactor", 0.5}}}})
-                           .load().materials.at(0);
+    const Material m =
+        with_extensions(
+            {{"KHR_materials_ior", {{"ior", 1.33}}},
+             {"KHR_materials_specular",
+              {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 2}}, {"specularTexture", {{"index", 0}}}}},
+             {"KHR_materials_clearcoat",
+              {{"clearcoatFactor", 0.75},
+               {"clearcoatRoughnessFactor", 0.25},
+               {"clearcoatRoughnessTexture", {{"index", 0}}}}},
+             {"KHR_materials_sheen", {{"sheenColorFactor", {0.1, 0.2, 0.3}}, {"sheenRoughnessFactor", 0.5}}}})
+            .load()
+            .materials.at(0);
     ASSERT_TRUE(m.shader);
     EXPECT_EQ(m.shader->name, "layered");
     EXPECT_EQ(m.parameters.at("ior").x, 1.33f);
@@ -38,20 +45,28 @@ TEST(GltfMaterialLayers, AreReadWithTheirTextures) {
 }
 
 TEST(GltfMaterialLayers, ThatSayNothingNewLeaveTheMaterialAsItWas) {
-    for (const Json& extensions : {Json{{"KHR_materials_ior", {{"ior", 1.5}}}}, Json{{"KHR_materials_specular", Json::object()}},
-                                   Json{{"KHR_materials_clearcoat", {{"clearcoatFactor", 0}, {"clearcoatRoughnessFactor", 0.5}}}},
-                                   Json{{"KHR_materials_sheen", Json::object()}},
-                                   Json{{"KHR_materials_ior", {{"ior", 2}}}, {"KHR_materials_unlit", Json::object()}}})
+    for (const Json& extensions :
+         {Json{{"KHR_materials_ior", {{"ior", 1.5}}}}, Json{{"KHR_materials_specular", Json::object()}},
+          Json{{"KHR_materials_clearcoat", {{"clearcoatFactor", 0}, {"clearcoatRoughnessFactor", 0.5}}}},
+          Json{{"KHR_materials_sheen", Json::object()}},
+          Json{{"KHR_materials_ior", {{"ior", 2}}}, {"KHR_materials_unlit", Json::object()}}})
         EXPECT_FALSE(with_extensions(extensions).load().materials.at(0).shader) << extensions;
 }
 
 TEST(GltfMaterialLayers, OutOfTheirRangesAreTakenForTheNearest) {
-    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_ior", {{"ior", 0.5}}}})), HasSubstr("ior 0.5 is outside 1 … 1000"));
-    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}}}})), HasSubstr("clearcoat 2 is outside 0 … 1"));
-    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_sheen", {{"sheenColorFactor", {0, -1, 0}}}}})), HasSubstr("sheen_colour -1 is outside"));
-    EXPECT_EQ(with_extensions({{"KHR_materials_ior", {{"ior", 0.5}}}}).load().materials.at(0).parameters.at("ior").x, 1);
-    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_specular", {{"specularTexture", {{"index", 4}}}}}})), HasSubstr("specularTexture"));
-    EXPECT_EQ(with_extensions({{"KHR_materials_ior", {{"ior", 0}}}}).load().materials.at(0).parameters.at("ior").x, 1000) << "glTF's word for a mirror";
+    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_ior", {{"ior", 0.5}}}})),
+                HasSubstr("ior 0.5 is outside 1 … 1000"));
+    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}}}})),
+                HasSubstr("clearcoat 2 is outside 0 … 1"));
+    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_sheen", {{"sheenColorFactor", {0, -1, 0}}}}})),
+                HasSubstr("sheen_colour -1 is outside"));
+    EXPECT_EQ(with_extensions({{"KHR_materials_ior", {{"ior", 0.5}}}}).load().materials.at(0).parameters.at("ior").x,
+              1);
+    EXPECT_THAT(error_of(with_extensions({{"KHR_materials_specular", {{"specularTexture", {{"index", 4}}}}}})),
+                HasSubstr("specularTexture"));
+    EXPECT_EQ(with_extensions({{"KHR_materials_ior", {{"ior", 0}}}}).load().materials.at(0).parameters.at("ior").x,
+              1000)
+        << "glTF's word for a mirror";
 }
 
 } // namespace

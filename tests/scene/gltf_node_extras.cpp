@@ -24,7 +24,12 @@ Scene saved_and_loaded(const Scene& scene) {
 
 TEST(GltfNodeExtras, DecalsAreReadAndWritten) {
     GltfBuilder b = node_with_own({{"receivesDecals", false},
-                              {"decal", {{"material", 0}, {"opacity", 0.5}, {"order", -3}, {"fade", {0.25, 0.75}}, {"channels", {"normal", "roughness"}}}}});
+                                   {"decal",
+                                    {{"material", 0},
+                                     {"opacity", 0.5},
+                                     {"order", -3},
+                                     {"fade", {0.25, 0.75}},
+                                     {"channels", {"normal", "roughness"}}}}});
     b.json["materials"][0]["extras"]["prelight"]["receivesDecals"] = false;
     const Scene first = b.load();
     for (const Scene& scene : {first, saved_and_loaded(first)}) {
@@ -58,7 +63,8 @@ TEST(GltfNodeExtras, WrongDecalsAreOneLine) {
     EXPECT_THAT(error({{"material", 0}, {"channels", {"color"}}}), HasSubstr("channel \"color\" is not known"));
     GltfBuilder own = node_with_own({{"decal", {{"material", 0}}}});
     own.json["materials"][0]["extras"]["prelight"]["material"] = "skin";
-    EXPECT_TRUE(expect_repaired(own, "node 0 extras prelight decal: material 0 has a shader of its own").decals.empty());
+    EXPECT_TRUE(
+        expect_repaired(own, "node 0 extras prelight decal: material 0 has a shader of its own").decals.empty());
     const Scene repaired = expect_repaired(node_with_own({{"receivesDecals", 1}}),
                                            "node 0 extras prelight: receivesDecals is 1, not true or false");
     EXPECT_TRUE(repaired.nodes[0].receives_decals);
@@ -66,9 +72,23 @@ TEST(GltfNodeExtras, WrongDecalsAreOneLine) {
 
 TEST(GltfNodeExtras, EmittersAreReadAndWritten) {
     const Scene first = node_with_own({{"emitter",
-                                   {{"count", 12}, {"seed", 99}, {"lifetime", {0.5, 1.5}}, {"speed", {1, 2}}, {"cone", 0.25}, {"radius", 0.125},
-                                    {"gravity", 5}, {"ground", -0.5}, {"bounce", 0.75}, {"slip", 0.5}, {"colours", {{4, 2, 1}, {1, 0, 0}}},
-                                    {"intensity", 3}, {"range", 2.5}, {"size", 0.02}, {"streak", 0.01}, {"material", 0}, {"castsShadow", true}}}})
+                                        {{"count", 12},
+                                         {"seed", 99},
+                                         {"lifetime", {0.5, 1.5}},
+                                         {"speed", {1, 2}},
+                                         {"cone", 0.25},
+                                         {"radius", 0.125},
+                                         {"gravity", 5},
+                                         {"ground", -0.5},
+                                         {"bounce", 0.75},
+                                         {"slip", 0.5},
+                                         {"colours", {{4, 2, 1}, {1, 0, 0}}},
+                                         {"intensity", 3},
+                                         {"range", 2.5},
+                                         {"size", 0.02},
+                                         {"streak", 0.01},
+                                         {"material", 0},
+                                         {"castsShadow", true}}}})
                             .load();
     for (const Scene& scene : {first, saved_and_loaded(first)}) {
         ASSERT_EQ(scene.emitters.size(), 1u);

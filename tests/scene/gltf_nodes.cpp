@@ -14,8 +14,7 @@ namespace {
 TEST(GltfNodes, TranslationRotationScaleCompose) {
     GltfBuilder b = GltfBuilder::triangle();
     const double half = std::sqrt(0.5);
-    b.json["nodes"][0].update(
-        {{"translation", {10, 20, 30}}, {"rotation", {0, 0, half, half}}, {"scale", {2, 3, -4}}});
+    b.json["nodes"][0].update({{"translation", {10, 20, 30}}, {"rotation", {0, 0, half, half}}, {"scale", {2, 3, -4}}});
     const glm::dmat4 m = b.load().nodes[0].local;
     const glm::dvec4 p = m * glm::dvec4(1, 1, 1, 1); // a quarter turn about z: x → y, y → −x
     EXPECT_NEAR(p.x, 10 - 3, 1e-12);
@@ -48,13 +47,10 @@ TEST(GltfNodes, SeveralScenesAndTheDefaultOne) {
 
 TEST(GltfNodes, CamerasOfEveryKind) {
     GltfBuilder b = GltfBuilder::triangle();
-    b.json["cameras"] =
-        Json::array({{{"type", "perspective"},
-                      {"name", "far"},
-                      {"perspective", {{"yfov", 0.7}, {"znear", 0.1}, {"zfar", 50}}}},
-                     {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.01}}}},
-                     {{"type", "orthographic"},
-                      {"orthographic", {{"xmag", 3}, {"ymag", 2}, {"znear", 0}, {"zfar", 9}}}}});
+    b.json["cameras"] = Json::array(
+        {{{"type", "perspective"}, {"name", "far"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}, {"zfar", 50}}}},
+         {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.01}}}},
+         {{"type", "orthographic"}, {"orthographic", {{"xmag", 3}, {"ymag", 2}, {"znear", 0}, {"zfar", 9}}}}});
     const Scene scene = b.load();
     ASSERT_THAT(scene.cameras, SizeIs(3));
     EXPECT_EQ(scene.cameras[0].name, "far");
@@ -69,11 +65,11 @@ TEST(GltfNodes, CamerasOfEveryKind) {
 TEST(GltfNodes, LightsOfEveryKind) {
     GltfBuilder b = GltfBuilder::triangle();
     b.json["extensionsRequired"] = {"KHR_lights_punctual"};
-    b.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array(
-        {{{"type", "directional"}, {"intensity", 5}},
-         {{"type", "point"}, {"color", {1, 0.5, 0}}, {"range", 7}, {"name", "lamp"}},
-         {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.4}}}},
-         {{"type", "spot"}, {"spot", Json::object()}}});
+    b.json["extensions"]["KHR_lights_punctual"]["lights"] =
+        Json::array({{{"type", "directional"}, {"intensity", 5}},
+                     {{"type", "point"}, {"color", {1, 0.5, 0}}, {"range", 7}, {"name", "lamp"}},
+                     {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.4}}}},
+                     {{"type", "spot"}, {"spot", Json::object()}}});
     b.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 2;
     const Scene scene = b.load();
     ASSERT_THAT(scene.lights, SizeIs(4));
@@ -114,8 +110,7 @@ TEST(GltfNodes, InstancingFromEveryAttribute) {
 TEST(GltfNodes, UnknownExtensionsInUseGiveOneWarning) {
     GltfBuilder b = GltfBuilder::triangle();
     b.json["extensionsUsed"] = {"VENDOR_a", "KHR_lights_punctual", "VENDOR_b"};
-    EXPECT_THAT(b.load().warnings,
-                ElementsAre("test.glb: VENDOR_a, VENDOR_b: not supported, left out"));
+    EXPECT_THAT(b.load().warnings, ElementsAre("test.glb: VENDOR_a, VENDOR_b: not supported, left out"));
 }
 
 } // namespace

@@ -17,9 +17,7 @@ fs::path shared_scenes() {
     return given ? fs::path(given) : fs::path(PRELIGHT_SHARED_SCENES);
 }
 
-bool is_scene(const fs::path& path) {
-    return path.extension() == ".glb" || path.extension() == ".gltf";
-}
+bool is_scene(const fs::path& path) { return path.extension() == ".glb" || path.extension() == ".gltf"; }
 
 /// What every renderer relies on.
 void check_sound(const Scene& scene) {
@@ -32,8 +30,7 @@ void check_sound(const Scene& scene) {
                 ASSERT_LT(index, count);
             ASSERT_EQ(p.normals.size(), count);
             for (const glm::vec3& n : p.normals)
-                ASSERT_NEAR(std::sqrt(double(n.x) * n.x + double(n.y) * n.y + double(n.z) * n.z), 1,
-                            1e-5);
+                ASSERT_NEAR(std::sqrt(double(n.x) * n.x + double(n.y) * n.y + double(n.z) * n.z), 1, 1e-5);
             const Material& m = scene.materials[p.material];
             const bool mapped = m.normal_texture || (m.shader && !p.texcoords[0].empty());
             ASSERT_EQ(p.tangents.size(), mapped ? count : 0);
@@ -47,9 +44,8 @@ void check_sound(const Scene& scene) {
             for (const MorphTarget& target : p.morph_targets)
                 for (const auto* list : {&target.positions, &target.normals, &target.tangents})
                     ASSERT_TRUE(list->empty() || list->size() == count);
-            for (const TextureRef* ref :
-                 {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,
-                  &m.occlusion_texture, &m.emissive_texture}) {
+            for (const TextureRef* ref : {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,
+                                          &m.occlusion_texture, &m.emissive_texture}) {
                 if (!*ref)
                     continue;
                 ASSERT_LT(ref->image, scene.images.size());

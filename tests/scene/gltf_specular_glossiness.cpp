@@ -29,7 +29,10 @@ Material read(const Json& extension, const Json& material = Json::object()) {
 }
 
 TEST(GltfSpecularGlossiness, OfADielectricIsMetallicRoughness) {
-    const Material m = read({{"diffuseFactor", {0.8, 0.1, 0.1, 0.5}}, {"specularFactor", {0.04, 0.04, 0.04}}, {"glossinessFactor", 0.25}, {"diffuseTexture", {{"index", 0}}}});
+    const Material m = read({{"diffuseFactor", {0.8, 0.1, 0.1, 0.5}},
+                             {"specularFactor", {0.04, 0.04, 0.04}},
+                             {"glossinessFactor", 0.25},
+                             {"diffuseTexture", {{"index", 0}}}});
     EXPECT_FALSE(m.shader);
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(m.base_colour[c], (c == 0 ? 0.8 : 0.1) * 0.96, 1e-6) << "diffuse (1 − F0)";
@@ -40,7 +43,10 @@ TEST(GltfSpecularGlossiness, OfADielectricIsMetallicRoughness) {
 }
 
 TEST(GltfSpecularGlossiness, OfAMetalIsMetallicRoughness) {
-    const Material m = read({{"diffuseFactor", {0, 0, 0, 1}}, {"specularFactor", {1, 0.75, 0.25}}, {"glossinessFactor", 1}, {"diffuseTexture", {{"index", 0}}}});
+    const Material m = read({{"diffuseFactor", {0, 0, 0, 1}},
+                             {"specularFactor", {1, 0.75, 0.25}},
+                             {"glossinessFactor", 1},
+                             {"diffuseTexture", {{"index", 0}}}});
     EXPECT_FALSE(m.shader);
     EXPECT_EQ(m.base_colour, glm::vec4(1, 0.75f, 0.25f, 1));
     EXPECT_EQ(m.metallic, 1);
@@ -49,9 +55,13 @@ TEST(GltfSpecularGlossiness, OfAMetalIsMetallicRoughness) {
 }
 
 TEST(GltfSpecularGlossiness, OfAnythingElseHasAMaterialOfItsOwn) {
-    const GltfBuilder b = with_extension({{"diffuseFactor", {0.5, 0.25, 0.125, 1}}, {"specularFactor", {0.5, 0.25, 0.75}}, {"glossinessFactor", 0.5},
-                                          {"diffuseTexture", {{"index", 0}}}, {"specularGlossinessTexture", {{"index", 1}}}},
-                                         {{"pbrMetallicRoughness", {{"metallicFactor", 0.3}, {"baseColorFactor", {1, 0, 0, 1}}}}, {"name", "both"}});
+    const GltfBuilder b = with_extension(
+        {{"diffuseFactor", {0.5, 0.25, 0.125, 1}},
+         {"specularFactor", {0.5, 0.25, 0.75}},
+         {"glossinessFactor", 0.5},
+         {"diffuseTexture", {{"index", 0}}},
+         {"specularGlossinessTexture", {{"index", 1}}}},
+        {{"pbrMetallicRoughness", {{"metallicFactor", 0.3}, {"baseColorFactor", {1, 0, 0, 1}}}}, {"name", "both"}});
     const TemporaryFolder folder;
     const Scene first = b.load();
     save_glb(first, folder.path / "a.glb");
@@ -73,16 +83,24 @@ TEST(GltfSpecularGlossiness, OfAnythingElseHasAMaterialOfItsOwn) {
 }
 
 TEST(GltfSpecularGlossiness, WithoutLightKeepsItsDiffuseColour) {
-    const Material m = read({{"diffuseFactor", {0.5, 0.25, 0.125, 1}}, {"specularFactor", {0.5, 0.25, 0.75}}}, {{"extensions", {{"KHR_materials_unlit", Json::object()}}}});
+    const Material m = read({{"diffuseFactor", {0.5, 0.25, 0.125, 1}}, {"specularFactor", {0.5, 0.25, 0.75}}},
+                            {{"extensions", {{"KHR_materials_unlit", Json::object()}}}});
     EXPECT_FALSE(m.shader);
     EXPECT_TRUE(m.unlit);
     EXPECT_EQ(m.base_colour, glm::vec4(0.5f, 0.25f, 0.125f, 1));
 }
 
 TEST(GltfSpecularGlossiness, OutOfRangeIsTakenForTheNearest) {
-    const Scene scene = expect_repaired(with_extension({{"specularFactor", {2, 0.5, -1}}}), "material 0 KHR_materials_pbrSpecularGlossiness: specularFactor is 2, outside 0 … 1; 1 is used");
+    const Scene scene = expect_repaired(
+        with_extension({{"specularFactor", {2, 0.5, -1}}}),
+        "material 0 KHR_materials_pbrSpecularGlossiness: specularFactor is 2, outside 0 … 1; 1 is used");
     EXPECT_EQ(scene.materials[0].parameters.at("specular"), glm::vec4(1, 0.5f, 0, 0));
-    EXPECT_EQ(expect_repaired(with_extension({{"glossinessFactor", "high"}}), "material 0 KHR_materials_pbrSpecularGlossiness: glossinessFactor is \"high\", not a number").materials[0].roughness, 0);
+    EXPECT_EQ(
+        expect_repaired(with_extension({{"glossinessFactor", "high"}}),
+                        "material 0 KHR_materials_pbrSpecularGlossiness: glossinessFactor is \"high\", not a number")
+            .materials[0]
+            .roughness,
+        0);
 }
 
 } // namespace

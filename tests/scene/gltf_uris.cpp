@@ -16,8 +16,7 @@ class GltfUris : public testing::Test {
 protected:
     GltfUris() {
         builder_ = GltfBuilder::triangle();
-        for (const char* name :
-             {"secret.bin", "inner/data.bin", "inner/sub/data.bin", "inner/a b.bin"})
+        for (const char* name : {"secret.bin", "inner/data.bin", "inner/sub/data.bin", "inner/a b.bin"})
             folder_.write(name, builder_.binary);
     }
 
@@ -40,17 +39,16 @@ protected:
 };
 
 TEST_F(GltfUris, FilesBesideTheScene) {
-    for (const char* uri : {"data.bin", "./data.bin", "sub/data.bin", "sub/../data.bin",
-                            "a%20b.bin", "a b.bin", "%64ata.bin"})
+    for (const char* uri :
+         {"data.bin", "./data.bin", "sub/data.bin", "sub/../data.bin", "a%20b.bin", "a b.bin", "%64ata.bin"})
         EXPECT_EQ(error_with(uri), "") << uri;
 }
 
 TEST_F(GltfUris, NothingOutsideTheFolder) {
     const std::string absolute = (folder_.path / "secret.bin").string();
     for (const std::string& uri :
-         {std::string("../secret.bin"), std::string("%2e%2e/secret.bin"),
-          std::string("..%2fsecret.bin"), std::string("sub/../../secret.bin"),
-          std::string("../inner/data.bin"), absolute, "/" + absolute,
+         {std::string("../secret.bin"), std::string("%2e%2e/secret.bin"), std::string("..%2fsecret.bin"),
+          std::string("sub/../../secret.bin"), std::string("../inner/data.bin"), absolute, "/" + absolute,
           std::string("%2fetc/hostname")})
         EXPECT_THAT(error_with(uri), HasSubstr("its URI leads outside the scene's folder")) << uri;
 }
@@ -75,7 +73,8 @@ TEST_F(GltfUris, SymbolicLinksAreFollowedBeforeTheCheck) {
 TEST_F(GltfUris, OddUris) {
     EXPECT_THAT(error_with(""), HasSubstr("is empty"));
     EXPECT_THAT(error_with("none.bin"), HasSubstr("buffer 0: \"none.bin\" cannot be read: No such file"));
-    EXPECT_THAT(error_with("sub/../no%20ne.bin"), HasSubstr("buffer 0: \"sub/../no%20ne.bin\" cannot be read")) << "as the file names it";
+    EXPECT_THAT(error_with("sub/../no%20ne.bin"), HasSubstr("buffer 0: \"sub/../no%20ne.bin\" cannot be read"))
+        << "as the file names it";
     EXPECT_THAT(error_with("sub"), HasSubstr("does not name a file"));
     EXPECT_THAT(error_with("."), HasSubstr("leads outside")); // the folder itself
     EXPECT_THAT(error_with("%zz.bin"), HasSubstr("bad percent code"));
@@ -108,7 +107,8 @@ TEST_F(GltfUris, PicturesFollowTheSameRules) {
     const auto path = folder_.write("inner/scene.gltf", Bytes(text.begin(), text.end()));
     const Scene scene = load_gltf(path);
     EXPECT_FALSE(scene.materials[0].emissive_texture);
-    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("image 0: its URI leads outside the scene's folder: \"../outside.png\"")));
+    EXPECT_THAT(scene.warnings,
+                ElementsAre(HasSubstr("image 0: its URI leads outside the scene's folder: \"../outside.png\"")));
 }
 
 TEST_F(GltfUris, ThatAreNoPercentCodesOrOnDiskAsWritten) {
@@ -120,7 +120,8 @@ TEST_F(GltfUris, ThatAreNoPercentCodesOrOnDiskAsWritten) {
         const Scene scene = load_gltf(folder_.path / "inner/scene.gltf");
         return scene.warnings.empty() ? std::string() : scene.warnings[0];
     };
-    EXPECT_THAT(warning_of("example 10%.bin"), HasSubstr("buffer 0: its URI has a bad percent code; it is taken as it is written"));
+    EXPECT_THAT(warning_of("example 10%.bin"),
+                HasSubstr("buffer 0: its URI has a bad percent code; it is taken as it is written"));
     EXPECT_THAT(warning_of("100%zz.bin"), HasSubstr("bad percent code"));
     EXPECT_THAT(warning_of("big%20ball.bin"), HasSubstr("buffer 0: its URI names a file only as it is written"));
     EXPECT_THAT(warning_of("sub\\data.bin"), HasSubstr("backslashes"));
@@ -135,8 +136,10 @@ TEST_F(GltfUris, ThatAreNoPercentCodesOrOnDiskAsWritten) {
 TEST_F(GltfUris, PicturesThatAreNotThereLeaveTheMaterialPlain) {
     builder_ = GltfBuilder::textured_triangle();
     builder_.json["textures"] = Json::array({{{"source", 0}}, {{"source", 1}}});
-    builder_.json["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 1}}, {"baseColorTexture", {{"index", 0}}}}},
-                                     {"normalTexture", {{"index", 1}}}, {"emissiveTexture", {{"index", 0}}}};
+    builder_.json["materials"][0] = {
+        {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 1}}, {"baseColorTexture", {{"index", 0}}}}},
+        {"normalTexture", {{"index", 1}}},
+        {"emissiveTexture", {{"index", 0}}}};
     builder_.json["images"] = Json::array({{{"uri", "not there.png"}}, {{"uri", "data.bin"}}});
     folder_.write("inner/data.bin", builder_.binary);
     EXPECT_EQ(error_with("data.bin"), "");
@@ -144,8 +147,11 @@ TEST_F(GltfUris, PicturesThatAreNotThereLeaveTheMaterialPlain) {
     const Material& m = scene.materials[0];
     EXPECT_FALSE(m.base_colour_texture || m.normal_texture || m.emissive_texture);
     EXPECT_EQ(m.base_colour, glm::vec4(0.5f, 0.25f, 1, 1));
-    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("image 0: \"not there.png\" cannot be read: No such file or directory; what shows it is plain"),
-                                            HasSubstr("image 1: is neither PNG, JPEG nor WebP; what shows it is plain")));
+    EXPECT_THAT(
+        scene.warnings,
+        ElementsAre(
+            HasSubstr("image 0: \"not there.png\" cannot be read: No such file or directory; what shows it is plain"),
+            HasSubstr("image 1: is neither PNG, JPEG nor WebP; what shows it is plain")));
 }
 
 } // namespace

@@ -65,19 +65,25 @@ TEST(MaterialShader, MistakesNameFileAndLine) {
     EXPECT_THAT(message(block("float n RANGE(0, 2);")), HasSubstr("a.glsl:2: a parameter reads"));
     EXPECT_THAT(message(block("vec3 n DEFAULT(1) RANGE(0, 2);")), HasSubstr("a.glsl:2: a parameter reads"));
     EXPECT_THAT(message(block("float n DEFAULT(3) RANGE(0, 2);")), HasSubstr("default 3 is outside 0 … 2"));
-    EXPECT_THAT(message(block("float n DEFAULT(1) RANGE(0, 2);\nfloat n DEFAULT(1) RANGE(0, 2);")), HasSubstr("a.glsl:3: parameter n is there twice"));
+    EXPECT_THAT(message(block("float n DEFAULT(1) RANGE(0, 2);\nfloat n DEFAULT(1) RANGE(0, 2);")),
+                HasSubstr("a.glsl:3: parameter n is there twice"));
     EXPECT_THAT(message("PARAMETERS {\n};\n" + code), HasSubstr("without a parameter"));
     EXPECT_THAT(message("PARAMETERS {\nfloat n DEFAULT(1) RANGE(0, 2);\n"), HasSubstr("has no end"));
-    EXPECT_THAT(message("TEXTURE_LINEAR(6) a DEFAULT(white);\n" + code), HasSubstr("a.glsl:1: texture a: slots are 0 … 5"));
+    EXPECT_THAT(message("TEXTURE_LINEAR(6) a DEFAULT(white);\n" + code),
+                HasSubstr("a.glsl:1: texture a: slots are 0 … 5"));
     EXPECT_THAT(message("TEXTURE_LINEAR(0) a DEFAULT(pink);\n" + code), HasSubstr("white, black, flat or required"));
-    EXPECT_THAT(message("TEXTURE_LINEAR(0) a DEFAULT(white);\nTEXTURE_LINEAR(0) b DEFAULT(white);\n" + code), HasSubstr("a.glsl:2: texture b"));
-    EXPECT_THAT(message("vec3 shade(Point p, Surface s, Light light) { return s.base; }\n"), HasSubstr("has no surface()"));
-    EXPECT_THAT(message("// vec3 shade(\nSurface surface(Point p) { return gltf_surface(p); }"), HasSubstr("has no shade()"));
+    EXPECT_THAT(message("TEXTURE_LINEAR(0) a DEFAULT(white);\nTEXTURE_LINEAR(0) b DEFAULT(white);\n" + code),
+                HasSubstr("a.glsl:2: texture b"));
+    EXPECT_THAT(message("vec3 shade(Point p, Surface s, Light light) { return s.base; }\n"),
+                HasSubstr("has no surface()"));
+    EXPECT_THAT(message("// vec3 shade(\nSurface surface(Point p) { return gltf_surface(p); }"),
+                HasSubstr("has no shade()"));
     EXPECT_EQ(message(code), "nothing");
 }
 
 TEST(MaterialShader, BuiltInOnesAreThereAndDescribed) {
-    for (const char* name : {"metallic-roughness", "blinn-phong", "skin", "minnaert", "reflection", "fresnel-rim", "detailed"}) {
+    for (const char* name :
+         {"metallic-roughness", "blinn-phong", "skin", "minnaert", "reflection", "fresnel-rim", "detailed"}) {
         const auto shader = find_material_shader(name);
         ASSERT_TRUE(shader) << name;
         EXPECT_FALSE(shader->description.empty()) << name;

@@ -7,8 +7,7 @@
 
 namespace prelight::oracle {
 
-inline const std::filesystem::path folder =
-    std::filesystem::path(PRELIGHT_SOURCE_DIR) / "tests/oracle";
+inline const std::filesystem::path folder = std::filesystem::path(PRELIGHT_SOURCE_DIR) / "tests/oracle";
 
 /// Whether node and the npm package are there; tests skip visibly when not.
 inline bool available(const std::string& package) {
@@ -16,8 +15,7 @@ inline bool available(const std::string& package) {
            std::system("node --version > /dev/null 2>&1") == 0;
 }
 inline std::string missing(const std::string& package) {
-    return fmt::format("node or the npm package {} is missing: (cd tests/oracle && npm ci)",
-                       package);
+    return fmt::format("node or the npm package {} is missing: (cd tests/oracle && npm ci)", package);
 }
 
 /// Runs `node tests/oracle/SCRIPT ARGUMENTS…`; true when it exits with 0.
@@ -29,8 +27,7 @@ inline bool run(const std::string& script, const std::string& arguments) {
 /// A folder of this process's own, gone with the object.
 class TemporaryFolder {
 public:
-    TemporaryFolder()
-        : path(std::filesystem::temp_directory_path() / fmt::format("prelight-test-{}", getpid())) {
+    TemporaryFolder() : path(std::filesystem::temp_directory_path() / fmt::format("prelight-test-{}", getpid())) {
         std::filesystem::create_directories(path);
     }
     ~TemporaryFolder() {

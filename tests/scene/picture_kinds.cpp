@@ -45,15 +45,18 @@ void expect_texels_near(const Bytes& rgba, const Bytes& right, int tolerance) {
 TEST(PngKinds, EightBitsAsTheyAre) {
     const Bytes row = ramp(8);
     EXPECT_EQ(decoded({.width = 2, .lines = unfiltered({row})}), row);
-    EXPECT_THAT(decoded({.width = 2, .colour = 2, .lines = unfiltered({{1, 2, 3, 4, 5, 6}})}), ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
-    EXPECT_THAT(decoded({.width = 2, .colour = 0, .lines = unfiltered({{7, 200}})}), ElementsAre(7, 7, 7, 255, 200, 200, 200, 255));
-    EXPECT_THAT(decoded({.width = 2, .colour = 4, .lines = unfiltered({{7, 1, 200, 128}})}), ElementsAre(7, 7, 7, 1, 200, 200, 200, 128));
+    EXPECT_THAT(decoded({.width = 2, .colour = 2, .lines = unfiltered({{1, 2, 3, 4, 5, 6}})}),
+                ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
+    EXPECT_THAT(decoded({.width = 2, .colour = 0, .lines = unfiltered({{7, 200}})}),
+                ElementsAre(7, 7, 7, 255, 200, 200, 200, 255));
+    EXPECT_THAT(decoded({.width = 2, .colour = 4, .lines = unfiltered({{7, 1, 200, 128}})}),
+                ElementsAre(7, 7, 7, 1, 200, 200, 200, 128));
 }
 
 TEST(PngKinds, EveryFilterOfItsLines) {
     // Each line takes from its left neighbour or the line above what the filter says; all become 10 20 30.
-    EXPECT_THAT(decoded({.width = 3, .height = 5, .colour = 0,
-                         .lines = {0, 10, 20, 30, 1, 10, 10, 10, 2, 0, 0, 0, 3, 5, 5, 5, 4, 0, 0, 0}}),
+    EXPECT_THAT(decoded({.width = 3, .height = 5, .colour = 0, .lines = {0, 10, 20, 30, 1, 10, 10, 10, 2, 0,
+                                                                         0, 0,  3,  5,  5, 5,  4,  0,  0, 0}}),
                 ElementsAreArray([] {
                     Bytes right;
                     for (int y = 0; y < 5; ++y)
@@ -65,9 +68,14 @@ TEST(PngKinds, EveryFilterOfItsLines) {
 
 TEST(PngKinds, SixteenBitsAreRoundedToTheNearest) {
     // 0x0080 is 0.498 of a step, 0x0081 0.502; 0xfe80 is 253.51 of 255.
-    EXPECT_THAT(decoded({.width = 4, .bits = 16, .colour = 0, .lines = unfiltered({{0, 0x80, 0, 0x81, 0xfe, 0x80, 0xff, 0xff}})}),
-                ElementsAre(0, 0, 0, 255, 1, 1, 1, 255, 254, 254, 254, 255, 255, 255, 255, 255));
-    EXPECT_THAT(decoded({.width = 1, .bits = 16, .colour = 6, .lines = unfiltered({{0x12, 0x12, 0x34, 0x34, 0x56, 0x56, 0x78, 0x78}})}),
+    EXPECT_THAT(
+        decoded(
+            {.width = 4, .bits = 16, .colour = 0, .lines = unfiltered({{0, 0x80, 0, 0x81, 0xfe, 0x80, 0xff, 0xff}})}),
+        ElementsAre(0, 0, 0, 255, 1, 1, 1, 255, 254, 254, 254, 255, 255, 255, 255, 255));
+    EXPECT_THAT(decoded({.width = 1,
+                         .bits = 16,
+                         .colour = 6,
+                         .lines = unfiltered({{0x12, 0x12, 0x34, 0x34, 0x56, 0x56, 0x78, 0x78}})}),
                 ElementsAre(0x12, 0x34, 0x56, 0x78));
 }
 
@@ -82,15 +90,22 @@ TEST(PngKinds, FewBitsAreSpreadOverAll) {
 TEST(PngKinds, TransparentColours) {
     EXPECT_THAT(decoded({.width = 2, .colour = 0, .chunks = {{"tRNS", {0, 9}}}, .lines = unfiltered({{9, 8}})}),
                 ElementsAre(9, 9, 9, 0, 8, 8, 8, 255));
-    EXPECT_THAT(decoded({.width = 2, .colour = 2, .chunks = {{"tRNS", {0, 1, 0, 2, 0, 3}}}, .lines = unfiltered({{1, 2, 3, 1, 2, 4}})}),
+    EXPECT_THAT(decoded({.width = 2,
+                         .colour = 2,
+                         .chunks = {{"tRNS", {0, 1, 0, 2, 0, 3}}},
+                         .lines = unfiltered({{1, 2, 3, 1, 2, 4}})}),
                 ElementsAre(1, 2, 3, 0, 1, 2, 4, 255));
     // All 16 bits are compared, not the 8 that are kept.
-    EXPECT_THAT(decoded({.width = 2, .bits = 16, .colour = 0, .chunks = {{"tRNS", {1, 2}}}, .lines = unfiltered({{1, 2, 1, 3}})}),
-                ElementsAre(1, 1, 1, 0, 1, 1, 1, 255));
-    EXPECT_THAT(decoded({.width = 2, .bits = 4, .colour = 0, .chunks = {{"tRNS", {0, 5}}}, .lines = unfiltered({{0x5a}})}),
-                ElementsAre(85, 85, 85, 0, 170, 170, 170, 255));
+    EXPECT_THAT(
+        decoded(
+            {.width = 2, .bits = 16, .colour = 0, .chunks = {{"tRNS", {1, 2}}}, .lines = unfiltered({{1, 2, 1, 3}})}),
+        ElementsAre(1, 1, 1, 0, 1, 1, 1, 255));
+    EXPECT_THAT(
+        decoded({.width = 2, .bits = 4, .colour = 0, .chunks = {{"tRNS", {0, 5}}}, .lines = unfiltered({{0x5a}})}),
+        ElementsAre(85, 85, 85, 0, 170, 170, 170, 255));
     // With an alpha channel there is none by the standard: it is passed over.
-    EXPECT_THAT(decoded({.width = 1, .colour = 4, .chunks = {{"tRNS", {0, 7}}}, .lines = unfiltered({{7, 20}})}), ElementsAre(7, 7, 7, 20));
+    EXPECT_THAT(decoded({.width = 1, .colour = 4, .chunks = {{"tRNS", {0, 7}}}, .lines = unfiltered({{7, 20}})}),
+                ElementsAre(7, 7, 7, 20));
 }
 
 TEST(PngKinds, Palettes) {
@@ -102,7 +117,8 @@ TEST(PngKinds, Palettes) {
     // Beyond its end there is opaque black, as libpng has it.
     EXPECT_THAT(decoded({.width = 3, .colour = 3, .chunks = {colours}, .lines = unfiltered({{1, 2, 255}})}),
                 ElementsAre(4, 5, 6, 255, 0, 0, 0, 255, 0, 0, 0, 255));
-    EXPECT_THAT(reason(RawPng{.width = 2, .colour = 3, .lines = unfiltered({{0, 1}})}.bytes()), HasSubstr("missing PLTE"));
+    EXPECT_THAT(reason(RawPng{.width = 2, .colour = 3, .lines = unfiltered({{0, 1}})}.bytes()),
+                HasSubstr("missing PLTE"));
 }
 
 TEST(PngKinds, GammaAndColourProfilesAreNotApplied) {
@@ -110,17 +126,28 @@ TEST(PngKinds, GammaAndColourProfilesAreNotApplied) {
     const Bytes gamma{0, 1, 0x86, 0xa0}; // 1.0: linear
     Bytes profile{'p', 0, 0};            // no profile at all: it is not even unpacked
     profile.resize(200, 0x5a);
-    for (const auto& chunk : std::vector<std::pair<std::string, Bytes>>{
-             {"gAMA", gamma}, {"iCCP", profile}, {"sRGB", {0}}, {"cHRM", Bytes(32, 1)}, {"sBIT", {3, 3, 3, 3}},
-             {"bKGD", {0, 9, 0, 9, 0, 9}}, {"tEXt", ramp(50)}, {"zTXt", ramp(50)}, {"eXIf", ramp(30)}, {"pHYs", Bytes(9, 1)},
-             {"acTL", Bytes(8, 1)}, {"prVt", ramp(9)}}) {
-        EXPECT_EQ(decoded({.width = 1, .chunks = {chunk}, .lines = unfiltered({{100, 150, 200, 128}})}), (Bytes{100, 150, 200, 128}))
+    for (const auto& chunk : std::vector<std::pair<std::string, Bytes>>{{"gAMA", gamma},
+                                                                        {"iCCP", profile},
+                                                                        {"sRGB", {0}},
+                                                                        {"cHRM", Bytes(32, 1)},
+                                                                        {"sBIT", {3, 3, 3, 3}},
+                                                                        {"bKGD", {0, 9, 0, 9, 0, 9}},
+                                                                        {"tEXt", ramp(50)},
+                                                                        {"zTXt", ramp(50)},
+                                                                        {"eXIf", ramp(30)},
+                                                                        {"pHYs", Bytes(9, 1)},
+                                                                        {"acTL", Bytes(8, 1)},
+                                                                        {"prVt", ramp(9)}}) {
+        EXPECT_EQ(decoded({.width = 1, .chunks = {chunk}, .lines = unfiltered({{100, 150, 200, 128}})}),
+                  (Bytes{100, 150, 200, 128}))
             << chunk.first;
-        EXPECT_EQ(decoded({.width = 1, .chunks = {chunk, chunk}, .lines = unfiltered({{1, 2, 3, 4}}), .truthful = false}),
-                  (Bytes{1, 2, 3, 4}))
+        EXPECT_EQ(
+            decoded({.width = 1, .chunks = {chunk, chunk}, .lines = unfiltered({{1, 2, 3, 4}}), .truthful = false}),
+            (Bytes{1, 2, 3, 4}))
             << chunk.first << " twice and damaged";
     }
-    EXPECT_THAT(reason(RawPng{.chunks = {{"ABCD", {1}}}, .lines = unfiltered({ramp(4)})}.bytes()), HasSubstr("unknown kind that matters"));
+    EXPECT_THAT(reason(RawPng{.chunks = {{"ABCD", {1}}}, .lines = unfiltered({ramp(4)})}.bytes()),
+                HasSubstr("unknown kind that matters"));
 }
 
 TEST(PngKinds, Interlaced) {
@@ -155,7 +182,8 @@ TEST(PngKinds, WhatIsCutOrDamagedIsRefused) {
         bad[at] ^= 0x10;
         EXPECT_THAT(reason(bad), HasSubstr("PNG")) << at;
     }
-    EXPECT_THAT(reason(RawPng{.width = 2, .height = 2, .lines = unfiltered({ramp(8)})}.bytes()), HasSubstr("does not decode"));
+    EXPECT_THAT(reason(RawPng{.width = 2, .height = 2, .lines = unfiltered({ramp(8)})}.bytes()),
+                HasSubstr("does not decode"));
     // More lines than it says are not looked at.
     EXPECT_EQ(decoded({.width = 2, .lines = unfiltered({ramp(8), ramp(8)})}), ramp(8));
 }
@@ -202,7 +230,8 @@ TEST(JpegKinds, InksBecomeColours) {
 
 TEST(JpegKinds, OrientationOfExifIsNotApplied) {
     // Big-endian TIFF: one entry, Orientation = 6 (turned by 90°).
-    const Bytes exif{'E', 'x', 'i', 'f', 0, 0, 'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0};
+    const Bytes exif{'E', 'x',  'i', 'f', 0, 0, 'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1,
+                     1,   0x12, 0,   3,   0, 0, 0,   1,   0, 6,  0, 0, 0, 0, 0, 0};
     Bytes rgb;
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 16; ++x)
@@ -220,7 +249,9 @@ TEST(JpegKinds, WhatIsCutOrOfAnotherKindIsRefused) {
         const Bytes whole = jpeg_of(24, 16, ramp(24 * 16 * 3, 7), form);
         ASSERT_EQ(reason(whole), "none");
         for (size_t length = 3; length < whole.size(); length += 5)
-            EXPECT_THAT(reason(Bytes(whole.begin(), whole.begin() + ptrdiff_t(length))), HasSubstr("does not decode (JPEG: ")) << length;
+            EXPECT_THAT(reason(Bytes(whole.begin(), whole.begin() + ptrdiff_t(length))),
+                        HasSubstr("does not decode (JPEG: "))
+                << length;
     }
     Bytes twelve = jpeg_of(8, 8, solid(8, 8, {1, 2, 3}), {});
     const Bytes frame{0xff, 0xc0};
@@ -292,7 +323,8 @@ TEST(ScaledPicture, OddSidesAndManyHalvings) {
         const TextureImage whole = images::decode(file);
         for (const uint32_t halvings : {1, 2, 3, 4})
             for (const auto kind : {images::Texels::colour, images::Texels::normals, images::Texels::values}) {
-                const TextureImage direct = images::decode(file, halvings, kind), after = images::scaled_down(whole, halvings, kind);
+                const TextureImage direct = images::decode(file, halvings, kind),
+                                   after = images::scaled_down(whole, halvings, kind);
                 EXPECT_EQ(direct.width, std::max(13u >> halvings, 1u));
                 EXPECT_EQ(direct.height, std::max(11u >> halvings, 1u));
                 EXPECT_EQ(direct.rgba, after.rgba);

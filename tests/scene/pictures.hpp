@@ -10,7 +10,7 @@ struct RawPng {
     uint8_t colour = 6; ///< PNG's colour type: 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA
     bool interlaced = false;
     std::vector<std::pair<std::string, Bytes>> chunks{}; ///< between IHDR and IDAT
-    Bytes lines{}; ///< before packing: of each line the filter's number and its bytes
+    Bytes lines{};        ///< before packing: of each line the filter's number and its bytes
     bool truthful = true; ///< false: checksums of `chunks` are wrong
 
     Bytes bytes() const;

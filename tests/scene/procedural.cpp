@@ -91,8 +91,7 @@ void expect_outward(const Primitive& primitive, const glm::vec3& centre) {
             continue;
         ASSERT_GT(glm::dot(face, at(0) - glm::dvec3(centre)), 0) << "triangle " << i / 3;
         for (size_t corner = 0; corner < 3; ++corner)
-            ASSERT_GT(glm::dot(glm::normalize(face),
-                               glm::dvec3(primitive.normals.at(primitive.indices[i + corner]))),
+            ASSERT_GT(glm::dot(glm::normalize(face), glm::dvec3(primitive.normals.at(primitive.indices[i + corner]))),
                       0.9);
     }
 }
@@ -183,12 +182,11 @@ std::vector<std::string_view> names() {
         list.push_back(scene.name);
     return list;
 }
-INSTANTIATE_TEST_SUITE_P(Procedural, EveryScene, testing::ValuesIn(names()),
-                         [](const auto& each) {
-                             std::string name(each.param);
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Procedural, EveryScene, testing::ValuesIn(names()), [](const auto& each) {
+    std::string name(each.param);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
 
 TEST(Procedural, UnknownNameIsAUsageErrorThatListsNames) {
     try {

@@ -35,8 +35,7 @@ TEST(Tangents, BitangentPointsUpInThePicture) {
         const bool left = i < 6;
         EXPECT_EQ(glm::vec3(tangent), glm::vec3(left ? 1 : -1, 0, 0)) << i;
         // The picture's up is +y on both halves: w · (N × T) = +y.
-        EXPECT_EQ(tangent.w * glm::cross(glm::vec3(0, 0, 1), glm::vec3(tangent)),
-                  glm::vec3(0, 1, 0));
+        EXPECT_EQ(tangent.w * glm::cross(glm::vec3(0, 0, 1), glm::vec3(tangent)), glm::vec3(0, 1, 0));
     }
 }
 

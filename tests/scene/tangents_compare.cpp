@@ -16,8 +16,7 @@ std::vector<glm::vec4> ask_oracle(const Primitive& mesh) {
     const auto put = [&](float x) { file.write(reinterpret_cast<const char*>(&x), sizeof x); };
     for (const uint32_t i : mesh.indices) {
         const auto &p = mesh.positions[i], &n = mesh.normals[i];
-        for (const float x :
-             {p.x, p.y, p.z, n.x, n.y, n.z, mesh.texcoords[0][i].x, mesh.texcoords[0][i].y})
+        for (const float x : {p.x, p.y, p.z, n.x, n.y, n.z, mesh.texcoords[0][i].x, mesh.texcoords[0][i].y})
             put(x);
     }
     file.close();
@@ -56,12 +55,11 @@ Outcome compare_with_oracle(const Primitive& mesh) {
             ++outcome.undefined;
             continue;
         }
-        outcome.largest =
-            std::max(outcome.largest, glm::distance(glm::dvec3(tangent), glm::dvec3(expected[i])));
+        outcome.largest = std::max(outcome.largest, glm::distance(glm::dvec3(tangent), glm::dvec3(expected[i])));
         outcome.flipped += tangent.w != -expected[i].w; // glTF's v runs the other way
     }
-    fmt::print("  {} corners: largest distance {:.3g}, {} signs differ, {} undefined\n",
-               expected.size(), outcome.largest, outcome.flipped, outcome.undefined);
+    fmt::print("  {} corners: largest distance {:.3g}, {} signs differ, {} undefined\n", expected.size(),
+               outcome.largest, outcome.flipped, outcome.undefined);
     return outcome;
 }
 

@@ -17,10 +17,10 @@ struct Transform {
     float offset[2], rotation, scale[2];
 };
 constexpr Transform transforms[]{
-    {"none", {0, 0}, 0, {1, 1}},           {"offset", {0.3f, -2}, 0, {1, 1}},      {"rot30", {0, 0}, 0.5236f, {1, 1}},
-    {"rot90", {0, 1}, 1.5708f, {1, 1}},    {"rot180", {0, 0}, 3.14159f, {1, 1}},   {"back", {0, 0}, -0.7f, {1, 1}},
-    {"mirror u", {1, 0}, 0, {-1, 1}},      {"mirror v", {0, 1}, 0, {1, -1}},       {"wide", {0, 0}, 0, {4, 0.5f}},
-    {"skew", {0.2f, 0.4f}, 0.9f, {3, 1}},  {"all", {-1, 3}, 2.2f, {-2, 0.7f}},     {"tiny", {0, 0}, 1, {0.01f, 0.01f}}};
+    {"none", {0, 0}, 0, {1, 1}},          {"offset", {0.3f, -2}, 0, {1, 1}},    {"rot30", {0, 0}, 0.5236f, {1, 1}},
+    {"rot90", {0, 1}, 1.5708f, {1, 1}},   {"rot180", {0, 0}, 3.14159f, {1, 1}}, {"back", {0, 0}, -0.7f, {1, 1}},
+    {"mirror u", {1, 0}, 0, {-1, 1}},     {"mirror v", {0, 1}, 0, {1, -1}},     {"wide", {0, 0}, 0, {4, 0.5f}},
+    {"skew", {0.2f, 0.4f}, 0.9f, {3, 1}}, {"all", {-1, 3}, 2.2f, {-2, 0.7f}},   {"tiny", {0, 0}, 1, {0.01f, 0.01f}}};
 
 /// As the reader has it: counter-clockwise in a picture whose v points down.
 std::vector<float> baked(const std::vector<float>& uvs, const Transform& t) {
@@ -44,7 +44,8 @@ struct Patch {
             for (int x = 0; x < 5; ++x) {
                 const float u = static_cast<float>(x) / 4, v = static_cast<float>(y) / 4;
                 positions.insert(positions.end(), {u, -v, 0.2f * std::sin(3 * u) * std::cos(2 * v)});
-                const glm::vec3 n = glm::normalize(glm::vec3(-0.6f * std::cos(3 * u) * std::cos(2 * v), -0.4f * std::sin(3 * u) * std::sin(2 * v), 1));
+                const glm::vec3 n = glm::normalize(
+                    glm::vec3(-0.6f * std::cos(3 * u) * std::cos(2 * v), -0.4f * std::sin(3 * u) * std::sin(2 * v), 1));
                 normals.insert(normals.end(), {n.x, n.y, n.z});
                 uvs.insert(uvs.end(), {u + 0.3f * v, v});
                 if (x < 4 && y < 4) {
@@ -62,7 +63,9 @@ struct Patch {
         builder.json["materials"] = Json::array({{{"normalTexture", {{"index", 0}}}}});
     }
     Json& normal_texture() { return builder.json["materials"][0]["normalTexture"]; }
-    void set_uvs(const char* set, const std::vector<float>& values) { builder.attributes()[set] = builder.add_floats(values, "VEC2"); }
+    void set_uvs(const char* set, const std::vector<float>& values) {
+        builder.attributes()[set] = builder.add_floats(values, "VEC2");
+    }
     void set_transform(const Transform& t) {
         normal_texture()["extensions"]["KHR_texture_transform"] = {
             {"offset", {t.offset[0], t.offset[1]}}, {"rotation", t.rotation}, {"scale", {t.scale[0], t.scale[1]}}};
@@ -137,7 +140,8 @@ TEST(TangentCoordinates, FollowAMaterialThatIsExchanged) {
     Patch plain;
     plain.set_uvs("TEXCOORD_0", plain.uvs);
     plain.builder.json["materials"].push_back(plain.builder.json["materials"][0]);
-    plain.builder.json["materials"][1]["normalTexture"]["extensions"]["KHR_texture_transform"] = {{"rotation", 1.5708f}};
+    plain.builder.json["materials"][1]["normalTexture"]["extensions"]["KHR_texture_transform"] = {
+        {"rotation", 1.5708f}};
     Scene scene = plain.builder.load();
     cycle_materials(scene);
     Patch right;

@@ -38,9 +38,7 @@ protected:
     }
 };
 
-TEST_F(TangentsOracle, SphereWithSeamAndPoles) {
-    expect_oracle_tangents(make_sphere(1.7f, 40, 20));
-}
+TEST_F(TangentsOracle, SphereWithSeamAndPoles) { expect_oracle_tangents(make_sphere(1.7f, 40, 20)); }
 
 TEST_F(TangentsOracle, HardEdgesAndPlanes) {
     expect_oracle_tangents(make_box({-1, 0, 2}, {3, 5, 4}));
@@ -67,8 +65,7 @@ TEST_F(TangentsOracle, SoupOfSharedVertices) {
     Primitive soup = vertices(300, 1u << 20);
     for (int i = 0; i < 3 * 4000; ++i)
         soup.indices.push_back(random.below(300));
-    expect_oracle_tangents(
-        soup, 1); // one corner's angle rounds to 0: the oracle's tangent is the zero vector
+    expect_oracle_tangents(soup, 1); // one corner's angle rounds to 0: the oracle's tangent is the zero vector
 }
 
 // Few vertices and coarse coordinates: edges with many triangles, triangles whose coordinates span
@@ -89,8 +86,7 @@ TEST_F(TangentsOracle, RingWithOpposedCoordinates) {
     ring.positions = {{0, 0, 0},  {1, 0, 0},   {1, 1, 0},  {0, 1, 0}, {-1, 1, 0},
                       {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}, {1, -1, 0}};
     ring.normals.assign(9, {0, 0, 1});
-    ring.texcoords[0] = {{0, 0}, {1, 0}, {0, 1},  {-1, 0}, {0, -1},
-                         {1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    ring.texcoords[0] = {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     for (uint32_t i = 0; i < 8; ++i)
         ring.indices.insert(ring.indices.end(), {0, i + 1, (i + 1) % 8 + 1});
     expect_oracle_tangents(ring);

@@ -20,9 +20,7 @@ TEST(TangentsSharedScenes, Sponza) {
             if (primitive.tangents.empty())
                 continue;
             const auto first = static_cast<uint32_t>(all.positions.size());
-            const auto append = [](auto& to, const auto& from) {
-                to.insert(to.end(), from.begin(), from.end());
-            };
+            const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
             append(all.positions, primitive.positions);
             append(all.normals, primitive.normals);
             append(all.texcoords[0], primitive.texcoords[0]);

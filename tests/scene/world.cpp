@@ -90,8 +90,7 @@ TEST(Resolve, NegativeScaleMirrorsAndWhatHasNoAreaIsDropped) {
     scene.nodes[1].local = glm::scale(glm::dmat4(1), glm::dvec3(-1, 2, 3));
     scene.nodes[2].local = glm::scale(glm::dmat4(1), glm::dvec3(-1, -2, 3));
     scene.nodes[3].local = glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 0)); // a line
-    scene.nodes[4].local =
-        glm::scale(glm::dmat4(1), glm::dvec3(-1e-150)); // its determinant underflows
+    scene.nodes[4].local = glm::scale(glm::dmat4(1), glm::dvec3(-1e-150)); // its determinant underflows
     scene.nodes[5].local = glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1)); // flat, but seen
     const World world = resolve(scene);
     ASSERT_THAT(world.instances, SizeIs(5));
@@ -156,8 +155,7 @@ TEST(Resolve, DefaultsWhenThereIsNeitherCameraNorLight) {
 }
 
 TEST(Resolve, FramedCameraIsFrameOfASquarePicture) {
-    for (const glm::vec3& size :
-         {glm::vec3(1), glm::vec3(100, 1, 1), glm::vec3(0.01f, 5, 0.01f), glm::vec3(1, 0, 300)})
+    for (const glm::vec3& size : {glm::vec3(1), glm::vec3(100, 1, 1), glm::vec3(0.01f, 5, 0.01f), glm::vec3(1, 0, 300)})
         for (const double away : {0.0, 10'000.0}) {
             Scene scene = box(size);
             scene.nodes[0].local = glm::translate(glm::dmat4(1), glm::dvec3(away));
@@ -231,7 +229,9 @@ TEST(World, WithoutTrianglesIsEmptyAndSaysWhatThereIs) {
     EXPECT_TRUE(warnings_of(resolve(box())).empty());
     Scene scene = box();
     scene.nodes[0].mesh.reset();
-    EXPECT_EQ(warning(scene), fmt::format("box: scene: no triangles, so the picture is empty; the file has {} empty nodes", scene.nodes.size()));
+    EXPECT_EQ(warning(scene),
+              fmt::format("box: scene: no triangles, so the picture is empty; the file has {} empty nodes",
+                          scene.nodes.size()));
     scene.lights.resize(1);
     scene.cameras.resize(1);
     scene.nodes[0].light = 0;
@@ -239,20 +239,22 @@ TEST(World, WithoutTrianglesIsEmptyAndSaysWhatThereIs) {
     scene.nodes[1].light = 0;
     scene.nodes[2].camera = 0;
     scene.scenes[0].nodes = {0, 1, 2};
-    EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has 2 nodes with a light, 1 node with a camera");
+    EXPECT_EQ(
+        warning(scene),
+        "box: scene: no triangles, so the picture is empty; the file has 2 nodes with a light, 1 node with a camera");
     EXPECT_EQ(resolve(scene).lights.size(), 2u);
     scene = box();
     scene.nodes[0].visible = false;
-    EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has 1 node with a mesh that is hidden, "
-                              "flattened or in another scene, 1 node hidden");
+    EXPECT_EQ(warning(scene),
+              "box: scene: no triangles, so the picture is empty; the file has 1 node with a mesh that is hidden, "
+              "flattened or in another scene, 1 node hidden");
     scene.nodes.clear();
     scene.scenes[0].nodes.clear();
     EXPECT_EQ(warning(scene), "box: scene: no triangles, so the picture is empty; the file has no nodes");
 }
 
 TEST(ScatterLights, AboutEightReachAPoint) {
-    for (const glm::vec3& size :
-         {glm::vec3(10, 10, 10), glm::vec3(100, 5, 80), glm::vec3(50, 0, 50)})
+    for (const glm::vec3& size : {glm::vec3(10, 10, 10), glm::vec3(100, 5, 80), glm::vec3(50, 0, 50)})
         for (const uint32_t count : {64u, 1'000u, 20'000u}) {
             const Scene scene = box(size);
             World world = resolve(scene);
@@ -265,8 +267,7 @@ TEST(ScatterLights, AboutEightReachAPoint) {
             constexpr int steps = 6;
             for (int i = 0; i < steps * steps * steps; ++i) {
                 const glm::dvec3 t(i % steps, i / steps % steps, i / steps / steps);
-                const glm::dvec3 point =
-                    glm::dvec3(size) * (0.25 + 0.5 * (t + 0.5) / double(steps));
+                const glm::dvec3 point = glm::dvec3(size) * (0.25 + 0.5 * (t + 0.5) / double(steps));
                 for (const PlacedLight& placed : world.lights)
                     reached += glm::length(placed.position - point) < double(range);
             }

@@ -136,8 +136,8 @@ TEST_F(Writer, PositionsAreInTheBinaryChunk) {
     const auto& view = glb.tree["bufferViews"][accessor["bufferView"].get<size_t>()];
     const Primitive expected = scene_with_everything().meshes[1].primitives[0];
     ASSERT_EQ(accessor["count"], expected.positions.size());
-    EXPECT_EQ(std::memcmp(glb.binary.data() + view["byteOffset"].get<size_t>(),
-                          expected.positions.data(), view["byteLength"].get<size_t>()),
+    EXPECT_EQ(std::memcmp(glb.binary.data() + view["byteOffset"].get<size_t>(), expected.positions.data(),
+                          view["byteLength"].get<size_t>()),
               0);
     EXPECT_EQ(accessor["min"], (json{-0.5, -0.5, -0.5}));
     EXPECT_EQ(accessor["max"], (json{0.5, 0.5, 0.5}));
@@ -148,7 +148,8 @@ TEST_F(Writer, WhatGltfCannotSayIsInExtras) {
     EXPECT_EQ(tree["extras"]["prelight"]["ambient"], (json{0.1, 0.2, 0.3}));
     const json& lights = tree["extensions"]["KHR_lights_punctual"]["lights"];
     EXPECT_FALSE(lights[0].contains("extras"));
-    EXPECT_EQ(lights[2]["extras"]["prelight"], (json{{"falloff", "linear"}, {"shininess", 2.5}, {"castsShadow", false}}));
+    EXPECT_EQ(lights[2]["extras"]["prelight"],
+              (json{{"falloff", "linear"}, {"shininess", 2.5}, {"castsShadow", false}}));
     EXPECT_EQ(lights[3]["extras"]["prelight"]["falloff"], "quadratic");
 }
 
@@ -161,8 +162,7 @@ TEST_F(Writer, BrightColoursMoveToTheIntensity) {
     EXPECT_EQ(light["color"][2].get<float>(), 0.7f / 8);
     EXPECT_LE(light["color"][0], 1);
     const json& material = tree["materials"][0];
-    const json& strength =
-        material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
+    const json& strength = material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
     EXPECT_EQ(material["emissiveFactor"][1].get<float>() * strength.get<float>(), 3.7f);
     EXPECT_EQ(material["emissiveFactor"][2].get<float>() * strength.get<float>(), 12.1f);
 }
@@ -206,8 +206,7 @@ TEST_F(Writer, RefusesWhatHasNoFormInGltf) {
     EXPECT_NE(refusal(vertex).find("mesh 0 (three): "), std::string::npos) << refusal(vertex);
 
     Scene camera = minimal();
-    add_camera(camera, {.name = "plan", .kind = ProjectionKind::orthographic}, {0, 0, 1},
-               {0, 0, 0});
+    add_camera(camera, {.name = "plan", .kind = ProjectionKind::orthographic}, {0, 0, 1}, {0, 0, 0});
     EXPECT_NE(refusal(camera).find("camera 0 (plan): "), std::string::npos) << refusal(camera);
 
     Scene image = minimal();
@@ -246,9 +245,7 @@ TEST_F(Validator, AcceptsEveryBuiltinScene) {
         EXPECT_TRUE(accepts(make_scene(scene.name, scene.default_lights, 1))) << scene.name;
 }
 
-TEST_F(Validator, AcceptsAsManyLightsAsThereMayBe) {
-    EXPECT_TRUE(accepts(make_scene("spheres", 65536, 1)));
-}
+TEST_F(Validator, AcceptsAsManyLightsAsThereMayBe) { EXPECT_TRUE(accepts(make_scene("spheres", 65536, 1))); }
 
 // The script itself must be able to say no.
 TEST_F(Validator, RefusesADamagedFile) {

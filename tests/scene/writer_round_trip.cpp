@@ -19,8 +19,7 @@ void expect_matrix_near(const glm::dmat4& a, const glm::dmat4& b, double bound) 
 }
 
 /// The reader numbers images in the order of their first use.
-void expect_same(const TextureRef& a, const Scene& scene_a, const TextureRef& b,
-                 const Scene& scene_b) {
+void expect_same(const TextureRef& a, const Scene& scene_a, const TextureRef& b, const Scene& scene_b) {
     ASSERT_EQ(bool(a), bool(b));
     if (!a)
         return;
@@ -59,8 +58,8 @@ void expect_same(const Material& a, const Scene& scene_a, const Material& b, con
 
 /// Largest difference of an attribute over all corners; infinite when one of the two lacks it.
 template <int N>
-float difference(const Primitive& a, const std::vector<glm::vec<N, float>>& of_a,
-                 const Primitive& b, const std::vector<glm::vec<N, float>>& of_b) {
+float difference(const Primitive& a, const std::vector<glm::vec<N, float>>& of_a, const Primitive& b,
+                 const std::vector<glm::vec<N, float>>& of_b) {
     if (of_a.empty() != of_b.empty())
         return std::numeric_limits<float>::infinity();
     float largest = 0;
@@ -227,8 +226,7 @@ TEST_F(RoundTrip, SceneWithEverything) {
     expect_same(a.meshes[1].primitives[2], b.meshes[0].primitives[1], false);
     expect_same(a.meshes[1].primitives[3], b.meshes[0].primitives[2], false);
     expect_same(a.meshes[2].primitives[0], b.meshes[1].primitives[0], false);
-    EXPECT_FALSE(
-        b.nodes[a.scenes[1].nodes[8]].mesh); // "nothing": three cameras, five lights before
+    EXPECT_FALSE(b.nodes[a.scenes[1].nodes[8]].mesh); // "nothing": three cameras, five lights before
 }
 
 TEST_F(RoundTrip, SecondFileIsTheFirst) {
@@ -311,14 +309,10 @@ TEST_F(RoundTrip, WhatTheBuiltinScenesDoNotMove) {
 }
 
 TEST_F(RoundTrip, WrongExtrasOfOurOwnAreWarnings) {
-    EXPECT_NE(patched("\"falloff\":\"linear\"", "\"falloff\":\"lineal\"").find("lineal"),
-              std::string::npos);
-    EXPECT_NE(patched("\"shininess\":2.5", "\"shininess\":-25").find("shininess "),
-              std::string::npos);
-    EXPECT_NE(patched("\"ambient\":[0.1", "\"ambient\":[-11").find("ambient holds -11"),
-              std::string::npos);
-    EXPECT_NE(patched("\"shininess\":2.5", "\"shininess\":0.0").find("shininess "),
-              std::string::npos);
+    EXPECT_NE(patched("\"falloff\":\"linear\"", "\"falloff\":\"lineal\"").find("lineal"), std::string::npos);
+    EXPECT_NE(patched("\"shininess\":2.5", "\"shininess\":-25").find("shininess "), std::string::npos);
+    EXPECT_NE(patched("\"ambient\":[0.1", "\"ambient\":[-11").find("ambient holds -11"), std::string::npos);
+    EXPECT_NE(patched("\"shininess\":2.5", "\"shininess\":0.0").find("shininess "), std::string::npos);
     EXPECT_NE(patched("\"castsShadow\":false", "\"castsShadow\":12345").find("castsShadow"), std::string::npos);
     EXPECT_EQ(patched("\"prelight\":{\"ambient\"", "\"prelude!\":{\"ambient\"").find("ambient"), std::string::npos);
 }
@@ -329,10 +323,9 @@ TEST_F(RoundTrip, SharedScenes) {
     if (!std::filesystem::exists(shared))
         GTEST_SKIP() << "the shared scenes are not there";
     for (const char* name :
-         {"TextureTransformMultiTest.glb", "TextureSettingsTest.glb", "Cameras.glb",
-          "LightsPunctualLamp.glb", "gdx-spotLightTest.glb", "MultiUVTest.glb",
-          "NegativeScaleTest.glb", "EmissiveStrengthTest.glb", "CesiumMan.glb", "MorphStressTest.glb",
-          "gdx-lightCameraAnimations.glb"}) {
+         {"TextureTransformMultiTest.glb", "TextureSettingsTest.glb", "Cameras.glb", "LightsPunctualLamp.glb",
+          "gdx-spotLightTest.glb", "MultiUVTest.glb", "NegativeScaleTest.glb", "EmissiveStrengthTest.glb",
+          "CesiumMan.glb", "MorphStressTest.glb", "gdx-lightCameraAnimations.glb"}) {
         SCOPED_TRACE(name);
         const Scene first = load_gltf(shared / name);
         const Scene second = back(first);

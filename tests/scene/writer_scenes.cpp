@@ -11,9 +11,8 @@ namespace {
 TextureImage checker(const char* name, uint8_t alpha) {
     TextureImage image{.name = name, .width = 5, .height = 3, .rgba = {}};
     for (uint32_t i = 0; i < 15; ++i)
-        image.rgba.insert(image.rgba.end(),
-                          {static_cast<uint8_t>(17 * i), static_cast<uint8_t>(255 - 16 * i), 128,
-                           i == 4 ? alpha : uint8_t{255}});
+        image.rgba.insert(image.rgba.end(), {static_cast<uint8_t>(17 * i), static_cast<uint8_t>(255 - 16 * i), 128,
+                                             i == 4 ? alpha : uint8_t{255}});
     return image;
 }
 
@@ -30,14 +29,12 @@ Material textured() {
                       .double_sided = true};
     material.base_colour_texture = {.image = 0, .sampler = {}};
     material.metallic_roughness_texture = {.image = 1, .sampler = {}};
-    material.normal_texture = {.image = 1,
-                               .sampler = {.wrap_s = Wrap::clamp_to_edge, .mag = Filter::nearest}};
+    material.normal_texture = {.image = 1, .sampler = {.wrap_s = Wrap::clamp_to_edge, .mag = Filter::nearest}};
     material.occlusion_texture = {.image = 1, .sampler = {}, .texcoord = 1};
-    material.emissive_texture = {.image = 0,
-                                 .sampler = {.wrap_t = Wrap::mirrored_repeat,
-                                             .min = Filter::nearest,
-                                             .mip = MipFilter::none},
-                                 .texcoord = 1};
+    material.emissive_texture = {
+        .image = 0,
+        .sampler = {.wrap_t = Wrap::mirrored_repeat, .min = Filter::nearest, .mip = MipFilter::none},
+        .texcoord = 1};
     const float c = std::cos(0.5f), s = std::sin(0.5f);
     material.emissive_texture.uv_linear = {{2 * c, -2 * s}, {-3 * s, -3 * c}};
     material.emissive_texture.uv_offset = {0.25f, -0.5f};
@@ -48,8 +45,7 @@ Material textured() {
 void add_lights(Scene& scene) {
     const float inf = std::numeric_limits<float>::infinity();
     add_light(scene, {.name = "sun", .kind = LightKind::directional, .intensity = 2}, {0, 9, 0});
-    add_light(scene, {.name = "bulb", .colour = {1, 0.5f, 0.3f}, .intensity = 40, .range = inf},
-              {1, 2, 3});
+    add_light(scene, {.name = "bulb", .colour = {1, 0.5f, 0.3f}, .intensity = 40, .range = inf}, {1, 2, 3});
     add_light(scene,
               {.name = "bright",
                .colour = {5, 0, 0.7f},
@@ -69,10 +65,7 @@ void add_lights(Scene& scene) {
                .falloff = Falloff::quadratic},
               {0, 3, 0});
     add_light(scene,
-              {.name = "half space",
-               .kind = LightKind::spot,
-               .inner_cone = 1.57079633f,
-               .outer_cone = 1.57079633f},
+              {.name = "half space", .kind = LightKind::spot, .inner_cone = 1.57079633f, .outer_cone = 1.57079633f},
               {0, 4, 0});
 }
 
@@ -81,8 +74,7 @@ void add_meshes(Scene& scene) {
     sphere.texcoords[1] = sphere.texcoords[0];
     sphere.colours.assign(sphere.positions.size(), {0.5f, 0.25f, 1, 1});
     generate_tangents(sphere, 0);
-    Primitive
-        triangle; // its six bytes of indices leave the next view unaligned, if it is not padded
+    Primitive triangle; // its six bytes of indices leave the next view unaligned, if it is not padded
     triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     triangle.indices = {0, 1, 2};
     make_flat_normals(triangle);
@@ -108,11 +100,9 @@ void add_nodes(Scene& scene) {
     parent.instances = {translation({1, 2, 3}), mirrored, glm::dmat4(1)};
     const auto child = static_cast<uint32_t>(scene.nodes.size());
     parent.children = {child, child + 1};
-    scene.nodes.push_back(
-        {.name = "flat", .local = turned * glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1))});
+    scene.nodes.push_back({.name = "flat", .local = turned * glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1))});
     scene.nodes[child].mesh = 1;
-    scene.nodes.push_back(
-        {.name = "leaf", .local = glm::scale(glm::dmat4(1), glm::dvec3(2, 2, -2))});
+    scene.nodes.push_back({.name = "leaf", .local = glm::scale(glm::dmat4(1), glm::dvec3(2, 2, -2))});
     scene.nodes[child + 1].mesh = 2;
 }
 
@@ -123,22 +113,14 @@ Scene scene_with_everything() {
     scene.name = "everything";
     scene.ambient = {0.1f, 0.2f, 0.3f};
     scene.images = {checker("opaque", 255), checker("see-through", 7)};
-    scene.materials = {textured(),
-                       textured(),
-                       {.name = "unlit", .alpha_mode = AlphaMode::blend, .unlit = true},
-                       {}};
+    scene.materials = {textured(), textured(), {.name = "unlit", .alpha_mode = AlphaMode::blend, .unlit = true}, {}};
     scene.materials[1].normal_texture = {};
     scene.materials[1].normal_scale = 1; // a scale without a map has no place in glTF
     scene.scenes = {{.name = "empty", .nodes = {}}, {.name = "full", .nodes = {}}};
     scene.default_scene = 1;
     add_camera(scene, {.name = "infinite", .yfov = 1.1}, {0, 5, 20}, {0, 0, 0});
     add_camera(scene, {.name = "near", .zfar = 123.5}, {3, 5, 20}, {0, 0, 0});
-    add_camera(scene,
-               {.name = "plan",
-                .kind = ProjectionKind::orthographic,
-                .ymag = 12.5,
-                .znear = 0,
-                .zfar = 50},
+    add_camera(scene, {.name = "plan", .kind = ProjectionKind::orthographic, .ymag = 12.5, .znear = 0, .zfar = 50},
                {0.1, 30, 0}, {0, 0, 0});
     add_lights(scene);
     add_meshes(scene);

@@ -9,9 +9,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A built-in scene's name, or the name of a file wherever it lies.
-std::string scene_name(const std::string& scene) {
-    return std::filesystem::path(scene).filename().string();
-}
+std::string scene_name(const std::string& scene) { return std::filesystem::path(scene).filename().string(); }
 
 bool settings_agree(const SavedRun& a, const SavedRun& b) {
     return std::ranges::all_of(a.settings, [&](const auto& setting) {
@@ -50,12 +48,10 @@ std::string title(const SavedRun& run) {
                        run.lights == 1 ? "" : "s");
 }
 
-bool same_device(const SavedRun& a, const SavedRun& b) {
-    return a.device == b.device && a.driver == b.driver;
-}
+bool same_device(const SavedRun& a, const SavedRun& b) { return a.device == b.device && a.driver == b.driver; }
 
-void add_times(std::vector<Change>& changes, const SavedRun& before, const SavedRun* unit_before,
-               const SavedRun& after, const SavedRun* unit_after) {
+void add_times(std::vector<Change>& changes, const SavedRun& before, const SavedRun* unit_before, const SavedRun& after,
+               const SavedRun* unit_after) {
     const auto judged = [&](const Figure& a, const Figure& b) { return judge(a, b, before.frames, after.frames); };
     bool unit_changed = false;
     if (unit_before && unit_after && unit_before->cpu_ms.median > 0 && unit_after->cpu_ms.median > 0) {
@@ -84,7 +80,10 @@ void add_times(std::vector<Change>& changes, const SavedRun& before, const Saved
 }
 
 Json change_json(const Change& change) {
-    return {{"figure", change.figure}, {"before", change.before}, {"after", change.after}, {"verdict", verdict_text(change)}};
+    return {{"figure", change.figure},
+            {"before", change.before},
+            {"after", change.after},
+            {"verdict", verdict_text(change)}};
 }
 
 } // namespace
@@ -126,8 +125,7 @@ Json print_changes(const SavedBench& before, const SavedBench& after, const std:
             continue;
         }
         fmt::print("{}{}\n", title(run),
-                   same_device(*old, run) ? ""
-                                          : fmt::format(" (there on {}: only counts compare)", old->device));
+                   same_device(*old, run) ? "" : fmt::format(" (there on {}: only counts compare)", old->device));
         Json entry = {{"variant", run.variant},
                       {"lights", run.lights},
                       {"same_device", same_device(*old, run)},

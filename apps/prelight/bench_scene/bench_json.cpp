@@ -8,13 +8,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
+Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json tile(const std::optional<double>& ms, uint32_t size) {
-    return ms ? Json(size) : Json(nullptr);
-}
+Json tile(const std::optional<double>& ms, uint32_t size) { return ms ? Json(size) : Json(nullptr); }
 
 Json figures_json(const LimitFigures& f) {
     return {{"variant", f.run->job->variant.name()},

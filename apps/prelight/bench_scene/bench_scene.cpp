@@ -77,11 +77,14 @@ void bench_scene(const BenchCommand& given) {
         for (Job& job : limit_jobs(contenders, command, missing))
             jobs.push_back(std::move(job));
 
-    const auto device = open_device({.select = command.device, .validate = command.validate}, command.options.width, command.options.height);
+    const auto device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
+                                    command.options.height);
     const std::string type = type_of(*device);
     const bool software = type == "software";
-    const SceneSeries scenes(command.scene, command.lights, command.seed, {command.moment, command.animation, command.reading},
-                             environment_edit(command.environment), {double(command.options.width) / command.options.height, command.framing});
+    const SceneSeries scenes(command.scene, command.lights, command.seed,
+                             {command.moment, command.animation, command.reading},
+                             environment_edit(command.environment),
+                             {double(command.options.width) / command.options.height, command.framing});
     const std::vector<Stop> stops = stops_of(command, scenes);
     check_light_counts(jobs, stops, *device);
     const Measured measured = measure(jobs, stops, scenes, command, *device, software);

@@ -98,8 +98,8 @@ std::vector<Job> contenders_of(const BenchCommand& command) {
         add_once(jobs, make_job(variant, Role::contender, command));
     }
     if (!unused.empty())
-        throw UsageError(fmt::format("--set {}={}: no renderer of --renderers has that setting",
-                                     unused.begin()->first, unused.begin()->second));
+        throw UsageError(fmt::format("--set {}={}: no renderer of --renderers has that setting", unused.begin()->first,
+                                     unused.begin()->second));
     return jobs;
 }
 
@@ -107,8 +107,7 @@ std::vector<Job> limit_jobs(const std::vector<Job>& contenders, const BenchComma
                             std::vector<std::string>& missing) {
     std::vector<Job> jobs;
     Variant unit{.renderer = "plain-forward"};
-    if (const auto filter = command.options.settings.find("texture-filter");
-        filter != command.options.settings.end())
+    if (const auto filter = command.options.settings.find("texture-filter"); filter != command.options.settings.end())
         unit.settings.insert(*filter); // the same textures, read the same way
     jobs.push_back(make_job(unit, Role::unit, command));
     for (const Job& contender : contenders) {
@@ -129,7 +128,7 @@ std::vector<const Job*> jobs_for(const Job& contender, Role role, const std::vec
     std::vector<const Job*> found;
     for (const Job& job : jobs) {
         const char* lists = role == Role::perfect ? "perfect" : "empty";
-        const bool own = role == Role::unit          ? true
+        const bool own = role == Role::unit        ? true
                          : role == Role::no_lights ? job.variant == contender.variant
                                                    : job.variant == with_lists(contender.variant, lists, job.tile);
         if (job.role == role && own)

@@ -20,7 +20,7 @@ const char* role_name(Role role);
 struct Job {
     Variant variant; ///< with the settings of --set
     Role role = Role::contender;
-    uint32_t tile = 0;  ///< of perfect and empty lists: pixels
+    uint32_t tile = 0; ///< of perfect and empty lists: pixels
     RenderOptions options;
 
     /// As its column is headed: the variant's name, or what it is.

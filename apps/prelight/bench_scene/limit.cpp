@@ -26,10 +26,10 @@ Fastest fastest_light(const Measured& measured, const Run& run, Role role, const
     for (const Job* job : jobs_for(*run.job, role, jobs))
         if (const Run* limit = measured.find(job, run.stop)) {
             if (role == Role::perfect && lacks_light(limit->stats, run.stats)) {
-                const std::string line =
-                    fmt::format("{}, {} lights: the lists hold {:.2f} of {:.2f} million contributing pairs and are no limit",
-                                job->name(), run.stop.lights, double(limit->stats.pairs_contributing) / 1e6,
-                                double(run.stats.pairs_contributing) / 1e6);
+                const std::string line = fmt::format(
+                    "{}, {} lights: the lists hold {:.2f} of {:.2f} million contributing pairs and are no limit",
+                    job->name(), run.stop.lights, double(limit->stats.pairs_contributing) / 1e6,
+                    double(run.stats.pairs_contributing) / 1e6);
                 if (std::ranges::find(missing, line) == missing.end())
                     missing.push_back(line);
                 continue;

@@ -6,16 +6,16 @@ namespace prelight::app {
 /// How far a contender is from what the device can do, at one number of lights. Times in milliseconds;
 /// what could not be measured is absent.
 struct LimitFigures {
-    const Run* run = nullptr;     ///< the contender's
-    const Run* unit = nullptr;    ///< F at the same number of lights
-    bool by_cpu = false;          ///< frames by CPU time instead of device time
-    bool passes_by_cpu = false;   ///< passes likewise
+    const Run* run = nullptr;   ///< the contender's
+    const Run* unit = nullptr;  ///< F at the same number of lights
+    bool by_cpu = false;        ///< frames by CPU time instead of device time
+    bool passes_by_cpu = false; ///< passes likewise
     double frame_ms = 0, unit_ms = 0;
     std::optional<double> no_lights_ms; ///< the frame without any light
     /// Geometry and material passes of the contender; none where a pass does more than that.
     std::optional<double> geometry_ms;
-    std::optional<double> unit_pass_ms; ///< F's pass by the clock of passes
-    std::optional<double> light_ms, lists_ms; ///< evaluating lights; building lists for that
+    std::optional<double> unit_pass_ms;         ///< F's pass by the clock of passes
+    std::optional<double> light_ms, lists_ms;   ///< evaluating lights; building lists for that
     std::optional<double> perfect_ms, empty_ms; ///< the light pass over perfect and empty lists, fastest tile
     uint32_t perfect_tile = 0, empty_tile = 0;
 

@@ -20,8 +20,8 @@ class Measurement {
 public:
     Measurement(const std::vector<Job>& jobs, const std::vector<Stop>& stops, const SceneSeries& scenes,
                 const BenchCommand& command, Device& device, bool pass_cpu)
-        : jobs_(jobs), stops_(stops), scenes_(scenes), command_(command), device_(device), pass_cpu_(pass_cpu), scene_(scenes.make()),
-          camera_(camera_of(scene_->world, command.camera)), usable_(jobs.size(), true) {
+        : jobs_(jobs), stops_(stops), scenes_(scenes), command_(command), device_(device), pass_cpu_(pass_cpu),
+          scene_(scenes.make()), camera_(camera_of(scene_->world, command.camera)), usable_(jobs.size(), true) {
         out_.triangles = scene_->world.triangles;
         out_.camera = camera_.camera.name;
         for (const Stop& stop : stops)
@@ -68,7 +68,8 @@ private:
             const auto renderer = create_renderer(job.variant.renderer, &device_, options);
             renderer->set_world(scene_->world);
             for (; stop < stops_.size(); ++stop) {
-                progress_.step(share_of_survey * double(j * stops_.size() + stop) / double(jobs_.size() * stops_.size()),
+                progress_.step(share_of_survey * double(j * stops_.size() + stop) /
+                                   double(jobs_.size() * stops_.size()),
                                "pairs of " + place(job, stop));
                 renderer->set_lights(lights_of(job, stop));
                 renderer->render(camera_);
@@ -93,7 +94,8 @@ private:
 
     /// All jobs at one stop, interleaved.
     void time(size_t s, std::vector<std::unique_ptr<Renderer>>& renderers) {
-        progress_.step(share_of_stop(s, 0), fmt::format("frames with {} light{}", stops_[s].lights, stops_[s].lights == 1 ? "" : "s"));
+        progress_.step(share_of_stop(s, 0),
+                       fmt::format("frames with {} light{}", stops_[s].lights, stops_[s].lights == 1 ? "" : "s"));
         std::vector<Contender> contenders;
         std::vector<const Job*> owners;
         for (size_t j = 0; j < jobs_.size(); ++j) {
@@ -159,8 +161,8 @@ private:
 } // namespace
 
 const Run* Measured::find(const Job* job, const Stop& stop) const {
-    const auto found = std::ranges::find_if(
-        runs, [&](const Run& run) { return run.job == job && run.stop.lights == stop.lights; });
+    const auto found =
+        std::ranges::find_if(runs, [&](const Run& run) { return run.job == job && run.stop.lights == stop.lights; });
     return found == runs.end() ? nullptr : &*found;
 }
 

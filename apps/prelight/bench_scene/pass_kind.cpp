@@ -20,11 +20,10 @@ constexpr std::array beginnings{
     Beginning{"cluster", PassKind::lists},       Beginning{"tile", PassKind::lists},
     Beginning{"light-", PassKind::light},        Beginning{"light ", PassKind::light},
     Beginning{"depth", PassKind::geometry},      Beginning{"normal", PassKind::geometry},
-    Beginning{"decal", PassKind::geometry},      // they make the surface what light meets
+    Beginning{"decal", PassKind::geometry}, // they make the surface what light meets
     Beginning{"geometry", PassKind::geometry},   Beginning{"material", PassKind::material},
-    Beginning{"shadow", PassKind::light},        // as much as the light needs it
-    Beginning{"sun", PassKind::light},
-    Beginning{"background", PassKind::display},
+    Beginning{"shadow", PassKind::light}, // as much as the light needs it
+    Beginning{"sun", PassKind::light},           Beginning{"background", PassKind::display},
     Beginning{"resolve", PassKind::display},     Beginning{"tonemap", PassKind::display},
 };
 
@@ -33,8 +32,8 @@ constexpr std::array beginnings{
 PassKind kind_of(std::string_view pass) {
     if (pass == "light") // "lights" is multi-pass forward's, with materials
         return PassKind::light;
-    const auto found = std::ranges::find_if(
-        beginnings, [&](const Beginning& beginning) { return pass.starts_with(beginning.text); });
+    const auto found =
+        std::ranges::find_if(beginnings, [&](const Beginning& beginning) { return pass.starts_with(beginning.text); });
     return found == beginnings.end() ? PassKind::other : found->kind;
 }
 

@@ -50,8 +50,8 @@ void print_passes(const Stats& stats) {
         if (of_lists && lists)
             continue;
         lists = lists || of_lists;
-        const double time = of_lists ? *passes_ms(stats, PassKind::lists, cpu)
-                                     : (cpu ? *pass.cpu_ms : pass.gpu_ms).median;
+        const double time =
+            of_lists ? *passes_ms(stats, PassKind::lists, cpu) : (cpu ? *pass.cpu_ms : pass.gpu_ms).median;
         line += fmt::format("{}{} {}", line.empty() ? "" : ", ", of_lists ? "building lists" : pass.name, ms(time));
     }
     fmt::print("    {} ms: {}\n", cpu ? "CPU" : "device", line);
@@ -68,8 +68,8 @@ void print_run(const Run& run, const LimitFigures* limit, size_t width) {
         counted && stats.pairs_contributing
             ? fmt::format("{:.2f}", double(stats.pairs_evaluated) / double(stats.pairs_contributing))
             : "–";
-    fmt::print("{:<{}}  {:>22}  {:>7}  {:>8}  {:>9}  {:>9.2f}  {:>7}  {:>7.1f}  {:>7.1f}  {:>8.1f}\n",
-               run.job->name(), width, spread_text(stats.cpu_ms), limit ? fmt::format("{:.2f}", limit->frame_in_f()) : "–",
+    fmt::print("{:<{}}  {:>22}  {:>7}  {:>8}  {:>9}  {:>9.2f}  {:>7}  {:>7.1f}  {:>7.1f}  {:>8.1f}\n", run.job->name(),
+               width, spread_text(stats.cpu_ms), limit ? fmt::format("{:.2f}", limit->frame_in_f()) : "–",
                ms(stats.wall_ms.median), ms(stats.gpu_ms.median), double(stats.pairs_evaluated) / 1e6, ratio,
                double(stats.attachment_bytes) / pixels, double(moved) / 1e6, double(stats.device_bytes) / 1e6);
     print_passes(stats);
@@ -100,7 +100,8 @@ void print_limits(const std::vector<LimitFigures>& limits, const std::vector<std
         width = std::max(width, f.run->job->name().size());
     for (const LimitFigures& f : limits) {
         if (lights != f.run->stop.lights)
-            fmt::print("\nlimit, {} light{}: F is {} ms of {} time{}\n{:<{}}  {:>8}  {:>9}  {:>9}  {:>9}  {:>16}  {:>8}  {:>8}  {:>8}\n",
+            fmt::print("\nlimit, {} light{}: F is {} ms of {} time{}\n{:<{}}  {:>8}  {:>9}  {:>9}  {:>9}  {:>16}  "
+                       "{:>8}  {:>8}  {:>8}\n",
                        f.run->stop.lights, f.run->stop.lights == 1 ? "" : "s",
                        spread_text(f.by_cpu ? f.unit->stats.cpu_ms : f.unit->stats.gpu_ms), f.by_cpu ? "CPU" : "device",
                        f.passes_by_cpu || !f.by_cpu ? "" : "; passes by device time", "", width, "frame", "no light",

@@ -66,12 +66,13 @@ void take_exposure(Report& report, Device& device, const World& world) {
         run.options.exposure = options.exposure;
 }
 
-void take_all_pictures(Report& report, Device& device, const World& world, ReportFolder& folder,
-                       KeptSteps& kept, Progress& progress) {
+void take_all_pictures(Report& report, Device& device, const World& world, ReportFolder& folder, KeptSteps& kept,
+                       Progress& progress) {
     const PlacedCamera& camera = camera_of(world, report.command.camera);
     report.camera = camera.camera.name;
     PictureStore store(folder, kept);
-    progress.step(0, kept.found() ? fmt::format("{} finished steps of an earlier run found", kept.found()) : "reference");
+    progress.step(0,
+                  kept.found() ? fmt::format("{} finished steps of an earlier run found", kept.found()) : "reference");
     take_reference_pictures(report, world, camera, store, kept);
     References references(world, camera, report.command.options);
     for (size_t i = 0; i < report.runs.size(); ++i) {
@@ -87,8 +88,8 @@ void check_any(const Report& report) {
         if (run.error.empty())
             return;
     const RunReport& first = report.runs.at(0);
-    const std::string line = fmt::format("{}: nothing could be rendered: {}: {}", report.scene,
-                                         first.variant.name(), first.error);
+    const std::string line =
+        fmt::format("{}: nothing could be rendered: {}: {}", report.scene, first.variant.name(), first.error);
     if (std::ranges::all_of(report.runs, &RunReport::wrong_usage))
         throw UsageError(line);
     throw Error(line);
@@ -97,12 +98,14 @@ void check_any(const Report& report) {
 /// With what is to be forgotten once the report is in its place.
 KeptSteps make_report(Report& report, ReportFolder& folder) {
     const CompareCommand& command = report.command;
-    const auto device = open_device({.select = command.device, .validate = command.validate}, command.options.width, command.options.height);
+    const auto device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
+                                    command.options.height);
     report.device = device->name();
     report.driver = device->driver();
     report.device_type = type_of(*device);
     const SceneSeries scenes(command.scene, command.lights, command.seed,
-                             {command.moment, command.animation, command.reading}, environment_edit(command.environment),
+                             {command.moment, command.animation, command.reading},
+                             environment_edit(command.environment),
                              {double(command.options.width) / command.options.height, command.framing});
     KeptSteps kept(key_of(report));
     {
@@ -127,16 +130,13 @@ KeptSteps make_report(Report& report, ReportFolder& folder) {
 void run(const CompareCommand& command) {
     const auto start = std::chrono::steady_clock::now();
     Report report{.command = command};
-    report.scene = names_file(command.scene)
-                       ? std::filesystem::path(command.scene).filename().string()
-                       : command.scene;
+    report.scene = names_file(command.scene) ? std::filesystem::path(command.scene).filename().string() : command.scene;
     report.runs = make_runs(command);
     check_scene_name(command.scene);
     check_outside(command.folder, inputs_of(command));
     ReportFolder folder(command.folder);
     KeptSteps kept = make_report(report, folder);
-    report.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const nlohmann::ordered_json json = report_json(report);
     folder.write([&](const std::filesystem::path& path) {
@@ -145,12 +145,11 @@ void run(const CompareCommand& command) {
     });
     folder.publish();
     kept.forget();
-    const auto failed = std::ranges::count_if(
-        report.runs, [](const RunReport& run) { return !run.error.empty(); });
+    const auto failed = std::ranges::count_if(report.runs, [](const RunReport& run) { return !run.error.empty(); });
     fmt::print("{}: {}, rendered in {} way(s){}, {} light(s), {:.0f} s on {}\n",
                escaped((command.folder / "index.html").string()), escaped(report.scene),
-               report.runs.size() - size_t(failed), failed ? fmt::format(", {} failed", failed) : "",
-               report.lights, report.seconds, report.device);
+               report.runs.size() - size_t(failed), failed ? fmt::format(", {} failed", failed) : "", report.lights,
+               report.seconds, report.device);
 }
 
 } // namespace prelight::app

@@ -13,9 +13,7 @@ using Json = nlohmann::json;
 
 constexpr size_t most_reports = 8; ///< that were left unfinished
 
-void write(const fs::path& file, const std::string& text) {
-    gpu::write_cache(file, std::as_bytes(std::span(text)));
-}
+void write(const fs::path& file, const std::string& text) { gpu::write_cache(file, std::as_bytes(std::span(text))); }
 
 std::string read(const fs::path& file) {
     const std::vector<std::byte> bytes = gpu::read_cache(file);

@@ -83,23 +83,21 @@ std::vector<std::string> views_to_show(const RendererInfo& info) {
 }
 
 std::map<std::string, std::string> store_views(Renderer& renderer, const std::string& name,
-                                               const std::vector<std::string>& views,
-                                               PictureStore& store) {
+                                               const std::vector<std::string>& views, PictureStore& store) {
     std::map<std::string, std::string> files;
     for (const std::string& view : views)
         files[view] = store.add(name + "-" + view, renderer.read(view));
     return files;
 }
 
-void take(RunReport& run, Device& device, const World& world, const PlacedCamera& camera,
-          References& references, PictureStore& store) {
+void take(RunReport& run, Device& device, const World& world, const PlacedCamera& camera, References& references,
+          PictureStore& store) {
     RenderOptions options = run.options;
     options.count_pairs = true;
     const std::vector<std::string> views = views_to_show(run.info);
     options.views = views;
     options.views.emplace_back("linear"); // the difference is measured there
-    if (std::ranges::find(run.info.settings, "texture-filter", &SettingInfo::key) !=
-        run.info.settings.end())
+    if (std::ranges::find(run.info.settings, "texture-filter", &SettingInfo::key) != run.info.settings.end())
         options.settings.emplace("texture-filter", "bilinear");
     const auto renderer = create_renderer(run.variant.renderer, &device, options);
     renderer->set_world(world);
@@ -110,8 +108,7 @@ void take(RunReport& run, Device& device, const World& world, const PlacedCamera
     run.form = form_name(form);
     const References::Picture& reference = references.of(form);
     Image errors;
-    run.difference =
-        compare(renderer->read("linear"), reference.linear, reference.left_out, &errors);
+    run.difference = compare(renderer->read("linear"), reference.linear, reference.left_out, &errors);
     for (glm::vec3& pixel : errors.pixels)
         pixel = error_colour(pixel.r);
     run.pictures = store_views(*renderer, run.variant.name(), views, store);
@@ -190,8 +187,8 @@ void take_or_find_pictures(RunReport& run, Device& device, const World& world, c
     kept.keep(step, state_of(run));
 }
 
-void take_reference_pictures(Report& report, const World& world, const PlacedCamera& camera,
-                             PictureStore& store, KeptSteps& kept) {
+void take_reference_pictures(Report& report, const World& world, const PlacedCamera& camera, PictureStore& store,
+                             KeptSteps& kept) {
     if (const Json* state = kept.find("reference")) {
         report.reference_ms = state->at("ms");
         report.reference_pictures = state->at("pictures").get<std::map<std::string, std::string>>();

@@ -39,7 +39,7 @@ void take_pictures(RunReport& run, Device& device, const World& world, const Pla
                    References& references, PictureStore& store);
 
 /// Fills `reference_pictures` and `reference_ms`, or finds them.
-void take_reference_pictures(Report& report, const World& world, const PlacedCamera& camera,
-                             PictureStore& store, KeptSteps& kept);
+void take_reference_pictures(Report& report, const World& world, const PlacedCamera& camera, PictureStore& store,
+                             KeptSteps& kept);
 
 } // namespace prelight::app

@@ -33,8 +33,8 @@ const References::Picture& References::of(const ReferenceForm& form) {
     for (const auto& [known, picture] : made_)
         if (known == form)
             return picture;
-    ReferencePicture picture = render_reference(world_, camera_, options_.width, options_.height,
-                                                options_.exposure, form);
+    ReferencePicture picture =
+        render_reference(world_, camera_, options_.width, options_.height, options_.exposure, form);
     std::vector<uint8_t> left_out = picture.left_out();
     return made_.emplace_back(form, Picture{std::move(picture.linear), std::move(left_out)}).second;
 }

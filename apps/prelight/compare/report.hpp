@@ -11,15 +11,15 @@ struct RunReport {
     Variant variant;
     RendererInfo info;
     RenderOptions options;
-    std::string error;     ///< why there are no figures; empty: there are
+    std::string error;        ///< why there are no figures; empty: there are
     bool wrong_usage = false; ///< the error is one of settings that do not go together
-    std::string form;      ///< of the reference that its picture is judged against
+    std::string form;         ///< of the reference that its picture is judged against
     Comparison difference;
     std::map<std::string, std::string> pictures; ///< view, or "difference" → file below the folder
     Stats stats;                                 ///< with the scene's own lights
-    bool in_series = false;    ///< its time is measured against the number of lights too
-    std::vector<Stats> series; ///< rising numbers of lights
-    std::string stopped;       ///< why the series ends early; empty: it does not
+    bool in_series = false;                      ///< its time is measured against the number of lights too
+    std::vector<Stats> series;                   ///< rising numbers of lights
+    std::string stopped;                         ///< why the series ends early; empty: it does not
 };
 
 struct Report {

@@ -77,8 +77,10 @@ void check_place(const fs::path& place) {
         refuse(place, "cannot be read");
     const std::optional<std::string> stranger = stranger_in(place, files_of_report(place));
     if (stranger)
-        refuse(place, fmt::format("holds {}, which is of no earlier report; name a new folder, an empty one or one with "
-                                  "nothing but an earlier report", *stranger));
+        refuse(place,
+               fmt::format("holds {}, which is of no earlier report; name a new folder, an empty one or one with "
+                           "nothing but an earlier report",
+                           *stranger));
 }
 
 /// Swaps the two folders at once where the file system can, else by way of a third name.
@@ -134,8 +136,8 @@ void ReportFolder::publish() {
     const auto lock = guard_->hold();
     check_place(place_); // hours may have passed
     std::error_code error;
-    const bool done = fs::exists(place_, error) ? swap_folders(growing_, place_)
-                                                : std::rename(growing_.c_str(), place_.c_str()) == 0;
+    const bool done =
+        fs::exists(place_, error) ? swap_folders(growing_, place_) : std::rename(growing_.c_str(), place_.c_str()) == 0;
     if (!done)
         refuse(place_, fmt::format("cannot be replaced ({})", std::strerror(errno)));
     // What lay there before now has the hidden name, and goes with this object.

@@ -17,10 +17,14 @@ struct Key {
     const char* key;
     const char* label;
 };
-constexpr Key keys[] = {{"final", "0", "Picture"},          {"depth", "1", "Depth"},
-                        {"normal", "2", "Normals"},         {"diffuse-light", "3", "Lights"},
-                        {"albedo", "4", "Material"},        {"difference", "5", "Difference"},
-                        {"specular-light", "6", "Specular light"}, {"light-count", "7", "Light count"},
+constexpr Key keys[] = {{"final", "0", "Picture"},
+                        {"depth", "1", "Depth"},
+                        {"normal", "2", "Normals"},
+                        {"diffuse-light", "3", "Lights"},
+                        {"albedo", "4", "Material"},
+                        {"difference", "5", "Difference"},
+                        {"specular-light", "6", "Specular light"},
+                        {"light-count", "7", "Light count"},
                         {"roughness", "8", "Roughness"}};
 
 /// Whether a pass is there for the lights alone: it evaluates them or finds their pixels. Passes that
@@ -52,9 +56,8 @@ ReportJson per_pixel(uint64_t bytes, const RenderOptions& options) {
 
 ReportJson entry(const Report& report, const RunReport& run, const Stats& stats) {
     ReportJson json = stats_entry(report.scene, run.variant.renderer, run.options, stats);
-    json["attachment_bytes_per_pixel"] = {
-        {"shared", per_pixel(stats.attachment_bytes, run.options)},
-        {"unshared", per_pixel(stats.attachment_bytes_unshared, run.options)}};
+    json["attachment_bytes_per_pixel"] = {{"shared", per_pixel(stats.attachment_bytes, run.options)},
+                                          {"unshared", per_pixel(stats.attachment_bytes_unshared, run.options)}};
     json["light_pass_share"] = light_share(stats);
     for (size_t i = 0; i < stats.passes.size(); ++i)
         json["passes"][i]["for_lights"] = is_light_pass(stats.passes[i].name);
@@ -94,8 +97,8 @@ ReportJson run_json(const Report& report, const RunReport& run) {
 
 /// Least squares of a time over the number of lights.
 struct Line {
-    ReportJson slope;         ///< what one light more costs, microseconds; null with fewer than two numbers of lights
-    ReportJson error;         ///< standard error of it, by what each point's median may be off
+    ReportJson slope;          ///< what one light more costs, microseconds; null with fewer than two numbers of lights
+    ReportJson error;          ///< standard error of it, by what each point's median may be off
     ReportJson without_lights; ///< milliseconds
 };
 
@@ -128,14 +131,14 @@ ReportJson series_json(const Report& report) {
             continue;
         const Line device = line_through(run.series, &Stats::gpu_ms), cpu = line_through(run.series, &Stats::cpu_ms);
         ReportJson json = {{"variant", run.variant.name()},
-                     {"us_per_light", device.slope},
-                     {"us_per_light_error", device.error},
-                     {"ms_without_lights", device.without_lights},
-                     {"cpu_us_per_light", cpu.slope},
-                     {"cpu_us_per_light_error", cpu.error},
-                     {"cpu_ms_without_lights", cpu.without_lights},
-                     {"stopped", run.stopped.empty() ? ReportJson(nullptr) : ReportJson(run.stopped)},
-                     {"points", ReportJson::array()}};
+                           {"us_per_light", device.slope},
+                           {"us_per_light_error", device.error},
+                           {"ms_without_lights", device.without_lights},
+                           {"cpu_us_per_light", cpu.slope},
+                           {"cpu_us_per_light_error", cpu.error},
+                           {"cpu_ms_without_lights", cpu.without_lights},
+                           {"stopped", run.stopped.empty() ? ReportJson(nullptr) : ReportJson(run.stopped)},
+                           {"points", ReportJson::array()}};
         for (const Stats& stats : run.series)
             json["points"].push_back(entry(report, run, stats));
         all.push_back(std::move(json));
@@ -175,29 +178,29 @@ ReportJson views_json(const Report& report) {
 
 ReportJson report_json(const Report& report) {
     const CompareCommand& command = report.command;
-    ReportJson json = {{"prelight_report", 1},
-                 {"version", PRELIGHT_VERSION},
-                 {"scene", report.scene},
-                 {"camera", report.camera},
-                 {"size", {command.options.width, command.options.height}},
-                 {"shading", command.options.shading.value_or(Shading::ggx) == Shading::ggx ? "ggx" : "phong"},
-                 {"exposure", command.options.exposure},
-                 {"seed", command.seed},
-                 {"time", command.moment ? ReportJson(command.moment->time) : ReportJson(nullptr)},
-                 {"lights", report.lights},
-                 {"lights_added", report.lights_added},
-                 {"triangles", report.triangles},
-                 {"device", report.device},
-                 {"driver", report.driver},
-                 {"device_type", report.device_type},
-                 {"steady_time", report.software() ? "cpu_ms" : "gpu_ms"},
-                 {"frames", command.frames},
-                 {"frame_limit", command.frame_limit},
-                 {"seconds", report.seconds},
-                 {"views", views_json(report)},
-                 {"reference",
-                  {{"wall_ms", report.reference_ms}, {"pictures", ReportJson(report.reference_pictures)}}},
-                 {"runs", ReportJson::array()}};
+    ReportJson json = {
+        {"prelight_report", 1},
+        {"version", PRELIGHT_VERSION},
+        {"scene", report.scene},
+        {"camera", report.camera},
+        {"size", {command.options.width, command.options.height}},
+        {"shading", command.options.shading.value_or(Shading::ggx) == Shading::ggx ? "ggx" : "phong"},
+        {"exposure", command.options.exposure},
+        {"seed", command.seed},
+        {"time", command.moment ? ReportJson(command.moment->time) : ReportJson(nullptr)},
+        {"lights", report.lights},
+        {"lights_added", report.lights_added},
+        {"triangles", report.triangles},
+        {"device", report.device},
+        {"driver", report.driver},
+        {"device_type", report.device_type},
+        {"steady_time", report.software() ? "cpu_ms" : "gpu_ms"},
+        {"frames", command.frames},
+        {"frame_limit", command.frame_limit},
+        {"seconds", report.seconds},
+        {"views", views_json(report)},
+        {"reference", {{"wall_ms", report.reference_ms}, {"pictures", ReportJson(report.reference_pictures)}}},
+        {"runs", ReportJson::array()}};
     for (const RunReport& run : report.runs)
         json["runs"].push_back(run_json(report, run));
     json["light_counts"] = series_json(report);

@@ -10,9 +10,10 @@ constexpr uint64_t no_limit = std::numeric_limits<uint64_t>::max();
 
 } // namespace
 
-SceneSeries::SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed,
-                         SceneTime time, SceneEdit edit, SceneView view)
-    : name_(std::move(name)), lights_(lights), seed_(seed), time_(std::move(time)), edit_(std::move(edit)), view_(view) {
+SceneSeries::SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed, SceneTime time,
+                         SceneEdit edit, SceneView view)
+    : name_(std::move(name)), lights_(lights), seed_(seed), time_(std::move(time)), edit_(std::move(edit)),
+      view_(view) {
     if (!names_file(name_))
         return;
     file_ = load_scene(name_, {}, seed_, no_limit, time_, edit_, view_);

@@ -9,8 +9,8 @@ class SceneSeries {
 public:
     /// As `--lights`, `--seed` and `--time` say; `edit` is done to the scene, `view` says from where it is seen. A file
     /// that has no lights and is given no number gets `default_lights`. Throws Error, UsageError.
-    SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed,
-                SceneTime time, SceneEdit edit = {}, SceneView view = {});
+    SceneSeries(std::string name, std::optional<uint32_t> lights, uint64_t seed, SceneTime time, SceneEdit edit = {},
+                SceneView view = {});
 
     static constexpr uint32_t default_lights = 256;
 

@@ -32,8 +32,7 @@ std::vector<Stop> make_stops(const Report& report, const SceneSeries& scenes) {
 /// What a frame costs, milliseconds: of a software device what it would take by itself on this machine.
 double frame_ms(const Stats& stats, bool software) {
     const double threads = std::max(1u, std::thread::hardware_concurrency());
-    return software ? std::min(stats.wall_ms.median, stats.cpu_ms.median / threads)
-                    : stats.wall_ms.median;
+    return software ? std::min(stats.wall_ms.median, stats.cpu_ms.median / threads) : stats.wall_ms.median;
 }
 
 /// A run with the renderer that is timed: without views and without counting pairs, which cost time.
@@ -46,8 +45,7 @@ struct Timed {
     }
 
     /// False when the renderer cannot take the world or the lights; the run then says why.
-    bool take(const World& world, const std::vector<PlacedLight>& lights, Device& device,
-              const Stop& stop) {
+    bool take(const World& world, const std::vector<PlacedLight>& lights, Device& device, const Stop& stop) {
         try {
             if (!renderer) {
                 renderer = create_renderer(run.variant.renderer, &device, run.options);
@@ -103,8 +101,8 @@ bool find_times(const Stop& stop, const nlohmann::json* state, std::vector<Timed
     return true;
 }
 
-void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight>& lights,
-             const Report& report, std::vector<Timed>& all, Device& device, KeptSteps& kept,
+void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight>& lights, const Report& report,
+             std::vector<Timed>& all, Device& device, KeptSteps& kept,
              const std::function<void(double, const std::string&)>& show) {
     const std::string step = fmt::format("times of {}", stop.total);
     if (find_times(stop, kept.find(step), all, report))
@@ -125,7 +123,8 @@ void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight
     const double frames = std::max<double>(1, double(command.frames) * double(contenders.size()));
     size_t frame = 0;
     render_interleaved(contenders, camera_of(world, command.camera),
-                       {.frames = command.frames, .most_ms = command.frame_limit * 1000,
+                       {.frames = command.frames,
+                        .most_ms = command.frame_limit * 1000,
                         .cost_ms = [&](const Stats& stats) { return frame_ms(stats, report.software()); }},
                        [&](const Contender& contender) {
                            const auto index = static_cast<size_t>(&contender - contenders.data());
@@ -150,8 +149,8 @@ const PlacedCamera& camera_of(const World& world, const std::string& name) {
     return name.empty() ? world.cameras.at(0) : find_camera(world, name);
 }
 
-void take_times(Report& report, Device& device, const SceneSeries& scenes, const World& world,
-                KeptSteps& kept, Progress& progress, double share) {
+void take_times(Report& report, Device& device, const SceneSeries& scenes, const World& world, KeptSteps& kept,
+                Progress& progress, double share) {
     const std::vector<Stop> stops = make_stops(report, scenes);
     std::vector<Timed> all;
     for (RunReport& run : report.runs)
@@ -161,8 +160,7 @@ void take_times(Report& report, Device& device, const SceneSeries& scenes, const
         const auto lights = stops[i].own() ? world.lights : scenes.lights(*stops[i].lights);
         const auto show = [&](double part, const std::string& what) {
             const double done = (static_cast<double>(i) + part) / static_cast<double>(stops.size());
-            progress.show(share + (1 - share) * done,
-                          fmt::format("{} lights: {}", stops[i].total, what));
+            progress.show(share + (1 - share) * done, fmt::format("{} lights: {}", stops[i].total, what));
         };
         progress.step(share + (1 - share) * double(i) / double(stops.size()),
                       fmt::format("frames with {} light{}", stops[i].total, stops[i].total == 1 ? "" : "s"));

@@ -32,10 +32,8 @@ float to_float(const uint8_t* bytes, Component component, bool normalized) {
         const auto v = float(load<uint16_t>(bytes));
         return normalized ? v / 65535.f : v;
     }
-    case Component::u32:
-        return float(load<uint32_t>(bytes));
-    case Component::f32:
-        return load<float>(bytes);
+    case Component::u32: return float(load<uint32_t>(bytes));
+    case Component::f32: return load<float>(bytes);
     }
     return 0;
 }
@@ -53,11 +51,15 @@ void read_type(const Item& item, Elements& elements) {
         const char* name;
         uint32_t width, columns;
     };
-    constexpr std::array<Type, 7> types{{{"SCALAR", 1, 1}, {"VEC2", 2, 1}, {"VEC3", 3, 1}, {"VEC4", 4, 1},
-                                         {"MAT2", 2, 2}, {"MAT3", 3, 3}, {"MAT4", 4, 4}}};
+    constexpr std::array<Type, 7> types{{{"SCALAR", 1, 1},
+                                         {"VEC2", 2, 1},
+                                         {"VEC3", 3, 1},
+                                         {"VEC4", 4, 1},
+                                         {"MAT2", 2, 2},
+                                         {"MAT3", 3, 3},
+                                         {"MAT4", 4, 4}}};
     const std::string name = item.text("type");
-    const auto found =
-        std::find_if(types.begin(), types.end(), [&](const Type& type) { return type.name == name; });
+    const auto found = std::find_if(types.begin(), types.end(), [&](const Type& type) { return type.name == name; });
     if (found == types.end())
         item.fail(fmt::format("type \"{}\" is not known", printable(name)));
     elements.width = found->width;
@@ -67,22 +69,17 @@ void read_type(const Item& item, Elements& elements) {
 }
 
 /// Bytes of one element.
-size_t size_of(const Elements& elements) {
-    return size_t(elements.columns) * elements.column_stride;
-}
+size_t size_of(const Elements& elements) { return size_t(elements.columns) * elements.column_stride; }
 
 } // namespace
 
 uint32_t size_of(Component component) {
     switch (component) {
     case Component::i8:
-    case Component::u8:
-        return 1;
+    case Component::u8: return 1;
     case Component::i16:
-    case Component::u16:
-        return 2;
-    default:
-        return 4;
+    case Component::u16: return 2;
+    default: return 4;
     }
 }
 
@@ -101,8 +98,7 @@ glm::vec4 Elements::column(uint32_t element, uint32_t column) const {
     glm::vec4 out(0);
     if (const uint8_t* bytes = at(element))
         for (uint32_t c = 0; c < width; ++c)
-            out[int(c)] = to_float(bytes + column * column_stride + c * size_of(component), component,
-                                   normalized);
+            out[int(c)] = to_float(bytes + column * column_stride + c * size_of(component), component, normalized);
     return out;
 }
 
@@ -111,17 +107,13 @@ uint32_t Elements::index(uint32_t element) const {
     if (!bytes)
         return 0;
     switch (size_of(component)) {
-    case 1:
-        return *bytes;
-    case 2:
-        return load<uint16_t>(bytes);
-    default:
-        return load<uint32_t>(bytes);
+    case 1: return *bytes;
+    case 2: return load<uint16_t>(bytes);
+    default: return load<uint32_t>(bytes);
     }
 }
 
-Accessors::Accessors(Document& document, Buffers& buffers)
-    : document_(document), buffers_(buffers) {
+Accessors::Accessors(Document& document, Buffers& buffers) : document_(document), buffers_(buffers) {
     document.charge("accessors", document.count(Table::accessors), sizeof(opened_[0]));
     opened_.resize(document.count(Table::accessors));
 }
@@ -143,8 +135,8 @@ const Elements& Accessors::get_any(uint32_t index) {
 }
 
 /// Proves that `count` elements of `size` bytes lie in the view; sets the stride where it is 0.
-const uint8_t* Accessors::locate(const Item& item, uint32_t view_index, uint64_t offset,
-                                 uint64_t count, uint64_t size, size_t& stride) {
+const uint8_t* Accessors::locate(const Item& item, uint32_t view_index, uint64_t offset, uint64_t count, uint64_t size,
+                                 size_t& stride) {
     const Buffers::View& view = buffers_.view(view_index);
     if (stride == 0)
         stride = view.stride != 0 ? view.stride : size;
@@ -152,8 +144,7 @@ const uint8_t* Accessors::locate(const Item& item, uint32_t view_index, uint64_t
         item.fail(fmt::format("its elements of {} bytes overlap (byteStride {})", size, stride));
     const uint64_t length = view.bytes.size();
     // Subtractions only, each of a number proven smaller: nothing here can overflow.
-    if (offset > length || size > length - offset ||
-        (count - 1) > (length - offset - size) / stride)
+    if (offset > length || size > length - offset || (count - 1) > (length - offset - size) / stride)
         item.fail(fmt::format("{} elements of {} bytes from byte {} lie beyond bufferView {} "
                               "({} bytes)",
                               count, size, offset, view_index, length));
@@ -171,8 +162,8 @@ Elements Accessors::open(const Item& item) {
         item.fail(fmt::format("count {} is out of range", count));
     elements.count = uint32_t(count);
     if (const auto view = item.index("bufferView", document_.count(Table::buffer_views)))
-        elements.base = locate(item, *view, item.integer_or("byteOffset", 0), count, size_of(elements),
-                               elements.stride);
+        elements.base =
+            locate(item, *view, item.integer_or("byteOffset", 0), count, size_of(elements), elements.stride);
     open_sparse(item, elements);
     return elements;
 }
@@ -189,13 +180,12 @@ void Accessors::open_sparse(const Item& item, Elements& elements) {
         sparse->fail(fmt::format("count {} is not 1 … {}", count, elements.count));
     Elements places;
     places.component = component_of(*indices);
-    if (places.component != Component::u8 && places.component != Component::u16 &&
-        places.component != Component::u32)
+    if (places.component != Component::u8 && places.component != Component::u16 && places.component != Component::u32)
         indices->fail("componentType is not unsigned");
     const size_t views = document_.count(Table::buffer_views);
     places.stride = size_of(places.component); // packed by definition
-    places.base = locate(*indices, indices->required_index("bufferView", views),
-                         indices->integer_or("byteOffset", 0), count, places.stride, places.stride);
+    places.base = locate(*indices, indices->required_index("bufferView", views), indices->integer_or("byteOffset", 0),
+                         count, places.stride, places.stride);
     size_t stride = size_of(elements);
     elements.sparse_values = locate(*values, values->required_index("bufferView", views),
                                     values->integer_or("byteOffset", 0), count, stride, stride);

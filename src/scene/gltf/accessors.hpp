@@ -5,14 +5,7 @@
 namespace prelight::gltf {
 
 /// glTF's component types (OpenGL's numbers).
-enum class Component : uint16_t {
-    i8 = 5120,
-    u8 = 5121,
-    i16 = 5122,
-    u16 = 5123,
-    u32 = 5125,
-    f32 = 5126
-};
+enum class Component : uint16_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
 uint32_t size_of(Component component); ///< bytes
 
 /// Checked elements to read: `count` elements of `width` components, which surely lie in memory
@@ -26,9 +19,9 @@ struct Elements {
     uint32_t columns = 1;       ///< of a matrix: as many as rows
     uint32_t column_stride = 0; ///< bytes; a matrix's columns begin at multiples of 4
     Component component = Component::f32;
-    bool normalized = false;      ///< integers mean 0 … 1 or −1 … 1
-    std::vector<uint32_t> map;    ///< element → place in `base`; empty: the same (Draco)
-    std::vector<uint32_t> sparse; ///< replaced elements, increasing
+    bool normalized = false;                ///< integers mean 0 … 1 or −1 … 1
+    std::vector<uint32_t> map;              ///< element → place in `base`; empty: the same (Draco)
+    std::vector<uint32_t> sparse;           ///< replaced elements, increasing
     const uint8_t* sparse_values = nullptr; ///< packed
 
     const uint8_t* at(uint32_t element) const; ///< null: zero
@@ -51,8 +44,8 @@ public:
 
 private:
     Elements open(const Item& item);
-    const uint8_t* locate(const Item& item, uint32_t view, uint64_t offset, uint64_t count,
-                          uint64_t size, size_t& stride);
+    const uint8_t* locate(const Item& item, uint32_t view, uint64_t offset, uint64_t count, uint64_t size,
+                          size_t& stride);
     void open_sparse(const Item& item, Elements& elements);
 
     Document& document_;

@@ -37,9 +37,9 @@ private:
     /// A sampler once read.
     struct Read {
         uint32_t index = 0;
-        uint32_t width = 0;     ///< values in an element
+        uint32_t width = 0;      ///< values in an element
         size_t per_keyframe = 0; ///< elements, as the file has them
-        std::string unusable;   ///< why; empty: it is usable
+        std::string unusable;    ///< why; empty: it is usable
     };
 
     void read_channel(const Item& channel) {
@@ -57,11 +57,9 @@ private:
         const bool weights = *path == AnimationPath::weights;
         if (!weights && !scene_.nodes[*node].trs)
             throw Unusable(fmt::format("node {} has a matrix, which no animation can move", *node));
-        const size_t targets =
-            scene_.nodes[*node].mesh ? morph_targets(scene_.meshes[*scene_.nodes[*node].mesh]) : 0;
+        const size_t targets = scene_.nodes[*node].mesh ? morph_targets(scene_.meshes[*scene_.nodes[*node].mesh]) : 0;
         if (weights && targets == 0)
-            return document_.warn("channels of weights without morph targets are not evaluated",
-                                  channel.label());
+            return document_.warn("channels of weights without morph targets are not evaluated", channel.label());
         const Read& sampler = read_sampler(sampler_index, *path);
         check_fit(sampler, weights ? 1 : *path == AnimationPath::rotation ? 4 : 3, weights ? targets : 1);
         if (*path == AnimationPath::rotation)
@@ -87,7 +85,8 @@ private:
             throw Unusable(fmt::format("its sampler's values have {} components instead of {}", sampler.width, width));
         const bool cubic = animation_.samplers[sampler.index].interpolation == Interpolation::cubic_spline;
         if (const size_t wanted = elements * (cubic ? 3 : 1); sampler.per_keyframe != wanted)
-            throw Unusable(fmt::format("its sampler has {} values for each keyframe, which needs {}", sampler.per_keyframe, wanted));
+            throw Unusable(fmt::format("its sampler has {} values for each keyframe, which needs {}",
+                                       sampler.per_keyframe, wanted));
     }
 
     /// They are made unit ones where they are used; here it is told.
@@ -97,12 +96,14 @@ private:
         size_t first = 0;
         for (size_t key = 0; key < sampler.times.size(); ++key) {
             const float* q = &sampler.values[key * (cubic ? 12 : 4) + (cubic ? 4 : 0)];
-            if (!is_unit(std::hypot(std::hypot(double(q[0]), double(q[1])), std::hypot(double(q[2]), double(q[3])))) && bad++ == 0)
+            if (!is_unit(std::hypot(std::hypot(double(q[0]), double(q[1])), std::hypot(double(q[2]), double(q[3])))) &&
+                bad++ == 0)
                 first = key;
         }
         if (bad > 0)
-            item.warnings().add("no unit quaternions", item.label(),
-                                fmt::format("output: the quaternion of keyframe {} is no unit one; it is made one", first), bad);
+            item.warnings().add(
+                "no unit quaternions", item.label(),
+                fmt::format("output: the quaternion of keyframe {} is no unit one; it is made one", first), bad);
     }
 
     const Read& read_sampler(uint32_t index, AnimationPath path) {

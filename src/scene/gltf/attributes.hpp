@@ -47,7 +47,8 @@ public:
         }
         if (!bad.empty() && !repair.empty())
             item.warnings().add(fmt::format("not finite: {}", repair), item.label(),
-                                fmt::format("{}: vertex {} is not finite; {}", name, used_[bad[0]], repair), bad.size());
+                                fmt::format("{}: vertex {} is not finite; {}", name, used_[bad[0]], repair),
+                                bad.size());
         return bad;
     }
 

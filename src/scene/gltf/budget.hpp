@@ -5,11 +5,11 @@
 
 namespace prelight::gltf {
 
-/// The memory that one file may take, and the work that its pictures may cost. Every allocation whose size comes from the
-/// file is charged here before it is made, so that a count that lies ends in an error and not in a full machine.
+/// The memory that one file may take, and the work that its pictures may cost. Every allocation whose size comes from
+/// the file is charged here before it is made, so that a count that lies ends in an error and not in a full machine.
 ///
-/// Valid pictures unpack to any multiple of their stored size, so what they may take depends on the machine alone. What the limits are, and
-/// why, docs/gltf.md states.
+/// Valid pictures unpack to any multiple of their stored size, so what they may take depends on the machine alone. What
+/// the limits are, and why, docs/gltf.md states.
 class Budget {
 public:
     static constexpr uint64_t multiple = 128;                          ///< bytes of geometry per byte of input
@@ -23,8 +23,8 @@ public:
         using std::runtime_error::runtime_error;
     };
 
-    /// `memory`: bytes that reading may plan with: a quarter each for files, geometry and pictures; what is left is for the
-    /// copies that a device wants.
+    /// `memory`: bytes that reading may plan with: a quarter each for files, geometry and pictures; what is left is for
+    /// the copies that a device wants.
     explicit Budget(uint64_t memory) : share_(memory / 4) {}
 
     /// Most bytes that the next file may have.
@@ -49,8 +49,7 @@ private:
 /// Charges for the time of a scope: for memory that is given back before the next object is read.
 class Loan {
 public:
-    Loan(Budget& budget, Budget::Pool pool, uint64_t bytes)
-        : budget_(budget), pool_(pool), bytes_(bytes) {
+    Loan(Budget& budget, Budget::Pool pool, uint64_t bytes) : budget_(budget), pool_(pool), bytes_(bytes) {
         budget.charge(pool, bytes);
     }
     ~Loan() { budget_.release(pool_, bytes_); }

@@ -48,8 +48,8 @@ std::span<const uint8_t> Buffers::range(const Item& item, const char* buffer_key
         item.fail(fmt::format("buffer {} has no data", buffer));
     const std::span<const uint8_t> bytes = *buffers_[buffer];
     if (offset > bytes.size() || length > bytes.size() - offset)
-        item.fail(fmt::format("its bytes {} + {} lie beyond buffer {} ({} bytes)", offset, length,
-                              buffer, bytes.size()));
+        item.fail(
+            fmt::format("its bytes {} + {} lie beyond buffer {} ({} bytes)", offset, length, buffer, bytes.size()));
     return bytes.subspan(offset, length);
 }
 
@@ -95,8 +95,7 @@ Buffers::View Buffers::decode_meshopt(const Item& extension) {
     else if (mode == "TRIANGLES")
         error = meshopt_decodeIndexBuffer(out.data(), count, stride, source.data(), source.size());
     else
-        error =
-            meshopt_decodeIndexSequence(out.data(), count, stride, source.data(), source.size());
+        error = meshopt_decodeIndexSequence(out.data(), count, stride, source.data(), source.size());
     if (error != 0)
         extension.fail("its data does not decode");
     if (filter.empty() || filter == "NONE")
@@ -110,8 +109,8 @@ Buffers::View Buffers::decode_meshopt(const Item& extension) {
     else if (filter == "EXPONENTIAL")
         meshopt_decodeFilterExp(out.data(), count, stride);
     else
-        extension.fail(fmt::format("filter \"{}\" is not known or does not fit byteStride {}",
-                                   printable(filter), stride));
+        extension.fail(
+            fmt::format("filter \"{}\" is not known or does not fit byteStride {}", printable(filter), stride));
     return {out, uint32_t(stride)};
 }
 

@@ -90,7 +90,8 @@ std::optional<Light> read_light(const Item& item) {
         light.colour[c] = float(colour[size_t(c)]);
         if (light.colour[c] >= 0 && std::isfinite(light.colour[c]))
             continue;
-        item.warn("color holds {}, which is negative or too large; {} is used", colour[size_t(c)], colour[size_t(c)] < 0 ? 0 : 1);
+        item.warn("color holds {}, which is negative or too large; {} is used", colour[size_t(c)],
+                  colour[size_t(c)] < 0 ? 0 : 1);
         light.colour[c] = light.colour[c] < 0 ? 0.f : 1.f;
     }
     light.intensity = item.real("intensity", 1);

@@ -33,11 +33,21 @@ constexpr std::array<std::pair<const char*, const char*>, table_count> table_nam
 }};
 
 constexpr std::array known_extensions{
-    "KHR_lights_punctual",     "KHR_materials_unlit",   "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_specular", "KHR_materials_clearcoat", "KHR_materials_sheen",
-    "KHR_texture_transform",   "KHR_mesh_quantization", "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression", "EXT_texture_webp",      "EXT_mesh_gpu_instancing",
-    "KHR_materials_pbrSpecularGlossiness", "KHR_node_visibility",
+    "KHR_lights_punctual",
+    "KHR_materials_unlit",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_clearcoat",
+    "KHR_materials_sheen",
+    "KHR_texture_transform",
+    "KHR_mesh_quantization",
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "EXT_texture_webp",
+    "EXT_mesh_gpu_instancing",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_node_visibility",
 };
 
 uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
@@ -65,7 +75,8 @@ Bytes read_within(const Budget& budget, const fs::path& file, size_t padding) {
 }
 
 Document::Document(std::string file, fs::path folder, Bytes bytes, const LoadOptions& options, uint64_t memory)
-    : warnings_(std::move(file), options.strict), folder_(std::move(folder)), budget_(memory), bytes_(std::move(bytes)) {
+    : warnings_(std::move(file), options.strict), folder_(std::move(folder)), budget_(memory),
+      bytes_(std::move(bytes)) {
     budget_.add_input(bytes_.size() - simdjson::SIMDJSON_PADDING);
     split_glb();
     check_extensions();
@@ -94,8 +105,7 @@ void Document::split_glb() {
         at += 8;
         if (size > length - at)
             fail(fmt::format("chunk {}", chunk),
-                 fmt::format("its length {} is beyond the file's end ({} bytes left)", size,
-                             length - at));
+                 fmt::format("its length {} is beyond the file's end ({} bytes left)", size, length - at));
         if (chunk == 0 && type != json_type)
             fail("chunk 0", "is not JSON");
         if (chunk == 0)
@@ -114,7 +124,8 @@ void Document::check_text(std::span<const uint8_t> all) const {
     if (all.empty())
         fail("file", "is empty");
     all = without_byte_order_mark(all);
-    const auto first = std::find_if(all.begin(), all.end(), [](uint8_t c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; });
+    const auto first =
+        std::find_if(all.begin(), all.end(), [](uint8_t c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; });
     if (first == all.end() || *first != '{')
         fail("file", "is no glTF file: it is neither GLB nor a JSON object");
 }
@@ -135,7 +146,8 @@ void Document::parse(std::span<const uint8_t> json) {
         fail("JSON", "there is not enough memory to read it");
     if (error) {
         const std::string place = place_of_mistake(json);
-        fail("JSON", place.empty() ? "is damaged" : fmt::format("is damaged: what stands at {} does not belong there", place));
+        fail("JSON",
+             place.empty() ? "is damaged" : fmt::format("is damaged: what stands at {} does not belong there", place));
     }
     root_.emplace(warnings_, "JSON", top);
     check_version();
@@ -173,8 +185,9 @@ void Document::check_version() const {
     }
     const std::string least = asset->text("minVersion");
     if (version.empty())
-        fail("asset", old ? "has no version, and tables are objects: the file is glTF 1.0 or older; only glTF 2.0 is read"
-                          : "has no version; only glTF 2.0 is read");
+        fail("asset",
+             old ? "has no version, and tables are objects: the file is glTF 1.0 or older; only glTF 2.0 is read"
+                 : "has no version; only glTF 2.0 is read");
     if (version.substr(0, 2) != "2.")
         fail("asset", fmt::format("the file is glTF {}; only glTF 2.0 is read", printable(version)));
     if (!least.empty() && least != "2.0")
@@ -183,16 +196,14 @@ void Document::check_version() const {
 
 void Document::check_extensions() {
     const auto known = [](const std::string& name) {
-        return std::find(known_extensions.begin(), known_extensions.end(), name) !=
-               known_extensions.end();
+        return std::find(known_extensions.begin(), known_extensions.end(), name) != known_extensions.end();
     };
     extensions_ = root_->texts("extensionsUsed");
     const std::vector<std::string> required = root_->texts("extensionsRequired");
     extensions_.insert(extensions_.end(), required.begin(), required.end());
     for (const std::string& name : required)
         if (!known(name))
-            fail(fmt::format("extension {}", printable(name)),
-                 "the file requires it, and it is not supported");
+            fail(fmt::format("extension {}", printable(name)), "the file requires it, and it is not supported");
     std::string unknown;
     size_t count = 0;
     for (const std::string& name : root_->texts("extensionsUsed"))
@@ -210,9 +221,7 @@ bool Document::uses(std::string_view extension) const {
     return std::find(extensions_.begin(), extensions_.end(), extension) != extensions_.end();
 }
 
-Item Document::item(Table table, size_t i) const {
-    return Item(warnings_, label(table, i), tables_[size_t(table)][i]);
-}
+Item Document::item(Table table, size_t i) const { return Item(warnings_, label(table, i), tables_[size_t(table)][i]); }
 
 std::span<const uint8_t> Document::read_uri(const std::string& uri, const std::string& object) {
     if (is_data_uri(uri)) {

@@ -40,7 +40,8 @@ inline constexpr size_t table_count = 14;
 class Document {
 public:
     /// Splits a .glb, parses the JSON, checks version and extensions. `file` is the name in messages,
-    /// `folder` where relative URIs lead; `bytes` end in SIMDJSON_PADDING more than the file has; `memory`: of the budget.
+    /// `folder` where relative URIs lead; `bytes` end in SIMDJSON_PADDING more than the file has; `memory`: of the
+    /// budget.
     Document(std::string file, std::filesystem::path folder, Bytes bytes, const LoadOptions& options, uint64_t memory);
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
@@ -87,7 +88,7 @@ private:
     std::optional<Item> root_;
     std::array<std::vector<simdjson::dom::element>, table_count> tables_;
     std::vector<std::string> extensions_; ///< used and required
-    std::map<std::string, Bytes> files_; ///< by canonical path
+    std::map<std::string, Bytes> files_;  ///< by canonical path
     std::vector<std::unique_ptr<Bytes>> data_uris_;
 };
 

@@ -26,9 +26,7 @@ public:
     bool too_large() const { return too_large_; }
 
 protected:
-    bool DecodeConnectivity() override {
-        return take(connectivity_bytes()) && Base::DecodeConnectivity();
-    }
+    bool DecodeConnectivity() override { return take(connectivity_bytes()) && Base::DecodeConnectivity(); }
 
     /// After the attributes' types are known, before their values are made.
     bool DecodeAllAttributes() override {
@@ -36,8 +34,8 @@ protected:
         for (int32_t i = 0; i < cloud.num_attributes(); ++i) {
             const draco::PointAttribute& attribute = *cloud.attribute(i);
             // Values as integers, values in their own type, and the map from points to them.
-            const uint64_t value = uint64_t(attribute.num_components()) *
-                                   (8 + uint64_t(draco::DataTypeLength(attribute.data_type())));
+            const uint64_t value =
+                uint64_t(attribute.num_components()) * (8 + uint64_t(draco::DataTypeLength(attribute.data_type())));
             if (!take(uint64_t(cloud.num_points()) * (value + 8))) // < 2^32 · 2^13
                 return false;
         }
@@ -96,20 +94,13 @@ Outcome run(std::span<const uint8_t> bytes, uint64_t limit, draco::Mesh& mesh) {
 
 std::optional<Component> component_of(draco::DataType type) {
     switch (type) {
-    case draco::DT_INT8:
-        return Component::i8;
-    case draco::DT_UINT8:
-        return Component::u8;
-    case draco::DT_INT16:
-        return Component::i16;
-    case draco::DT_UINT16:
-        return Component::u16;
-    case draco::DT_UINT32:
-        return Component::u32;
-    case draco::DT_FLOAT32:
-        return Component::f32;
-    default:
-        return {};
+    case draco::DT_INT8: return Component::i8;
+    case draco::DT_UINT8: return Component::u8;
+    case draco::DT_INT16: return Component::i16;
+    case draco::DT_UINT16: return Component::u16;
+    case draco::DT_UINT32: return Component::u32;
+    case draco::DT_FLOAT32: return Component::f32;
+    default: return {};
     }
 }
 
@@ -123,8 +114,7 @@ DracoMesh::~DracoMesh() = default;
 
 DracoMesh::DracoMesh(Document& document, Buffers& buffers, const Item& extension)
     : decoded_(std::make_unique<Decoded>()), extension_(extension) {
-    const uint32_t view =
-        extension.required_index("bufferView", document.count(Table::buffer_views));
+    const uint32_t view = extension.required_index("bufferView", document.count(Table::buffer_views));
     const std::span<const uint8_t> bytes = buffers.view(view).bytes;
     // For the time it takes: any number of primitives may name the same data.
     document.charge(extension.label(), bytes.size(), 1);
@@ -136,13 +126,11 @@ DracoMesh::DracoMesh(Document& document, Buffers& buffers, const Item& extension
     if (header.encoder_type != draco::TRIANGULAR_MESH)
         extension.fail("is not a Draco mesh");
     if (header.version_major != 2 || header.version_minor != 2)
-        extension.fail(fmt::format("Draco bitstream {}.{} is not 2.2", header.version_major,
-                                   header.version_minor));
+        extension.fail(fmt::format("Draco bitstream {}.{} is not 2.2", header.version_major, header.version_minor));
     const uint64_t limit = document.budget().left(Budget::Pool::geometry);
     const bool edgebreaker = header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING;
-    const Outcome outcome = edgebreaker
-                                ? run<draco::MeshEdgebreakerDecoder>(bytes, limit, decoded_->mesh)
-                                : run<draco::MeshSequentialDecoder>(bytes, limit, decoded_->mesh);
+    const Outcome outcome = edgebreaker ? run<draco::MeshEdgebreakerDecoder>(bytes, limit, decoded_->mesh)
+                                        : run<draco::MeshSequentialDecoder>(bytes, limit, decoded_->mesh);
     if (outcome.too_large)
         extension.fail("needs more memory than a file of this size may take");
     if (!outcome.error.empty())
@@ -152,16 +140,11 @@ DracoMesh::DracoMesh(Document& document, Buffers& buffers, const Item& extension
     for (draco::FaceIndex face(0); face < mesh.num_faces(); ++face)
         for (const draco::PointIndex& point : mesh.face(face))
             if (point.value() >= mesh.num_points())
-                extension.fail(fmt::format("index {} is beyond its {} vertices", point.value(),
-                                           mesh.num_points()));
+                extension.fail(fmt::format("index {} is beyond its {} vertices", point.value(), mesh.num_points()));
 }
 
-uint32_t DracoMesh::points() const {
-    return decoded_->mesh.num_points();
-}
-uint64_t DracoMesh::corners() const {
-    return uint64_t(decoded_->mesh.num_faces()) * 3;
-}
+uint32_t DracoMesh::points() const { return decoded_->mesh.num_points(); }
+uint64_t DracoMesh::corners() const { return uint64_t(decoded_->mesh.num_faces()) * 3; }
 
 std::vector<uint32_t> DracoMesh::indices() const {
     std::vector<uint32_t> out;

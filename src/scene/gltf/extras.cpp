@@ -27,8 +27,8 @@ void read_environment(const Document& document, const Item& own, Textures& textu
     const auto take = [&](uint32_t index, std::string_view what) {
         std::optional<TextureImage> picture = textures.take(index);
         if (picture && picture->width != 2 * picture->height) {
-            object->warn("an environment {} is twice as wide as high, and this one has {}x{} pixels; it is left out", what,
-                         picture->width, picture->height);
+            object->warn("an environment {} is twice as wide as high, and this one has {}x{} pixels; it is left out",
+                         what, picture->width, picture->height);
             picture.reset();
         }
         return picture;

@@ -30,7 +30,9 @@ void Item::bad(std::string_view key, std::string_view reason) const {
 }
 
 void Item::ignore(std::string_view key, std::string_view wanted, dom::element value) const {
-    const std::string text = value.is_array() ? "another array" : value.is_object() ? "an object" : simdjson::minify(value);
+    const std::string text = value.is_array()    ? "another array"
+                             : value.is_object() ? "an object"
+                                                 : simdjson::minify(value);
     warn("{} is {}, not {}; it is ignored", printable(key), printable(text), wanted);
 }
 
@@ -41,9 +43,7 @@ std::optional<dom::element> Item::find(std::string_view key) const {
     return value;
 }
 
-bool Item::has(std::string_view key) const {
-    return find(key).has_value();
-}
+bool Item::has(std::string_view key) const { return find(key).has_value(); }
 
 std::string Item::text(std::string_view key) const {
     const auto value = find(key);
@@ -104,9 +104,7 @@ std::optional<uint64_t> Item::integer(std::string_view key) const {
     return value ? std::optional(to_integer(key, *value)) : std::nullopt;
 }
 
-uint64_t Item::integer_or(std::string_view key, uint64_t absent) const {
-    return integer(key).value_or(absent);
-}
+uint64_t Item::integer_or(std::string_view key, uint64_t absent) const { return integer(key).value_or(absent); }
 
 uint64_t Item::required_integer(std::string_view key) const {
     const auto value = integer(key);
@@ -181,7 +179,8 @@ bool Item::read_numbers(std::string_view key, double* values, size_t count) cons
             good = good && (i >= count || element.get(values[i]) == simdjson::SUCCESS);
             ++i;
         }
-    constexpr size_t longest_vector = 4; // of a colour with or without alpha, what is there counts; half a matrix does not
+    constexpr size_t longest_vector =
+        4; // of a colour with or without alpha, what is there counts; half a matrix does not
     if (!good || (i != count && (count > longest_vector || i == 0)))
         ignore(key, fmt::format("an array of {} numbers", count), *value);
     else if (i != count)

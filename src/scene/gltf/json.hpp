@@ -41,7 +41,7 @@ public:
     std::string text(std::string_view key) const; ///< empty when absent
     bool flag(std::string_view key, bool absent = false) const;
     double number(std::string_view key, double absent) const;
-    float real(std::string_view key, float absent) const;        ///< finite as float
+    float real(std::string_view key, float absent) const; ///< finite as float
     /// Within low … high; a value beyond is taken for the nearest within, with a warning.
     float real_within(std::string_view key, float absent, float low, float high) const;
     std::optional<uint64_t> integer(std::string_view key) const; ///< non-negative
@@ -73,7 +73,7 @@ public:
     std::optional<Item> extension(std::string_view name) const;
     /// The objects in the array under `key`, named "LABEL SINGULAR i".
     std::vector<Item> items(std::string_view key, std::string_view singular) const;
-    std::vector<std::string> texts(std::string_view key) const;     ///< array of strings
+    std::vector<std::string> texts(std::string_view key) const; ///< array of strings
 
     /// The value as it is, or nothing.
     std::optional<simdjson::dom::element> find(std::string_view key) const;

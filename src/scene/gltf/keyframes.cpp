@@ -9,7 +9,8 @@ namespace {
 /// One line for all keyframes of a sampler with one fault.
 void tell(const Item& item, std::string_view kind, uint64_t count, size_t first, float time, std::string_view repair) {
     if (count > 0)
-        item.warnings().add(kind, item.label(), fmt::format("keyframe {} (at {:.6g} s) {}; {}", first, time, kind, repair), count);
+        item.warnings().add(kind, item.label(),
+                            fmt::format("keyframe {} (at {:.6g} s) {}; {}", first, time, kind, repair), count);
 }
 
 } // namespace
@@ -46,7 +47,8 @@ void repair_keyframes(const Item& item, AnimationSampler& sampler, size_t values
         if (!later && second) {
             out.values.resize(out.values.size() - values);
         } else {
-            const float time = later ? times[key] : std::nextafter(out.times.back(), std::numeric_limits<float>::infinity());
+            const float time =
+                later ? times[key] : std::nextafter(out.times.back(), std::numeric_limits<float>::infinity());
             if (!std::isfinite(time))
                 continue;
             out.times.push_back(time);

@@ -7,22 +7,15 @@ namespace {
 /// What 1 is stored as.
 float whole(Component component) {
     switch (component) {
-    case Component::i8:
-        return 127;
-    case Component::u8:
-        return 255;
-    case Component::i16:
-        return 32767;
-    case Component::u16:
-        return 65535;
-    default:
-        return 1;
+    case Component::i8: return 127;
+    case Component::u8: return 255;
+    case Component::i16: return 32767;
+    case Component::u16: return 65535;
+    default: return 1;
     }
 }
 
-bool is_unsigned(Component component) {
-    return component == Component::u8 || component == Component::u16;
-}
+bool is_unsigned(Component component) { return component == Component::u8 || component == Component::u16; }
 
 std::string kind_of(const Elements& e) {
     const char* component = e.component == Component::i8    ? "bytes"
@@ -31,7 +24,9 @@ std::string kind_of(const Elements& e) {
                             : e.component == Component::u16 ? "unsigned shorts"
                             : e.component == Component::u32 ? "unsigned ints"
                                                             : "floats";
-    const std::string type = e.columns > 1 ? fmt::format("MAT{}", e.columns) : e.width == 1 ? "SCALAR" : fmt::format("VEC{}", e.width);
+    const std::string type = e.columns > 1  ? fmt::format("MAT{}", e.columns)
+                             : e.width == 1 ? "SCALAR"
+                                            : fmt::format("VEC{}", e.width);
     return fmt::format("{} of {}{}", type, e.normalized ? "normalized " : "", component);
 }
 
@@ -48,25 +43,17 @@ Wanted wanted_of(Semantic semantic) {
     case Semantic::normal:
     case Semantic::position_delta:
     case Semantic::normal_delta:
-    case Semantic::tangent_delta:
-        return {3, "floats", false};
-    case Semantic::tangent:
-        return {4, "floats", false};
-    case Semantic::texcoord:
-        return {2, "floats or normalized unsigned bytes or shorts", true};
-    case Semantic::colour:
-        return {3, "floats or normalized unsigned bytes or shorts", true};
-    case Semantic::joints:
-        return {4, "unsigned bytes or shorts", false};
-    case Semantic::weights:
-        return {4, "floats or normalized unsigned bytes or shorts", true};
+    case Semantic::tangent_delta: return {3, "floats", false};
+    case Semantic::tangent: return {4, "floats", false};
+    case Semantic::texcoord: return {2, "floats or normalized unsigned bytes or shorts", true};
+    case Semantic::colour: return {3, "floats or normalized unsigned bytes or shorts", true};
+    case Semantic::joints: return {4, "unsigned bytes or shorts", false};
+    case Semantic::weights: return {4, "floats or normalized unsigned bytes or shorts", true};
     }
     return {};
 }
 
-bool is_direction(Semantic semantic) {
-    return semantic == Semantic::normal || semantic == Semantic::tangent;
-}
+bool is_direction(Semantic semantic) { return semantic == Semantic::normal || semantic == Semantic::tangent; }
 
 /// A kind that glTF, or the extension where the file uses it, knows for the use.
 bool is_allowed(const Elements& e, Semantic semantic, bool quantized) {
@@ -98,7 +85,8 @@ Fit fit_attribute(const Elements& e, Semantic semantic, bool quantized) {
     if (exact && is_allowed(e, semantic, quantized))
         return {};
     if (semantic == Semantic::joints)
-        return {.divisor = integers && e.normalized ? 1 / whole(e.component) : 1, .warning = mismatch + "; they are read as whole numbers"};
+        return {.divisor = integers && e.normalized ? 1 / whole(e.component) : 1,
+                .warning = mismatch + "; they are read as whole numbers"};
     if (is_direction(semantic) && is_unsigned(e.component))
         return {.usable = false, .warning = mismatch}; // half of all directions cannot be said
     if (!exact && is_allowed(e, semantic, quantized))

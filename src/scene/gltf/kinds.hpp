@@ -6,7 +6,18 @@ namespace prelight::gltf {
 
 /// Which kinds of accessor glTF 2.0 and KHR_mesh_quantization allow for which use, and what becomes of others.
 
-enum class Semantic { position, normal, tangent, texcoord, colour, joints, weights, position_delta, normal_delta, tangent_delta };
+enum class Semantic {
+    position,
+    normal,
+    tangent,
+    texcoord,
+    colour,
+    joints,
+    weights,
+    position_delta,
+    normal_delta,
+    tangent_delta
+};
 
 /// What an accessor is worth for a use.
 struct Fit {
@@ -24,8 +35,6 @@ Fit fit_animation(const Elements& elements, AnimationPath path);
 std::string kind_mismatch(const Elements& found, std::string_view wanted);
 
 /// What real files round to.
-inline bool is_unit(double length) {
-    return length > 0.99 && length < 1.01;
-}
+inline bool is_unit(double length) { return length > 0.99 && length < 1.01; }
 
 } // namespace prelight::gltf

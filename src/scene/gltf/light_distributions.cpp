@@ -53,7 +53,8 @@ LightDistributions::Profile LightDistributions::profile_of(const Item& own, uint
     return known;
 }
 
-LightDistributions::Profile LightDistributions::parsed(const Item& own, const std::string& name, std::span<const uint8_t> bytes) {
+LightDistributions::Profile LightDistributions::parsed(const Item& own, const std::string& name,
+                                                       std::span<const uint8_t> bytes) {
     document_.charge(own.label(), bytes.size(), profile_cost);
     try {
         return std::make_shared<LightProfile>(

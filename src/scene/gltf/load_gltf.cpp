@@ -54,8 +54,8 @@ uint64_t memory_of(const LoadOptions& options) {
 
 } // namespace
 
-Scene gltf::load(std::span<const uint8_t> bytes, const std::string& file,
-                 const std::filesystem::path& folder, const LoadOptions& options) {
+Scene gltf::load(std::span<const uint8_t> bytes, const std::string& file, const std::filesystem::path& folder,
+                 const LoadOptions& options) {
     return guard_memory(file, [&] {
         Bytes padded(bytes.begin(), bytes.end());
         padded.resize(bytes.size() + simdjson::SIMDJSON_PADDING);

@@ -32,7 +32,8 @@ private:
         for (int c = 0; c < int(parameter.components); ++c) {
             if (const float v = value[c]; !(v >= parameter.low && v <= parameter.high)) {
                 value[c] = std::clamp(v, parameter.low, parameter.high);
-                extension.warn("{} {} is outside {} … {}; {} is used", name, v, parameter.low, parameter.high, value[c]);
+                extension.warn("{} {} is outside {} … {}; {} is used", name, v, parameter.low, parameter.high,
+                               value[c]);
             }
             differs = differs || value[c] != parameter.default_value[c];
         }

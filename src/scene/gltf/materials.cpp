@@ -7,9 +7,7 @@ namespace prelight::gltf {
 namespace {
 
 /// Factors that the specification keeps within 0 … 1.
-float unit(const Item& item, std::string_view key, float absent) {
-    return item.real_within(key, absent, 0, 1);
-}
+float unit(const Item& item, std::string_view key, float absent) { return item.real_within(key, absent, 0, 1); }
 
 glm::vec4 colour(const Item& item, std::string_view key) {
     const auto factor = item.numbers_within<4>(key, {1, 1, 1, 1}, 0, 1);
@@ -78,8 +76,7 @@ void read_materials(Document& document, Textures& textures, Scene& scene) {
     document.charge("materials", count, sizeof(Material));
     scene.materials.reserve(count + 1); // one more for primitives without a material
     for (size_t i = 0; i < count; ++i)
-        scene.materials.push_back(
-            read_material(document, textures, document.item(Table::materials, i)));
+        scene.materials.push_back(read_material(document, textures, document.item(Table::materials, i)));
 }
 
 } // namespace prelight::gltf

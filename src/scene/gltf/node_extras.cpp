@@ -27,7 +27,7 @@ void read_span(const Item& item, std::string_view key, float& from, float& to, d
     const auto span = item.numbers<2>(key, {from, to});
     if (!(span[0] >= low && span[1] >= span[0] && span[1] <= high + 1e-6))
         throw Unfit(fmt::format("{} is [{}, {}]: wanted are two numbers within {:.6g} … {:.6g}, the smaller first", key,
-                              span[0], span[1], low, high));
+                                span[0], span[1], low, high));
     from = static_cast<float>(span[0]);
     to = static_cast<float>(span[1]);
 }
@@ -67,7 +67,9 @@ std::vector<glm::vec3> read_colours(const Item& item, std::vector<glm::vec3> abs
     if (!found)
         return absent;
     constexpr size_t most = 64;
-    const auto bad = [&] { throw Unfit(fmt::format("colours is not an array of 1 to {} times three numbers ≥ 0", most)); };
+    const auto bad = [&] {
+        throw Unfit(fmt::format("colours is not an array of 1 to {} times three numbers ≥ 0", most));
+    };
     simdjson::dom::array list;
     if (found->get_array().get(list) || list.size() == 0 || list.size() > most)
         bad();

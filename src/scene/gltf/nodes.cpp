@@ -57,8 +57,7 @@ const Elements* read_instance_attribute(const Document& document, Accessors& acc
 }
 
 /// EXT_mesh_gpu_instancing: TRANSLATION, ROTATION, SCALE, each optional, all as long.
-std::vector<glm::dmat4> read_instances(Document& document, Accessors& accessors,
-                                       const Item& extension) {
+std::vector<glm::dmat4> read_instances(Document& document, Accessors& accessors, const Item& extension) {
     const auto attributes = extension.object("attributes");
     const auto find = [&](const char* name, uint32_t width) {
         return attributes ? read_instance_attribute(document, accessors, *attributes, name, width) : nullptr;
@@ -83,8 +82,7 @@ std::vector<glm::dmat4> read_instances(Document& document, Accessors& accessors,
     out.reserve(count);
     uint32_t bad = 0, first_bad = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        const glm::dvec3 t =
-            translation ? glm::dvec3(glm::vec3(translation->vec(i))) : glm::dvec3(0);
+        const glm::dvec3 t = translation ? glm::dvec3(glm::vec3(translation->vec(i))) : glm::dvec3(0);
         const glm::dvec4 r = rotation ? glm::dvec4(rotation->vec(i)) : glm::dvec4(0, 0, 0, 1);
         const glm::dvec3 s = scale ? glm::dvec3(glm::vec3(scale->vec(i))) : glm::dvec3(1);
         const glm::dmat4 placed = Trs{t, {r.w, r.x, r.y, r.z}, s}.matrix();
@@ -108,9 +106,8 @@ void check_forest(const Document& document, const std::vector<Node>& nodes) {
     for (uint32_t i = 0; i < nodes.size(); ++i)
         for (const uint32_t child : nodes[i].children) {
             if (parent[child] != no_image)
-                document.fail(
-                    document.label(Table::nodes, child),
-                    fmt::format("is a child of node {} and of node {}", parent[child], i));
+                document.fail(document.label(Table::nodes, child),
+                              fmt::format("is a child of node {} and of node {}", parent[child], i));
             parent[child] = i;
         }
     std::vector<bool> met(nodes.size());
@@ -157,8 +154,7 @@ void read_nodes(Document& document, Accessors& accessors, const Places& cameras,
             document.charge(item.label(), morph_targets(scene.meshes[*node.mesh]), 4 * sizeof(double));
         }
         read_node_extras(document, item, node, scene);
-        if (const auto instancing = item.extension("EXT_mesh_gpu_instancing");
-            instancing && node.mesh)
+        if (const auto instancing = item.extension("EXT_mesh_gpu_instancing"); instancing && node.mesh)
             node.instances = read_instances(document, accessors, *instancing);
     }
     check_forest(document, scene.nodes);

@@ -19,8 +19,7 @@ constexpr uint64_t index_bytes = 4, corner_index_bytes = 16;
 
 class PrimitiveReader {
 public:
-    PrimitiveReader(Document& document, Buffers& buffers, Accessors& accessors, Scene& scene,
-                    const Item& item)
+    PrimitiveReader(Document& document, Buffers& buffers, Accessors& accessors, Scene& scene, const Item& item)
         : document_(document), buffers_(buffers), accessors_(accessors), scene_(scene), item_(item),
           attributes_(document, accessors, item) {}
 
@@ -120,8 +119,8 @@ private:
         if (needs_tangents())
             gather("TANGENT", Semantic::tangent, glm::vec4(0), "", primitive_.tangents, [](glm::vec4 v) { return v; });
         for (size_t set = 0; set < primitive_.texcoords.size(); ++set)
-            gather(fmt::format("TEXCOORD_{}", set), Semantic::texcoord, glm::vec4(0), "(0, 0) is used", primitive_.texcoords[set],
-                   [](glm::vec4 v) { return glm::vec2(v); });
+            gather(fmt::format("TEXCOORD_{}", set), Semantic::texcoord, glm::vec4(0), "(0, 0) is used",
+                   primitive_.texcoords[set], [](glm::vec4 v) { return glm::vec2(v); });
         read_joints(document_, item_, attributes_, primitive_);
         moving_bytes_ += primitive_.joint_sets.size() * joint_set_bytes;
         read_targets();
@@ -130,15 +129,16 @@ private:
 
     /// Calls `store(place, value)` for each vertex; nothing when there is no such attribute.
     template <class Store>
-    std::vector<uint32_t> gather(const std::string& name, Semantic semantic, glm::vec4 instead, std::string_view repair, Store store) {
+    std::vector<uint32_t> gather(const std::string& name, Semantic semantic, glm::vec4 instead, std::string_view repair,
+                                 Store store) {
         const Attributes::Values values = attributes_.find(name, semantic);
         return values ? attributes_.gather(item_, name, values, instead, repair, store) : std::vector<uint32_t>();
     }
 
     /// The same into a list, which stays empty when there is no such attribute.
     template <class T, class Convert>
-    void gather(const std::string& name, Semantic semantic, glm::vec4 instead, std::string_view repair, std::vector<T>& out,
-                Convert convert) {
+    void gather(const std::string& name, Semantic semantic, glm::vec4 instead, std::string_view repair,
+                std::vector<T>& out, Convert convert) {
         const Attributes::Values values = attributes_.find(name, semantic);
         if (!values)
             return;
@@ -186,14 +186,14 @@ private:
 
     /// A vertex with the attributes that the primitive has or will get.
     uint64_t vertex_bytes() const {
-        return 12 + 12 + 2 * 8 + (needs_tangents() ? 16 : 0) +
-               (attributes_.has("COLOR_0") ? 16 : 0) + moving_bytes_;
+        return 12 + 12 + 2 * 8 + (needs_tangents() ? 16 : 0) + (attributes_.has("COLOR_0") ? 16 : 0) + moving_bytes_;
     }
 
     const Material& material() const { return scene_.materials[primitive_.material]; }
     bool needs_tangents() const {
         const Material& m = material(); // a shader of its own may read any texture as a normal map
-        return m.normal_texture || (m.shader && attributes_.has(m.normal_texture.texcoord == 1 ? "TEXCOORD_1" : "TEXCOORD_0"));
+        return m.normal_texture ||
+               (m.shader && attributes_.has(m.normal_texture.texcoord == 1 ? "TEXCOORD_1" : "TEXCOORD_0"));
     }
 
     /// Makes what the file left out, so that every primitive that is drawn has it.
@@ -209,21 +209,18 @@ private:
             return;
         if (!unit_tangents()) {
             document_.charge(item_.label(), primitive_.indices.size(), vertex_bytes());
-            const Loan work(document_.budget(), Budget::Pool::geometry,
-                            primitive_.indices.size() * tangent_work_bytes);
+            const Loan work(document_.budget(), Budget::Pool::geometry, primitive_.indices.size() * tangent_work_bytes);
             generate_tangents(primitive_, material().normal_texture);
         }
     }
 
     void fill_missing_texcoords() {
         const Material& m = material();
-        for (const TextureRef* ref :
-             {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,
-              &m.occlusion_texture, &m.emissive_texture}) {
+        for (const TextureRef* ref : {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,
+                                      &m.occlusion_texture, &m.emissive_texture}) {
             if (!*ref || !primitive_.texcoords[ref->texcoord].empty())
                 continue;
-            document_.warn("a texture without its texture coordinates is drawn at (0, 0)",
-                           item_.label());
+            document_.warn("a texture without its texture coordinates is drawn at (0, 0)", item_.label());
             primitive_.texcoords[ref->texcoord].assign(primitive_.positions.size(), glm::vec2(0));
         }
     }
@@ -236,8 +233,7 @@ private:
             const glm::dvec3 t{glm::vec3(tangent)};
             const double length = glm::length(t);
             if (!(length > 1e-20)) {
-                document_.warn("tangents without a direction are replaced by MikkTSpace's",
-                               item_.label());
+                document_.warn("tangents without a direction are replaced by MikkTSpace's", item_.label());
                 primitive_.tangents.clear();
                 for (MorphTarget& target : primitive_.morph_targets)
                     target.tangents.clear();
@@ -264,7 +260,8 @@ std::vector<float> read_weights(Document& document, const Item& item, const Mesh
     std::vector<float> weights = item.reals("weights");
     document.charge(item.label(), weights.size(), sizeof(float));
     if (!weights.empty() && !mesh.primitives.empty() && weights.size() != morph_targets(mesh))
-        item.warn("weights has {} values for {} morph targets; missing ones are 0", weights.size(), morph_targets(mesh));
+        item.warn("weights has {} values for {} morph targets; missing ones are 0", weights.size(),
+                  morph_targets(mesh));
     if (!mesh.primitives.empty() && !weights.empty())
         weights.resize(morph_targets(mesh));
     return weights;

@@ -9,8 +9,7 @@
 namespace prelight::gltf {
 namespace {
 
-std::vector<glm::dmat4> read_inverse_bind(Document& document, Accessors& accessors, const Item& item,
-                                          size_t joints) {
+std::vector<glm::dmat4> read_inverse_bind(Document& document, Accessors& accessors, const Item& item, size_t joints) {
     const auto accessor = item.index("inverseBindMatrices", document.count(Table::accessors));
     if (!accessor)
         return {};
@@ -67,9 +66,8 @@ void check_skins(Document& document, Scene& scene) {
         if (!largest[*node.mesh])
             largest[*node.mesh] = largest_joint(scene.meshes[*node.mesh]);
         if (*largest[*node.mesh] >= scene.skins[*node.skin].joints.size())
-            document.fail(label, fmt::format("its mesh follows joint {}, but skin {} has {}",
-                                             *largest[*node.mesh], *node.skin,
-                                             scene.skins[*node.skin].joints.size()));
+            document.fail(label, fmt::format("its mesh follows joint {}, but skin {} has {}", *largest[*node.mesh],
+                                             *node.skin, scene.skins[*node.skin].joints.size()));
         if (!node.instances.empty()) {
             document.warn("instances of a mesh with a skin are drawn once", label);
             node.instances.clear();

@@ -10,15 +10,10 @@ namespace {
 
 Wrap wrap_of(const Item& item, const char* key) {
     switch (item.integer_or(key, 10497)) {
-    case 10497:
-        return Wrap::repeat;
-    case 33648:
-        return Wrap::mirrored_repeat;
-    case 33071:
-        return Wrap::clamp_to_edge;
-    default:
-        item.warn("{} {} is not known; REPEAT is used", key, item.integer_or(key, 0));
-        return Wrap::repeat;
+    case 10497: return Wrap::repeat;
+    case 33648: return Wrap::mirrored_repeat;
+    case 33071: return Wrap::clamp_to_edge;
+    default: item.warn("{} {} is not known; REPEAT is used", key, item.integer_or(key, 0)); return Wrap::repeat;
     }
 }
 
@@ -62,8 +57,7 @@ TextureRef Textures::read(const Item& material, std::string_view key) {
     uint64_t texcoord = info->integer_or("texCoord", 0);
     read_transform(*info, ref, texcoord);
     if (texcoord > 1) {
-        document_.warn("texture coordinates beyond set 1 are not read; set 0 is used",
-                       info->label());
+        document_.warn("texture coordinates beyond set 1 are not read; set 0 is used", info->label());
         texcoord = 0;
     }
     ref.texcoord = uint32_t(texcoord);
@@ -81,8 +75,7 @@ void Textures::read_transform(const Item& info, TextureRef& ref, uint64_t& texco
     // Counter-clockwise in an image whose v points down, as the extension's example and the Khronos
     // sample viewer have it (the formula in the extension's text turns the other way).
     const double c = std::cos(rotation), s = std::sin(rotation);
-    ref.uv_linear =
-        glm::mat2(glm::vec2(c * scale[0], -s * scale[0]), glm::vec2(s * scale[1], c * scale[1]));
+    ref.uv_linear = glm::mat2(glm::vec2(c * scale[0], -s * scale[0]), glm::vec2(s * scale[1], c * scale[1]));
     ref.uv_offset = glm::vec2(offset[0], offset[1]);
     const glm::vec2 sum = ref.uv_linear[0] + ref.uv_linear[1] + ref.uv_offset;
     if (!std::isfinite(sum.x) || !std::isfinite(sum.y)) {
@@ -110,9 +103,7 @@ Sampler Textures::read_sampler(uint32_t index) const {
     // 9984 … 9987: the low bit filters within a level, the next one between levels.
     const bool mips = min >= first_mip;
     sampler.min = (min & 1) == 0 ? Filter::nearest : Filter::linear;
-    sampler.mip = !mips                 ? MipFilter::none
-                  : min < first_mip + 2 ? MipFilter::nearest
-                                        : MipFilter::linear;
+    sampler.mip = !mips ? MipFilter::none : min < first_mip + 2 ? MipFilter::nearest : MipFilter::linear;
     return sampler;
 }
 
@@ -180,7 +171,8 @@ uint32_t Textures::load_image(uint32_t index, images::Texels kind, uint32_t most
         const uint32_t halvings = make_room(cost, most_halvings);
         const uint64_t size = bytes_at(cost.width, cost.height, halvings);
         {
-            const Loan working(budget, Budget::Pool::images, size + cost.working + (halvings > 0 ? cost.working_scaled : 0));
+            const Loan working(budget, Budget::Pool::images,
+                               size + cost.working + (halvings > 0 ? cost.working_scaled : 0));
             scene_.images.push_back(images::decode(bytes, halvings, kind));
         }
         budget.charge(Budget::Pool::images, size);
@@ -201,7 +193,8 @@ uint32_t Textures::load_image(uint32_t index, images::Texels kind, uint32_t most
 uint32_t Textures::make_room(const images::Cost& cost, uint32_t most_halvings) {
     const Budget& budget = document_.budget();
     uint32_t halvings = 0;
-    if (cost.working + std::min(bytes_at(cost.width, cost.height, 0), cost.working_scaled + 4) > budget.limit(Budget::Pool::images))
+    if (cost.working + std::min(bytes_at(cost.width, cost.height, 0), cost.working_scaled + 4) >
+        budget.limit(Budget::Pool::images))
         return halvings; // nothing that could be given up would help
     for (;;) {
         const uint64_t size = bytes_at(cost.width, cost.height, halvings);

@@ -20,7 +20,7 @@ public:
 private:
     /// An image of the scene's and what became of it.
     struct Loaded {
-        uint32_t image = 0; ///< of the file
+        uint32_t image = 0;             ///< of the file
         uint32_t width = 0, height = 0; ///< as stored
         uint32_t halvings = 0;
         images::Texels kind = images::Texels::values;
@@ -40,9 +40,9 @@ private:
     Document& document_;
     Buffers& buffers_;
     Scene& scene_;
-    std::vector<uint32_t> slots_; ///< glTF image → Scene::images, or no_image
-    std::vector<bool> lost_;      ///< images that have been tried in vain
-    std::vector<Loaded> loaded_;  ///< as Scene::images
+    std::vector<uint32_t> slots_;                                ///< glTF image → Scene::images, or no_image
+    std::vector<bool> lost_;                                     ///< images that have been tried in vain
+    std::vector<Loaded> loaded_;                                 ///< as Scene::images
     std::priority_queue<std::pair<uint64_t, uint32_t>> largest_; ///< bytes and slot of each
 };
 

@@ -8,20 +8,15 @@ namespace prelight::gltf {
 namespace {
 namespace fs = std::filesystem;
 
-bool is_alpha(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
+bool is_alpha(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// RFC 3986 3.1: a letter, then letters, digits, '+', '-', '.', up to a colon.
 bool has_scheme(std::string_view uri) {
     const size_t colon = uri.find(':');
     return colon != std::string_view::npos && colon > 0 && is_alpha(uri[0]) &&
-           std::all_of(uri.begin(), uri.begin() + std::ptrdiff_t(colon), [](char c) {
-               return is_alpha(c) || is_digit(c) || c == '+' || c == '-' || c == '.';
-           });
+           std::all_of(uri.begin(), uri.begin() + std::ptrdiff_t(colon),
+                       [](char c) { return is_alpha(c) || is_digit(c) || c == '+' || c == '-' || c == '.'; });
 }
 
 int hex_digit(char c) {
@@ -96,8 +91,7 @@ std::optional<fs::path> find_within(const fs::path& folder, std::string_view nam
         return {};
     if (error)
         throw UriError(fmt::format("\"{}\" cannot be read: {}", printable(uri), error.message()));
-    const auto [home_end, target_at] =
-        std::mismatch(home.begin(), home.end(), target.begin(), target.end());
+    const auto [home_end, target_at] = std::mismatch(home.begin(), home.end(), target.begin(), target.end());
     if (home_end != home.end() || target_at == target.end())
         throw outside();
     if (!fs::is_regular_file(target, error))
@@ -107,13 +101,9 @@ std::optional<fs::path> find_within(const fs::path& folder, std::string_view nam
 
 } // namespace
 
-bool is_data_uri(std::string_view uri) {
-    return uri.substr(0, 5) == "data:";
-}
+bool is_data_uri(std::string_view uri) { return uri.substr(0, 5) == "data:"; }
 
-uint64_t data_uri_size(std::string_view uri) {
-    return data_of(uri).size() / 4 * 3 + 3;
-}
+uint64_t data_uri_size(std::string_view uri) { return data_of(uri).size() / 4 * 3 + 3; }
 
 std::vector<uint8_t> decode_data_uri(std::string_view uri) {
     std::string_view data = data_of(uri);
@@ -145,7 +135,8 @@ FoundFile resolve_uri(const fs::path& folder, std::string_view uri) {
     if (uri.size() > longest)
         throw UriError("its URI is longer than 4096 characters");
     if (has_scheme(uri))
-        throw UriError(fmt::format("its URI has a scheme; only data: and files beside the scene are read: \"{}\"", printable(uri)));
+        throw UriError(fmt::format("its URI has a scheme; only data: and files beside the scene are read: \"{}\"",
+                                   printable(uri)));
     const std::optional<std::string> decoded = percent_decode(uri);
     if (decoded)
         if (const auto found = find_within(folder, *decoded, uri))
@@ -154,14 +145,16 @@ FoundFile resolve_uri(const fs::path& folder, std::string_view uri) {
         if (const auto found = find_within(folder, uri, uri))
             return {*found, decoded ? "its URI names a file only as it is written, percent codes and all"
                                     : "its URI has a bad percent code; it is taken as it is written"};
-    if (const std::string_view name = decoded ? std::string_view(*decoded) : uri; name.find('\\') != std::string_view::npos) {
+    if (const std::string_view name = decoded ? std::string_view(*decoded) : uri;
+        name.find('\\') != std::string_view::npos) {
         std::string slashes(name);
         std::ranges::replace(slashes, '\\', '/');
         if (const auto found = find_within(folder, slashes, uri))
             return {*found, "its URI has backslashes; they are taken for slashes"};
     }
     if (!decoded)
-        throw UriError(fmt::format("its URI has a bad percent code, and no file has that name: \"{}\"", printable(uri)));
+        throw UriError(
+            fmt::format("its URI has a bad percent code, and no file has that name: \"{}\"", printable(uri)));
     throw UriError(fmt::format("\"{}\" cannot be read: No such file or directory", printable(uri)));
 }
 

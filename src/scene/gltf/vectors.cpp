@@ -35,8 +35,8 @@ void unit_normals(const Item& item, Primitive& primitive) {
     for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         const uint32_t* corner = &primitive.indices[i];
         const glm::dvec3 a(primitive.positions[corner[0]]);
-        const glm::dvec3 normal = glm::cross(glm::dvec3(primitive.positions[corner[1]]) - a,
-                                             glm::dvec3(primitive.positions[corner[2]]) - a);
+        const glm::dvec3 normal =
+            glm::cross(glm::dvec3(primitive.positions[corner[1]]) - a, glm::dvec3(primitive.positions[corner[2]]) - a);
         for (int c = 0; c < 3; ++c)
             sums[corner[c]] += normal;
     }
@@ -83,8 +83,8 @@ bool read_joint_set(Document& document, const Item& item, Attributes& attributes
     });
     uint64_t negative = 0;
     uint32_t first = 0;
-    attributes.gather(item, weights_name, attributes.find(weights_name, Semantic::weights), glm::vec4(0), "its weights are 0",
-                      [&](uint32_t i, glm::vec4 v) {
+    attributes.gather(item, weights_name, attributes.find(weights_name, Semantic::weights), glm::vec4(0),
+                      "its weights are 0", [&](uint32_t i, glm::vec4 v) {
                           for (int k = 0; k < 4; ++k) {
                               if (v[k] < 0 && negative++ == 0)
                                   first = i;
@@ -96,7 +96,8 @@ bool read_joint_set(Document& document, const Item& item, Attributes& attributes
                       });
     if (negative > 0)
         item.warnings().add("negative weights", item.label(),
-                            fmt::format("{}: vertex {} has a negative weight; 0 is used", weights_name, used[first]), negative);
+                            fmt::format("{}: vertex {} has a negative weight; 0 is used", weights_name, used[first]),
+                            negative);
     for (const uint32_t i : no_joint)
         if (out.weights[i] != glm::vec4(0))
             item.fail(fmt::format("{}: {}: vertex {} follows what is no joint's number", joints_name, label, used[i]));
@@ -124,10 +125,12 @@ void check_sums(const Item& item, const Attributes& attributes, const Primitive&
     if (wrong > 0)
         item.warnings().add("weights do not sum up to 1", item.label(),
                             fmt::format("WEIGHTS: those of vertex {} sum up to {:.4g} instead of 1; they are scaled",
-                                        first_wrong, first_sum), wrong);
+                                        first_wrong, first_sum),
+                            wrong);
     if (none > 0)
         item.warnings().add("no weights", item.label(),
-                            fmt::format("WEIGHTS: vertex {} has none; it follows the skin's first joint", first_none), none);
+                            fmt::format("WEIGHTS: vertex {} has none; it follows the skin's first joint", first_none),
+                            none);
 }
 
 } // namespace

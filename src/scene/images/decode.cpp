@@ -22,25 +22,18 @@ Cost inspect(std::span<const uint8_t> bytes) {
     if (bytes.size() > largest_file::picture)
         throw DecodeError("is larger than 2 GiB");
     switch (format_of(bytes)) {
-    case Format::png:
-        return inspect_png(bytes);
-    case Format::jpeg:
-        return inspect_jpeg(bytes);
-    case Format::webp:
-        return inspect_webp(bytes);
-    default:
-        throw DecodeError("is neither PNG, JPEG nor WebP");
+    case Format::png: return inspect_png(bytes);
+    case Format::jpeg: return inspect_jpeg(bytes);
+    case Format::webp: return inspect_webp(bytes);
+    default: throw DecodeError("is neither PNG, JPEG nor WebP");
     }
 }
 
 TextureImage decode(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind) {
     switch (format_of(bytes)) {
-    case Format::png:
-        return decode_png(bytes, halvings, kind);
-    case Format::jpeg:
-        return decode_jpeg(bytes, halvings, kind);
-    default:
-        return decode_webp(bytes, halvings, kind);
+    case Format::png: return decode_png(bytes, halvings, kind);
+    case Format::jpeg: return decode_jpeg(bytes, halvings, kind);
+    default: return decode_webp(bytes, halvings, kind);
     }
 }
 

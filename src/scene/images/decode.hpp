@@ -21,8 +21,8 @@ struct Cost {
     /// Bytes more when the result is scaled down: of pictures that are there whole before.
     uint64_t working_scaled = 0;
 };
-/// Throws DecodeError when the header is damaged, when the picture is beyond the limits of png_reader.hpp, or when the file is
-/// too short for it.
+/// Throws DecodeError when the header is damaged, when the picture is beyond the limits of png_reader.hpp, or when the
+/// file is too short for it.
 Cost inspect(std::span<const uint8_t> bytes);
 
 /// Decodes PNG, JPEG or WebP to 8-bit RGBA, halved as often as said; takes no more memory than `inspect` says. Colour

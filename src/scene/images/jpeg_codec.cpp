@@ -3,8 +3,8 @@
 #include <csetjmp>
 #include <cstdio> // before jpeglib.h, which wants FILE
 #include <fmt/format.h>
-#include <jpeglib.h>
 #include <jerror.h>
+#include <jpeglib.h>
 #include <scene/images/codecs.hpp>
 #include <string>
 
@@ -16,12 +16,14 @@ constexpr int max_scans = 100;
 constexpr uint64_t working_constant = uint64_t(1) << 20; ///< tables, and rows beside those that depend on the width
 constexpr uint64_t working_row = 256;                    ///< bytes a pixel of width: a few rows of blocks
 
-DecodeError damaged(const std::string& reason) { return DecodeError(fmt::format("does not decode (JPEG: {})", reason)); }
+DecodeError damaged(const std::string& reason) {
+    return DecodeError(fmt::format("does not decode (JPEG: {})", reason));
+}
 
 /// Warnings of libjpeg after which the picture is still whole; after all others it has filled something in.
 bool harmless(int code) {
-    return code == JWRN_EXTRANEOUS_DATA || code == JWRN_ADOBE_XFORM || code == JWRN_JFIF_MAJOR || code == JWRN_BOGUS_ICC ||
-           code == JWRN_TOO_MUCH_DATA || code == JWRN_BOGUS_PROGRESSION;
+    return code == JWRN_EXTRANEOUS_DATA || code == JWRN_ADOBE_XFORM || code == JWRN_JFIF_MAJOR ||
+           code == JWRN_BOGUS_ICC || code == JWRN_TOO_MUCH_DATA || code == JWRN_BOGUS_PROGRESSION;
 }
 
 class JpegReader {
@@ -144,8 +146,10 @@ private:
     /// Inks over white paper, without a colour profile. Adobe's programs write them inverted, and mark it.
     void inks_to_rgba(uint8_t* row) const {
         const bool inverted = jpeg_.saw_Adobe_marker;
-        for (uint8_t* p = row, *end = row + size_t(width()) * 4; p != end; p += 4) {
-            const auto paper = [&](int c) { return uint32_t(inverted ? p[c] : 255 - p[c]); }; // what an ink lets through
+        for (uint8_t *p = row, *end = row + size_t(width()) * 4; p != end; p += 4) {
+            const auto paper = [&](int c) {
+                return uint32_t(inverted ? p[c] : 255 - p[c]);
+            }; // what an ink lets through
             const uint32_t black = paper(3);
             for (int c = 0; c < 3; ++c)
                 p[c] = static_cast<uint8_t>((paper(c) * black + 127) / 255);

@@ -33,8 +33,8 @@ uint8_t to_byte(float value) { return static_cast<uint8_t>(std::lround(std::clam
 } // namespace
 
 ScaledPicture::ScaledPicture(uint32_t width, uint32_t height, uint32_t halvings, Texels kind)
-    : width_(width), height_(height), halvings_(halvings), kind_(kind),
-      out_{{}, halved(width, halvings), halved(height, halvings), {}} {
+    : width_(width), height_(height), halvings_(halvings),
+      kind_(kind), out_{{}, halved(width, halvings), halved(height, halvings), {}} {
     out_.rgba.resize(size_t(out_.width) * out_.height * 4);
     if (halvings_ == 0)
         return;
@@ -85,9 +85,10 @@ void ScaledPicture::finish_row() {
         const glm::vec3 rgb(sum[0], sum[1], sum[2]);
         const float length = glm::length(rgb);
         for (int c = 0; c < 3; ++c)
-            texel[c] = kind_ == Texels::colour   ? to_srgb(rgb[c] * weight)
-                       : kind_ == Texels::values ? to_byte(rgb[c] * weight)
-                                                 : to_byte(((length > 0 ? rgb[c] / length : float(c == 2)) + 1) * 127.5f);
+            texel[c] = kind_ == Texels::colour ? to_srgb(rgb[c] * weight)
+                       : kind_ == Texels::values
+                           ? to_byte(rgb[c] * weight)
+                           : to_byte(((length > 0 ? rgb[c] / length : float(c == 2)) + 1) * 127.5f);
         texel[3] = to_byte(sum[3] * weight);
     }
     std::fill(sums_.begin(), sums_.end(), 0.0f);

@@ -13,10 +13,12 @@ enum class Texels {
 };
 
 /// Sides of a picture that is halved `halvings` times; never below 1.
-inline uint32_t halved(uint32_t side, uint32_t halvings) { return halvings < 32 && side >> halvings ? side >> halvings : 1; }
+inline uint32_t halved(uint32_t side, uint32_t halvings) {
+    return halvings < 32 && side >> halvings ? side >> halvings : 1;
+}
 
-/// Gathers a picture row by row, scaled down by a box filter of 2^halvings × 2^halvings texels, so that the whole is never in
-/// memory. Where a side does not divide, the last texel takes what is left over.
+/// Gathers a picture row by row, scaled down by a box filter of 2^halvings × 2^halvings texels, so that the whole is
+/// never in memory. Where a side does not divide, the last texel takes what is left over.
 class ScaledPicture {
 public:
     ScaledPicture(uint32_t width, uint32_t height, uint32_t halvings, Texels kind);
@@ -33,7 +35,7 @@ private:
     uint32_t width_, height_, halvings_;
     Texels kind_;
     TextureImage out_;
-    uint32_t rows_ = 0;       ///< that have come
+    uint32_t rows_ = 0; ///< that have come
     uint32_t rows_in_box_ = 0;
     std::vector<uint8_t> row_;
     std::vector<float> sums_; ///< of a row of `out_`

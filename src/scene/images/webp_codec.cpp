@@ -18,8 +18,8 @@ Cost inspect_webp(std::span<const uint8_t> bytes) {
     // Lossless WebP may name a group of prefix codes for every 4 × 4 block; a group's tables take
     // 9.4 kB, its code at least 5 bits for each of 5 trees, and there are at most 2^16 of them.
     constexpr uint64_t group_bytes = 9472, group_bits = 25;
-    const uint64_t groups = std::min<uint64_t>(
-        {pixels / 16 + 1, uint64_t(1) << 16, uint64_t(bytes.size()) * 8 / group_bits + 1});
+    const uint64_t groups =
+        std::min<uint64_t>({pixels / 16 + 1, uint64_t(1) << 16, uint64_t(bytes.size()) * 8 / group_bits + 1});
     // Lossy pictures are decoded a few rows of blocks at a time.
     constexpr uint64_t row_bytes = 1024; // a pixel of width
     cost.working = row_bytes * cost.width + (1u << 20);
@@ -35,8 +35,7 @@ TextureImage decode_webp(std::span<const uint8_t> bytes, uint32_t halvings, Texe
     const Cost cost = inspect_webp(bytes);
     TextureImage image{{}, cost.width, cost.height, {}};
     image.rgba.resize(size_t(cost.width) * cost.height * 4);
-    if (!WebPDecodeRGBAInto(bytes.data(), bytes.size(), image.rgba.data(), image.rgba.size(),
-                            int(cost.width) * 4))
+    if (!WebPDecodeRGBAInto(bytes.data(), bytes.size(), image.rgba.data(), image.rgba.size(), int(cost.width) * 4))
         throw DecodeError("does not decode (damaged WebP)");
     return halvings == 0 ? image : scaled_down(image, halvings, kind);
 }

@@ -17,8 +17,8 @@ struct Block {
     glm::vec3 colour, low, high;
 };
 
-constexpr glm::vec3 white(0.78f, 0.77f, 0.74f), red(0.75f, 0.07f, 0.05f), blue(0.08f, 0.16f, 0.62f), ochre(0.72f, 0.45f, 0.12f),
-    wood(0.7f, 0.6f, 0.46f);
+constexpr glm::vec3 white(0.78f, 0.77f, 0.74f), red(0.75f, 0.07f, 0.05f), blue(0.08f, 0.16f, 0.62f),
+    ochre(0.72f, 0.45f, 0.12f), wood(0.7f, 0.6f, 0.46f);
 
 // The room is 6 × 3 × 5 m, its walls 0.2 m thick; the window is cut out of the wall at x = 3.
 constexpr glm::vec2 window_y(1.0f, 2.5f), window_z(-1.3f, 0.9f);
@@ -86,17 +86,19 @@ void add_virtual_lights(Scene& scene, uint32_t count, uint64_t seed) {
     const double lumens = sun_lux * area * std::abs(sun.x) / count; // each share of the window's
     for (uint32_t i = 0; i < count; ++i) {
         const glm::dvec2 at = place_in_square(i, begin);
-        const glm::dvec3 from(3.0, glm::mix(double(window_y.x), double(window_y.y), at.x), glm::mix(double(window_z.x), double(window_z.y), at.y));
+        const glm::dvec3 from(3.0, glm::mix(double(window_y.x), double(window_y.y), at.x),
+                              glm::mix(double(window_z.x), double(window_z.y), at.y));
         const Found patch = first_block(from - 0.25 * sun, sun); // the wall is thick: its reveal takes some
-        // A Lambert surface shines by the cosine from its normal; a spot out to 90° by min(cos / cos(inner), 1)², which makes
-        // 2π (1 − ⅔ cos(inner)) times its candela. 0.96: what Fresnel leaves to the diffuse part.
-        const Light light{.kind = LightKind::spot,
-                          .colour = patch.colour,
-                          .intensity = static_cast<float>(0.96 * lumens / (2 * std::numbers::pi * (1 - 2.0 / 3 * std::cos(inner)))),
-                          .range = 12,
-                          .inner_cone = static_cast<float>(inner),
-                          .outer_cone = static_cast<float>(std::numbers::pi / 2),
-                          .casts_shadow = false};
+        // A Lambert surface shines by the cosine from its normal; a spot out to 90° by min(cos / cos(inner), 1)², which
+        // makes 2π (1 − ⅔ cos(inner)) times its candela. 0.96: what Fresnel leaves to the diffuse part.
+        const Light light{
+            .kind = LightKind::spot,
+            .colour = patch.colour,
+            .intensity = static_cast<float>(0.96 * lumens / (2 * std::numbers::pi * (1 - 2.0 / 3 * std::cos(inner)))),
+            .range = 12,
+            .inner_cone = static_cast<float>(inner),
+            .outer_cone = static_cast<float>(std::numbers::pi / 2),
+            .casts_shadow = false};
         add_shining(scene, light, patch.position + 0.01 * patch.normal, patch.normal);
     }
 }
@@ -110,12 +112,20 @@ Scene make_bounce_scene(uint32_t lights, uint64_t seed) {
     add_camera(scene, {.name = "room", .yfov = 0.95}, {1.6, 1.75, 2.35}, {-1.2, 1.05, -1.4});
     add_camera(scene, {.name = "patch", .yfov = 0.8}, {-2.2, 1.9, 2.2}, {0.2, 0.1, -0.6});
     for (const Block& block : blocks) {
-        const uint32_t material = append(scene.materials, Material{.name = block.name, .base_colour = glm::vec4(block.colour, 1), .metallic = 0, .roughness = 0.9f});
-        add_root(scene, block.name, glm::dmat4(1)).mesh = add_mesh(scene, block.name, make_box(block.low, block.high), material);
+        const uint32_t material = append(
+            scene.materials,
+            Material{.name = block.name, .base_colour = glm::vec4(block.colour, 1), .metallic = 0, .roughness = 0.9f});
+        add_root(scene, block.name, glm::dmat4(1)).mesh =
+            add_mesh(scene, block.name, make_box(block.low, block.high), material);
     }
-    const uint32_t plaster = append(scene.materials, Material{.name = "ball", .base_colour = {0.8f, 0.8f, 0.8f, 1}, .metallic = 0, .roughness = 0.6f});
-    add_root(scene, "ball", translation({-1.9, 0.45, -1.5})).mesh = add_mesh(scene, "ball", make_sphere(0.45f, 64, 32), plaster);
-    add_shining(scene, {.name = "sun", .kind = LightKind::directional, .colour = {1, 0.95f, 0.86f}, .intensity = sun_lux}, {6, 4, 0.5}, sun);
+    const uint32_t plaster =
+        append(scene.materials,
+               Material{.name = "ball", .base_colour = {0.8f, 0.8f, 0.8f, 1}, .metallic = 0, .roughness = 0.6f});
+    add_root(scene, "ball", translation({-1.9, 0.45, -1.5})).mesh =
+        add_mesh(scene, "ball", make_sphere(0.45f, 64, 32), plaster);
+    add_shining(scene,
+                {.name = "sun", .kind = LightKind::directional, .colour = {1, 0.95f, 0.86f}, .intensity = sun_lux},
+                {6, 4, 0.5}, sun);
     add_virtual_lights(scene, lights - 1, seed);
     return scene;
 }

@@ -29,9 +29,7 @@ inline Node& add_root(Scene& scene, std::string name, const glm::dmat4& local) {
     return scene.nodes.back();
 }
 
-inline glm::dmat4 translation(const glm::dvec3& offset) {
-    return glm::translate(glm::dmat4(1), offset);
-}
+inline glm::dmat4 translation(const glm::dvec3& offset) { return glm::translate(glm::dmat4(1), offset); }
 
 /// A node with a light at `position`.
 inline Node& add_light(Scene& scene, Light light, const glm::dvec3& position) {
@@ -41,8 +39,7 @@ inline Node& add_light(Scene& scene, Light light, const glm::dvec3& position) {
 }
 
 /// A node with a camera at `eye` looking at `target`, +Y up.
-inline Node& add_camera(Scene& scene, const Camera& camera, const glm::dvec3& eye,
-                        const glm::dvec3& target) {
+inline Node& add_camera(Scene& scene, const Camera& camera, const glm::dvec3& eye, const glm::dvec3& target) {
     const PlacedCamera placed = look_at(camera, eye, target);
     glm::dmat4 local(placed.axes);
     local[3] = {eye, 1};

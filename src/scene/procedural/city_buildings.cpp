@@ -22,28 +22,20 @@ constexpr float end_base = kerb_height - 0.01f;
 std::pair<Frame, float> side_frame(const House& h, Side side) {
     const float w = h.high.x - h.low.x, l = h.high.y - h.low.y, y = h.base;
     switch (side) {
-    case east:
-        return {{{h.high.x, y, h.high.y}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}}, l};
-    case west:
-        return {{{h.low.x, y, h.low.y}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, l};
-    case south:
-        return {{{h.low.x, y, h.high.y}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, w};
-    default:
-        return {{{h.high.x, y, h.low.y}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, w};
+    case east: return {{{h.high.x, y, h.high.y}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}}, l};
+    case west: return {{{h.low.x, y, h.low.y}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, l};
+    case south: return {{{h.low.x, y, h.high.y}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, w};
+    default: return {{{h.high.x, y, h.low.y}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, w};
     }
 }
 
 /// The sides at the left and the right end of one, seen from outside.
 std::pair<Side, Side> neighbours(Side side) {
     switch (side) {
-    case east:
-        return {south, north};
-    case west:
-        return {north, south};
-    case south:
-        return {west, east};
-    default:
-        return {east, west};
+    case east: return {south, north};
+    case west: return {north, south};
+    case south: return {west, east};
+    default: return {east, west};
     }
 }
 
@@ -65,8 +57,7 @@ Facade choose_style(Plan& plan) {
     f.wall_tint = f.style == Style::brick ? bricks[pick] : 0.82f * plasters[pick];
     if (f.style == Style::modern)
         f.wall_tint = f.wall_tint * 0.75f;
-    f.trim_tint =
-        f.style == Style::stucco ? glm::vec3(0.45f, 0.425f, 0.38f) : glm::vec3(0.40f, 0.38f, 0.35f);
+    f.trim_tint = f.style == Style::stucco ? glm::vec3(0.45f, 0.425f, 0.38f) : glm::vec3(0.40f, 0.38f, 0.35f);
     f.frame_tint = f.style == Style::modern ? glm::vec3(0.04f) : glm::vec3(0.5f, 0.48f, 0.44f);
     return f;
 }
@@ -92,8 +83,7 @@ void roof(Plan& plan, MeshBuilder& b, const House& h, const Facade& f, float hei
             b.box({x, y, -parapet}, {x + 0.7f, y + 1.5f, tall}, on_roof);
             b.use(Surface::trim, glm::vec3(0.3f));
             for (const float at : {0.3f, 0.75f, 1.2f})
-                b.cone({x + 0.35f, y + at, tall}, {x + 0.35f, y + at, tall + 0.45f}, 0.13f, 0.10f,
-                       10);
+                b.cone({x + 0.35f, y + at, tall}, {x + 0.35f, y + at, tall + 0.45f}, 0.13f, 0.10f, 10);
         } else {
             b.use(Surface::grating);
             b.box({x, y, -parapet}, {x + 1.1f, y + 1.6f, tall - 0.6f}, on_roof);

@@ -8,7 +8,6 @@
 namespace prelight::city {
 namespace {
 
-
 /// Cross-section of a body at `z` (the front is at −z): half width, lower and upper edge. Metres.
 struct Station {
     float z, half, low, high;
@@ -92,28 +91,24 @@ void body(MeshBuilder& b, const Shape& shape) {
 /// where neither index is even, paint elsewhere.
 void panel(MeshBuilder& b, const std::array<glm::vec3, 4>& p, const std::vector<float>& us,
            const std::vector<float>& vs, glm::vec3 paint) {
-    const auto at = [&](float u, float v) {
-        return glm::mix(glm::mix(p[0], p[1], u), glm::mix(p[3], p[2], u), v);
-    };
+    const auto at = [&](float u, float v) { return glm::mix(glm::mix(p[0], p[1], u), glm::mix(p[3], p[2], u), v); };
     for (size_t j = 0; j + 1 < vs.size(); ++j)
         for (size_t i = 0; i + 1 < us.size(); ++i) {
             if (i % 2 == 1 && j % 2 == 1)
                 b.use(Surface::car_glass);
             else
                 b.use(Surface::car_paint, paint);
-            b.polygon(std::array{at(us[i], vs[j]), at(us[i + 1], vs[j]), at(us[i + 1], vs[j + 1]),
-                                 at(us[i], vs[j + 1])});
+            b.polygon(
+                std::array{at(us[i], vs[j]), at(us[i + 1], vs[j]), at(us[i + 1], vs[j + 1]), at(us[i], vs[j + 1])});
         }
 }
 
 void cabin(MeshBuilder& b, const Cabin& c, glm::vec3 paint) {
     constexpr float belt = 0.88f;
     const glm::vec3 fr(c.half, belt, c.front), fl(-c.half, belt, c.front), rr(c.half, belt, c.rear),
-        rl(-c.half, belt, c.rear), tfr(c.roof_half, c.roof, c.roof_front),
-        tfl(-c.roof_half, c.roof, c.roof_front), trr(c.roof_half, c.roof, c.roof_rear),
-        trl(-c.roof_half, c.roof, c.roof_rear);
-    const std::vector<float> v{0, 0.12f, 0.90f, 1}, screen{0, 0.06f, 0.94f, 1},
-        sides{0, 0.16f, 0.50f, 0.54f, 0.84f, 1};
+        rl(-c.half, belt, c.rear), tfr(c.roof_half, c.roof, c.roof_front), tfl(-c.roof_half, c.roof, c.roof_front),
+        trr(c.roof_half, c.roof, c.roof_rear), trl(-c.roof_half, c.roof, c.roof_rear);
+    const std::vector<float> v{0, 0.12f, 0.90f, 1}, screen{0, 0.06f, 0.94f, 1}, sides{0, 0.16f, 0.50f, 0.54f, 0.84f, 1};
     panel(b, {fr, fl, tfl, tfr}, screen, v, paint);
     panel(b, {rl, rr, trr, trl}, screen, v, paint);
     panel(b, {rr, fr, tfr, trr}, sides, v, paint);
@@ -122,8 +117,7 @@ void cabin(MeshBuilder& b, const Cabin& c, glm::vec3 paint) {
     std::vector<glm::vec3> roof;
     for (uint32_t row = 0; row < n; ++row)
         for (uint32_t column = 0; column < n; ++column) {
-            const float u = static_cast<float>(column) / (n - 1),
-                        w = static_cast<float>(row) / (n - 1);
+            const float u = static_cast<float>(column) / (n - 1), w = static_cast<float>(row) / (n - 1);
             glm::vec3 p = glm::mix(glm::mix(tfr, tfl, u), glm::mix(trr, trl, u), w);
             p.y += 0.9f * u * (1 - u) * w * (1 - w);
             roof.push_back(p);
@@ -146,8 +140,7 @@ void wheels(MeshBuilder& b, const Shape& shape) {
             b.use(Surface::rubber);
             for (uint32_t i = 0; i < 5; ++i) { // gaps between the spokes
                 const float a = 2 * pi * static_cast<float>(i) / 5;
-                const glm::vec3 c(x(0.03f), r + 0.40f * r * std::cos(a),
-                                  z + 0.40f * r * std::sin(a));
+                const glm::vec3 c(x(0.03f), r + 0.40f * r * std::cos(a), z + 0.40f * r * std::sin(a));
                 b.cone(c, c + glm::vec3(sign * 0.012f, 0, 0), r * 0.12f, r * 0.12f, 8);
             }
         }
@@ -169,11 +162,9 @@ Mesh make_car(const Shape& shape, glm::vec3 paint, bool lit, bool taxi) {
     b.box({-0.74f, 0.34f, rear - 0.1f}, {0.74f, 0.46f, rear + 0.03f});
     for (const float sign : {-1.0f, 1.0f}) { // sills between the wheels, lines below the windows
         const float x = sign * (shape.stations[shape.stations.size() / 2].half - 0.03f);
-        b.box({x - 0.05f, 0.17f, shape.front_axle + 0.4f},
-              {x + 0.05f, 0.29f, shape.rear_axle - 0.4f});
+        b.box({x - 0.05f, 0.17f, shape.front_axle + 0.4f}, {x + 0.05f, 0.29f, shape.rear_axle - 0.4f});
         const float line = sign * shape.cabin.half;
-        b.box({line - 0.02f, 0.90f, shape.cabin.front + 0.12f},
-              {line + 0.02f, 0.925f, shape.cabin.rear - 0.1f});
+        b.box({line - 0.02f, 0.90f, shape.cabin.front + 0.12f}, {line + 0.02f, 0.925f, shape.cabin.rear - 0.1f});
     }
     b.use(Surface::chrome);
     b.box({-0.46f, 0.525f, front - 0.02f}, {0.46f, 0.545f, front + 0.1f});
@@ -192,8 +183,7 @@ Mesh make_car(const Shape& shape, glm::vec3 paint, bool lit, bool taxi) {
         b.box({sign * 0.62f - 0.13f, tail.high - 0.20f, tail.z - 0.1f},
               {sign * 0.62f + 0.13f, tail.high - 0.09f, rear + 0.015f});
         b.use(Surface::car_paint, paint);
-        b.sphere({sign * (shape.cabin.half + 0.16f), 0.98f, shape.cabin.front + 0.42f},
-                 {0.11f, 0.07f, 0.06f}, 12, 8);
+        b.sphere({sign * (shape.cabin.half + 0.16f), 0.98f, shape.cabin.front + 0.42f}, {0.11f, 0.07f, 0.06f}, 12, 8);
     }
     if (taxi) {
         b.use(Glow::yellow);
@@ -204,25 +194,22 @@ Mesh make_car(const Shape& shape, glm::vec3 paint, bool lit, bool taxi) {
 
 /// The lights of a car at `position` with its front turned by `yaw`.
 void car_lights(Plan& plan, const Shape& shape, glm::vec3 position, float yaw) {
-    const glm::vec3 forward(-std::sin(yaw), 0, -std::cos(yaw)),
-        right(std::cos(yaw), 0, -std::sin(yaw));
+    const glm::vec3 forward(-std::sin(yaw), 0, -std::cos(yaw)), right(std::cos(yaw), 0, -std::sin(yaw));
     const auto point = [&](float x, float y, float z) {
         return position + x * right + glm::vec3(0, y, 0) - z * forward;
     };
     for (const float sign : {-1.0f, 1.0f}) {
-        const glm::vec3 aim =
-            glm::normalize(forward + sign * 0.03f * right - glm::vec3(0, 0.075f, 0));
-        plan.add_site(Rank::head,
-                      {.light = {.kind = LightKind::spot,
-                                 .colour = glow_colour(Glow::cool_white),
-                                 .intensity = 170,
-                                 .range = 32,
-                                 .inner_cone = 0.10f,
-                                 .outer_cone = 0.42f},
-                       .position = point(sign * 0.64f, 0.63f, shape.stations[0].z - 0.1f),
-                       .direction = aim});
-        plan.add_point(Rank::tail, point(sign * 0.62f, 0.75f, shape.stations.back().z + 0.9f),
-                       glow_colour(Glow::red), 2.0f, 5);
+        const glm::vec3 aim = glm::normalize(forward + sign * 0.03f * right - glm::vec3(0, 0.075f, 0));
+        plan.add_site(Rank::head, {.light = {.kind = LightKind::spot,
+                                             .colour = glow_colour(Glow::cool_white),
+                                             .intensity = 170,
+                                             .range = 32,
+                                             .inner_cone = 0.10f,
+                                             .outer_cone = 0.42f},
+                                   .position = point(sign * 0.64f, 0.63f, shape.stations[0].z - 0.1f),
+                                   .direction = aim});
+        plan.add_point(Rank::tail, point(sign * 0.62f, 0.75f, shape.stations.back().z + 0.9f), glow_colour(Glow::red),
+                       2.0f, 5);
     }
 }
 

@@ -10,12 +10,9 @@ struct Openings {
 
 Openings openings(const Facade& f) {
     switch (f.style) {
-    case Style::brick:
-        return {1.15f, 1.85f, 0.75f, static_cast<uint32_t>(f.width / 2.35f)};
-    case Style::stucco:
-        return {1.2f, 2.15f, 0.55f, static_cast<uint32_t>(f.width / 2.6f)};
-    case Style::modern:
-        return {2.3f, 1.75f, 0.85f, static_cast<uint32_t>(f.width / 3.1f)};
+    case Style::brick: return {1.15f, 1.85f, 0.75f, static_cast<uint32_t>(f.width / 2.35f)};
+    case Style::stucco: return {1.2f, 2.15f, 0.55f, static_cast<uint32_t>(f.width / 2.6f)};
+    case Style::modern: return {2.3f, 1.75f, 0.85f, static_cast<uint32_t>(f.width / 3.1f)};
     }
     return {};
 }
@@ -40,18 +37,15 @@ void dentils(MeshBuilder& b, const Facade& f, float y) {
     const float step = f.width / static_cast<float>(count);
     for (uint32_t i = 0; i < count; ++i) {
         const float s = step * (static_cast<float>(i) + 0.5f);
-        b.box({s - 0.11f, y, -0.02f}, {s + 0.11f, y + 0.24f, 0.17f},
-              all_faces & ~unsigned{back | top});
+        b.box({s - 0.11f, y, -0.02f}, {s + 0.11f, y + 0.24f, 0.17f}, all_faces & ~unsigned{back | top});
     }
 }
 
 void pilaster(MeshBuilder& b, float s, float width, float low, float high) {
     constexpr float reach = 0.155f; // of base and capital; no dentil of another front ends there
     b.box({s, low, -0.02f}, {s + width, high, 0.10f}, left | right | front);
-    b.box({s - 0.05f, low, -0.02f}, {s + width + 0.05f, low + 0.35f, reach},
-          all_faces & ~unsigned{back});
-    b.box({s - 0.05f, high - 0.3f, -0.02f}, {s + width + 0.05f, high, reach},
-          all_faces & ~unsigned{back});
+    b.box({s - 0.05f, low, -0.02f}, {s + width + 0.05f, low + 0.35f, reach}, all_faces & ~unsigned{back});
+    b.box({s - 0.05f, high - 0.3f, -0.02f}, {s + width + 0.05f, high, reach}, all_faces & ~unsigned{back});
 }
 
 } // namespace
@@ -61,8 +55,7 @@ void wall_grid(MeshBuilder& b, const std::vector<float>& s, const std::vector<fl
     for (size_t row = 0; row + 1 < y.size(); ++row)
         for (size_t column = 0; column + 1 < s.size(); ++column)
             if (!hole[row * (s.size() - 1) + column])
-                b.quad({s[column], y[row], 0}, {s[column + 1] - s[column], 0, 0},
-                       {0, y[row + 1] - y[row], 0});
+                b.quad({s[column], y[row], 0}, {s[column + 1] - s[column], 0, 0}, {0, y[row + 1] - y[row], 0});
 }
 
 void reveal(MeshBuilder& b, glm::vec2 low, glm::vec2 high, float depth) {

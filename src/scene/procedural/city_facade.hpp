@@ -37,8 +37,7 @@ void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, gl
                   bool balcony); // city_windows.cpp
 
 /// Quads of a wall at d = 0 between the grid lines, with holes: no vertex lies on another's edge.
-void wall_grid(MeshBuilder& b, const std::vector<float>& s, const std::vector<float>& y,
-               const std::vector<bool>& hole);
+void wall_grid(MeshBuilder& b, const std::vector<float>& s, const std::vector<float>& y, const std::vector<bool>& hole);
 /// The four sides of a hole in the wall, `depth` metres deep.
 void reveal(MeshBuilder& b, glm::vec2 low, glm::vec2 high, float depth);
 

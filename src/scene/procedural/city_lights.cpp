@@ -22,9 +22,8 @@ glm::dmat4 aimed(const glm::dvec3& position, const glm::dvec3& direction) {
 }
 
 void add_site(Scene& scene, const Site& site) {
-    const glm::dmat4 local = site.light.kind == LightKind::spot
-                                 ? aimed(site.position, site.direction)
-                                 : translation(site.position);
+    const glm::dmat4 local =
+        site.light.kind == LightKind::spot ? aimed(site.position, site.direction) : translation(site.position);
     add_root(scene, {}, local).light = append(scene.lights, site.light);
 }
 
@@ -44,8 +43,8 @@ struct Small {
     float range, intensity;
     Small(size_t count, double area) {
         constexpr double overlap = 7, widest = 3; // lights on a point; metres
-        range = static_cast<float>(std::min(
-            widest, std::sqrt(overlap * area / (std::numbers::pi * static_cast<double>(count)))));
+        range = static_cast<float>(
+            std::min(widest, std::sqrt(overlap * area / (std::numbers::pi * static_cast<double>(count)))));
         intensity = 0.11f * range * range;
     }
 };
@@ -59,8 +58,7 @@ Site on_sheet(Plan& plan, const std::vector<double>& area_sums, const Small& sma
     const float d = small.range * plan.uniform(0.25f, 0.6f);
     // Broad fields of colour drift over the fronts.
     const glm::vec3 at = sheet.frame.point({s, y, d});
-    const double hue = 0.08 + 0.10 * std::sin(0.11 * at.z + 0.21 * at.y) +
-                       (plan.chance(0.25) ? plan.random.unit() : 0);
+    const double hue = 0.08 + 0.10 * std::sin(0.11 * at.z + 0.21 * at.y) + (plan.chance(0.25) ? plan.random.unit() : 0);
     return {.light = {.colour = hue_colour(hue, plan.random.uniform(0.35, 0.85)),
                       .intensity = small.intensity,
                       .range = small.range},
@@ -88,9 +86,7 @@ std::vector<Site> small_lights(Plan& plan, size_t count) {
     const std::vector<uint32_t> order = shuffled(plan.bulbs.size(), plan.random);
     for (size_t i = 0; i < hung; ++i) {
         const Bulb& bulb = plan.bulbs[order[i]];
-        sites.push_back({.light = {.colour = bulb.colour,
-                                   .intensity = bulb_light.intensity,
-                                   .range = bulb_light.range},
+        sites.push_back({.light = {.colour = bulb.colour, .intensity = bulb_light.intensity, .range = bulb_light.range},
                          .position = bulb.position});
     }
     std::vector<double> area_sums;
@@ -113,9 +109,7 @@ void place_lights(Plan& plan, uint32_t count) {
         std::stable_sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) {
             return glm::distance(a.position, focus) < glm::distance(b.position, focus);
         });
-    const auto rank = [&](Rank r) -> const std::vector<Site>& {
-        return plan.sites[static_cast<size_t>(r)];
-    };
+    const auto rank = [&](Rank r) -> const std::vector<Site>& { return plan.sites[static_cast<size_t>(r)]; };
     const auto place = [&](const std::vector<Site>& sites) {
         for (const Site& site : sites)
             if (scene.lights.size() < count)

@@ -11,13 +11,10 @@ TextureRef texture(Picture picture) {
     return ref;
 }
 
-Material& material(Scene& scene, Surface surface) {
-    return scene.materials[static_cast<size_t>(surface)];
-}
+Material& material(Scene& scene, Surface surface) { return scene.materials[static_cast<size_t>(surface)]; }
 
 /// A dielectric, or a metal when `metallic` is 1, in one colour.
-void plain(Scene& scene, Surface surface, const char* name, glm::vec3 colour, float roughness,
-           float metallic = 0) {
+void plain(Scene& scene, Surface surface, const char* name, glm::vec3 colour, float roughness, float metallic = 0) {
     Material& m = material(scene, surface);
     m.name = name;
     m.base_colour = {colour, 1};
@@ -38,8 +35,7 @@ void textured_ground(Scene& scene) {
     Material& marking = material(scene, Surface::marking);
     marking.base_colour_texture = texture(Picture::marking);
     marking.normal_texture = texture(Picture::asphalt_normal);
-    marking.normal_texture.uv_linear =
-        glm::mat2(tile_metres(Surface::marking) / tile_metres(Surface::asphalt));
+    marking.normal_texture.uv_linear = glm::mat2(tile_metres(Surface::marking) / tile_metres(Surface::asphalt));
     marking.normal_scale = 0.5f;
     marking.alpha_mode = AlphaMode::mask;
 
@@ -86,37 +82,26 @@ void glowing(Scene& scene) {
 
 float tile_metres(Surface surface) {
     switch (surface) {
-    case Surface::asphalt:
-        return 12;
-    case Surface::marking:
-        return 3;
-    case Surface::paving:
-        return 2;
-    case Surface::kerb:
-        return 1.5f;
-    case Surface::brick:
-        return 2.4f;
-    case Surface::plaster:
-        return 3;
-    case Surface::wood:
-        return 0.8f;
-    case Surface::fabric:
-        return 0.5f;
+    case Surface::asphalt: return 12;
+    case Surface::marking: return 3;
+    case Surface::paving: return 2;
+    case Surface::kerb: return 1.5f;
+    case Surface::brick: return 2.4f;
+    case Surface::plaster: return 3;
+    case Surface::wood: return 0.8f;
+    case Surface::fabric: return 0.5f;
     case Surface::leaves:
     case Surface::window:
     case Surface::shop:
     case Surface::glow:
-    case Surface::sky:
-        return 1; // their own rectangles
-    default:
-        return 0;
+    case Surface::sky: return 1; // their own rectangles
+    default: return 0;
     }
 }
 
 bool has_normal_map(Surface surface) {
-    return surface == Surface::asphalt || surface == Surface::marking ||
-           surface == Surface::paving || surface == Surface::kerb || surface == Surface::brick ||
-           surface == Surface::plaster;
+    return surface == Surface::asphalt || surface == Surface::marking || surface == Surface::paving ||
+           surface == Surface::kerb || surface == Surface::brick || surface == Surface::plaster;
 }
 
 void add_materials(Scene& scene) {

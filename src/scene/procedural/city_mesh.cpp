@@ -37,8 +37,7 @@ Primitive& MeshBuilder::primitive() {
     return primitives[static_cast<size_t>(surface)];
 }
 
-uint32_t MeshBuilder::vertex(Primitive& p, glm::vec3 local, glm::vec3 normal, glm::vec3 u_axis,
-                             glm::vec2 uv) {
+uint32_t MeshBuilder::vertex(Primitive& p, glm::vec3 local, glm::vec3 normal, glm::vec3 u_axis, glm::vec2 uv) {
     const auto index = static_cast<uint32_t>(p.positions.size());
     const glm::vec3 n = glm::normalize(frame.vector(normal));
     p.positions.push_back(frame.point(local));
@@ -55,8 +54,7 @@ uint32_t MeshBuilder::vertex(Primitive& p, glm::vec3 local, glm::vec3 normal, gl
 
 glm::vec2 MeshBuilder::planar(glm::vec3 local, glm::vec3 u_axis, glm::vec3 v_axis) const {
     // The image's v runs down, the surface's v axis up.
-    return glm::vec2(glm::dot(local, u_axis), -glm::dot(local, v_axis)) /
-           std::max(tile_metres(surface), 1e-3f);
+    return glm::vec2(glm::dot(local, u_axis), -glm::dot(local, v_axis)) / std::max(tile_metres(surface), 1e-3f);
 }
 
 void MeshBuilder::quad(glm::vec3 o, glm::vec3 u, glm::vec3 v) {
@@ -65,8 +63,7 @@ void MeshBuilder::quad(glm::vec3 o, glm::vec3 u, glm::vec3 v) {
     Primitive& p = primitive();
     std::array<uint32_t, 4> corner{};
     for (uint32_t i = 0; i < 4; ++i) {
-        const glm::vec3 at =
-            o + (i == 1 || i == 2 ? u : glm::vec3(0)) + (i >= 2 ? v : glm::vec3(0));
+        const glm::vec3 at = o + (i == 1 || i == 2 ? u : glm::vec3(0)) + (i >= 2 ? v : glm::vec3(0));
         corner[i] = vertex(p, at, n, u_axis, planar(at, u_axis, v_axis));
     }
     for (const uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u})
@@ -101,8 +98,7 @@ void MeshBuilder::box(glm::vec3 low, glm::vec3 high, unsigned faces) {
         quad(low, s, d);
 }
 
-void MeshBuilder::cone(glm::vec3 from, glm::vec3 to, float radius_from, float radius_to,
-                       uint32_t sides, bool caps) {
+void MeshBuilder::cone(glm::vec3 from, glm::vec3 to, float radius_from, float radius_to, uint32_t sides, bool caps) {
     const glm::vec3 axis = glm::normalize(to - from);
     const glm::vec3 a = perpendicular(axis), b = glm::cross(axis, a);
     const float slope = (radius_from - radius_to) / glm::length(to - from);
@@ -155,8 +151,7 @@ void MeshBuilder::sphere(glm::vec3 centre, glm::vec3 radii, uint32_t slices, uin
             const glm::vec3 unit(ring * around.x, polar.x, -ring * around.y);
             const float u = static_cast<float>(column) / static_cast<float>(slices);
             const float v = static_cast<float>(row) / static_cast<float>(stacks);
-            vertex(p, centre + radii * unit, glm::normalize(unit / radii),
-                   {-around.y, 0, -around.x}, {u, v});
+            vertex(p, centre + radii * unit, glm::normalize(unit / radii), {-around.y, 0, -around.x}, {u, v});
         }
     for (uint32_t row = 0; row < stacks; ++row)
         for (uint32_t column = 0; column < slices; ++column) {
@@ -187,10 +182,9 @@ void MeshBuilder::patch(std::span<const glm::vec3> points, uint32_t columns) {
         for (uint32_t column = 0; column < columns; ++column) {
             const uint32_t c0 = column > 0 ? column - 1 : 0, c1 = std::min(column + 1, columns - 1);
             const uint32_t r0 = row > 0 ? row - 1 : 0, r1 = std::min(row + 1, rows - 1);
-            const glm::vec3 along = at(row, c1) - at(row, c0),
-                            down = at(r1, column) - at(r0, column);
-            vertex(p, at(row, column), glm::normalize(glm::cross(along, down)),
-                   glm::normalize(along), planar(at(row, column), {1, 0, 0}, {0, 0, -1}));
+            const glm::vec3 along = at(row, c1) - at(row, c0), down = at(r1, column) - at(r0, column);
+            vertex(p, at(row, column), glm::normalize(glm::cross(along, down)), glm::normalize(along),
+                   planar(at(row, column), {1, 0, 0}, {0, 0, -1}));
         }
     for (uint32_t row = 0; row + 1 < rows; ++row)
         for (uint32_t column = 0; column + 1 < columns; ++column) {

@@ -70,15 +70,7 @@ struct Frame {
 };
 
 /// Faces of a box, to be left out where nothing can see them.
-enum Faces : unsigned {
-    left = 1,
-    right = 2,
-    bottom = 4,
-    top = 8,
-    back = 16,
-    front = 32,
-    all_faces = 63
-};
+enum Faces : unsigned { left = 1, right = 2, bottom = 4, top = 8, back = 16, front = 32, all_faces = 63 };
 
 /// A texture rectangle: u0, v0 at the lower left corner of a quad, u1, v1 at its upper right one.
 struct TexRect {
@@ -104,8 +96,7 @@ public:
     /// Axis-aligned box.
     void box(glm::vec3 low, glm::vec3 high, unsigned faces = all_faces);
     /// Sides of a truncated cone from `from` to `to`, and both ends when `caps`.
-    void cone(glm::vec3 from, glm::vec3 to, float radius_from, float radius_to, uint32_t sides,
-              bool caps = true);
+    void cone(glm::vec3 from, glm::vec3 to, float radius_from, float radius_to, uint32_t sides, bool caps = true);
     /// Polyline of round tubes with closed ends.
     void tube(std::span<const glm::vec3> points, float radius, uint32_t sides);
     void sphere(glm::vec3 centre, glm::vec3 radii, uint32_t slices, uint32_t stacks);
@@ -122,8 +113,7 @@ public:
 
 private:
     Primitive& primitive();
-    uint32_t vertex(Primitive& p, glm::vec3 local, glm::vec3 normal, glm::vec3 u_axis,
-                    glm::vec2 uv);
+    uint32_t vertex(Primitive& p, glm::vec3 local, glm::vec3 normal, glm::vec3 u_axis, glm::vec2 uv);
     glm::vec2 planar(glm::vec3 local, glm::vec3 u_axis, glm::vec3 v_axis) const;
 
     std::vector<Primitive> primitives; ///< by Surface, empty ones included

@@ -7,13 +7,9 @@
 namespace prelight::city {
 namespace {
 
-float fade(float t) {
-    return t * t * t * (t * (t * 6 - 15) + 10);
-}
+float fade(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
-uint8_t to_byte(float x) {
-    return static_cast<uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255 + 0.5f);
-}
+uint8_t to_byte(float x) { return static_cast<uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255 + 0.5f); }
 
 } // namespace
 

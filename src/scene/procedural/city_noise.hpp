@@ -51,8 +51,7 @@ auto sample_field(uint32_t side, Value value) {
     std::vector<decltype(value(glm::vec2(0)))> field(size_t{side} * side);
     parallel_for(side, [&](uint32_t y) {
         for (uint32_t x = 0; x < side; ++x)
-            field[size_t{y} * side + x] =
-                value((glm::vec2(x, y) + 0.5f) / static_cast<float>(side));
+            field[size_t{y} * side + x] = value((glm::vec2(x, y) + 0.5f) / static_cast<float>(side));
     });
     return field;
 }

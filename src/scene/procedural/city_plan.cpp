@@ -5,13 +5,10 @@
 namespace prelight::city {
 
 void Plan::add_point(Rank rank, glm::vec3 position, glm::vec3 colour, float cd, float range) {
-    add_site(rank,
-             {.light = {.colour = colour, .intensity = cd, .range = range}, .position = position});
+    add_site(rank, {.light = {.colour = colour, .intensity = cd, .range = range}, .position = position});
 }
 
-uint32_t Plan::add_mesh(Mesh mesh) {
-    return append(scene.meshes, std::move(mesh));
-}
+uint32_t Plan::add_mesh(Mesh mesh) { return append(scene.meshes, std::move(mesh)); }
 
 void Plan::place(uint32_t mesh, glm::vec3 position, float yaw) {
     const glm::dmat4 local = glm::rotate(translation(position), double(yaw), {0, 1, 0});

@@ -48,9 +48,7 @@ struct Plan {
     std::vector<Bulb> bulbs;
     std::vector<Sheet> sheets;
 
-    void add_site(Rank rank, Site site) {
-        sites[static_cast<size_t>(rank)].push_back(std::move(site));
-    }
+    void add_site(Rank rank, Site site) { sites[static_cast<size_t>(rank)].push_back(std::move(site)); }
     /// Point light; `cd` at colour value 1.
     void add_point(Rank rank, glm::vec3 position, glm::vec3 colour, float cd, float range);
     /// Adds the mesh, without a node. Returns its index.

@@ -24,8 +24,7 @@ Mesh lamp_post() {
         arm.emplace_back(lamp_arm * t, 5.4f + 0.85f * std::sin(t * pi / 2), 0);
     }
     b.tube(arm, 0.04f, 10);
-    b.box({lamp_arm - 0.35f, lamp_height + 0.05f, -0.14f},
-          {lamp_arm + 0.35f, lamp_height + 0.18f, 0.14f});
+    b.box({lamp_arm - 0.35f, lamp_height + 0.05f, -0.14f}, {lamp_arm + 0.35f, lamp_height + 0.18f, 0.14f});
     b.use(Glow::warm_white);
     b.box({lamp_arm - 0.30f, lamp_height, -0.11f}, {lamp_arm + 0.30f, lamp_height + 0.05f, 0.11f},
           all_faces & ~unsigned{top});
@@ -36,8 +35,8 @@ void add_lamps(Plan& plan) {
     const uint32_t mesh = plan.add_mesh(lamp_post());
     const auto lamp = [&](glm::vec3 foot, float yaw, glm::vec3 colour) {
         plan.place(mesh, foot, yaw);
-        const glm::vec3 head = foot + glm::vec3(lamp_arm * std::cos(yaw), lamp_height - 0.06f,
-                                                -lamp_arm * std::sin(yaw));
+        const glm::vec3 head =
+            foot + glm::vec3(lamp_arm * std::cos(yaw), lamp_height - 0.06f, -lamp_arm * std::sin(yaw));
         plan.add_site(Rank::lamp, {.light = {.kind = LightKind::spot,
                                              .colour = colour,
                                              .intensity = 300,
@@ -55,8 +54,7 @@ void add_lamps(Plan& plan) {
         }
     for (const float side : {-1.0f, 1.0f})
         for (const float x : {-50.0f, -34.0f, -18.0f, 16.0f, 32.0f, 48.0f})
-            lamp({x + side * 2, kerb_height, cross_z + side * (cross_half + 0.5f)},
-                 side > 0 ? pi / 2 : -pi / 2, led);
+            lamp({x + side * 2, kerb_height, cross_z + side * (cross_half + 0.5f)}, side > 0 ? pi / 2 : -pi / 2, led);
 }
 
 /// A signal at the crossing: post, box, three lenses of which one shines. Faces +d of `frame`.
@@ -78,15 +76,13 @@ void signal(Plan& plan, const Frame& frame, bool go) {
         b.use(Surface::metal);
         b.box(lens + glm::vec3(-0.13f, 0.115f, 0), lens + glm::vec3(0.13f, 0.13f, 0.16f));
         if (on)
-            plan.add_point(Rank::tail, frame.point(lens + glm::vec3(0, 0, 0.7f)),
-                           glow_colour(colours[i]), 3.5f, 7);
+            plan.add_point(Rank::tail, frame.point(lens + glm::vec3(0, 0, 0.7f)), glow_colour(colours[i]), 3.5f, 7);
     }
     plan.build(b, "signal", frame.origin);
 }
 
 void add_signals(Plan& plan) {
-    const float x = road_half + 0.6f, near_z = cross_z + cross_line + 0.4f,
-                far_z = cross_z - cross_line - 0.4f;
+    const float x = road_half + 0.6f, near_z = cross_z + cross_line + 0.4f, far_z = cross_z - cross_line - 0.4f;
     const auto facing = [](glm::vec3 origin, glm::vec3 d) {
         return Frame{origin, glm::cross(glm::vec3(0, 1, 0), d), {0, 1, 0}, d};
     };
@@ -106,8 +102,7 @@ Mesh tree(Plan& plan, std::vector<glm::vec3>& bulbs) {
     for (uint32_t i = 0; i < 7; ++i) {
         const float a = 2 * pi * static_cast<float>(i) / 7, reach = plan.uniform(0.5f, 1.1f);
         b.cone({0.04f, 2.0f + 0.09f * static_cast<float>(i), 0.02f},
-               {reach * std::cos(a), plan.uniform(3.4f, 4.6f), reach * std::sin(a)}, 0.05f, 0.012f,
-               7);
+               {reach * std::cos(a), plan.uniform(3.4f, 4.6f), reach * std::sin(a)}, 0.05f, 0.012f, 7);
     }
     b.use(Surface::leaves);
     for (uint32_t i = 0; i < 260; ++i) {
@@ -117,8 +112,7 @@ Mesh tree(Plan& plan, std::vector<glm::vec3>& bulbs) {
         // Leaves hang outwards, each turned a little its own way.
         const float lean_x = plan.uniform(-0.7f, 0.7f), lean_z = plan.uniform(-0.7f, 0.7f);
         const glm::vec3 n = glm::normalize(out + glm::vec3(lean_x, 0.5f, lean_z));
-        const glm::vec3 u = glm::normalize(glm::cross(glm::vec3(0.3f, 0.2f, 1), n)),
-                        v = glm::cross(n, u);
+        const glm::vec3 u = glm::normalize(glm::cross(glm::vec3(0.3f, 0.2f, 1), n)), v = glm::cross(n, u);
         const float size = plan.uniform(0.38f, 0.62f);
         b.quad(centre + radii * out * depth - (u + v) * (size / 2), u * size, v * size, TexRect{});
     }
@@ -126,8 +120,7 @@ Mesh tree(Plan& plan, std::vector<glm::vec3>& bulbs) {
     for (uint32_t i = 0; i < 44; ++i) {
         const float t = (static_cast<float>(i) + 0.5f) / 44, y = 1 - 2 * t, a = t * 8.5f * 2 * pi;
         const float ring = std::sqrt(1 - y * y);
-        bulbs.push_back(centre +
-                        radii * 1.04f * glm::vec3(ring * std::cos(a), y, ring * std::sin(a)));
+        bulbs.push_back(centre + radii * 1.04f * glm::vec3(ring * std::cos(a), y, ring * std::sin(a)));
         b.gem(bulbs.back(), 0.028f);
     }
     b.use(Surface::metal); // grille round the trunk
@@ -137,8 +130,7 @@ Mesh tree(Plan& plan, std::vector<glm::vec3>& bulbs) {
 
 void add_trees(Plan& plan) {
     std::array<std::vector<glm::vec3>, 2> bulbs;
-    const std::array<uint32_t, 2> meshes{plan.add_mesh(tree(plan, bulbs[0])),
-                                         plan.add_mesh(tree(plan, bulbs[1]))};
+    const std::array<uint32_t, 2> meshes{plan.add_mesh(tree(plan, bulbs[0])), plan.add_mesh(tree(plan, bulbs[1]))};
     uint32_t next = 0;
     for (const float side : {-1.0f, 1.0f})
         for (float z = side > 0 ? -1 : 5.5f; z > street_far + 6; z -= 15) {
@@ -198,8 +190,7 @@ Mesh manhole() {
     b.cone({0, -0.01f, 0}, {0, 0.012f, 0}, 0.34f, 0.34f, 28);
     for (int i = -2; i <= 2; ++i) {
         const float z = 0.1f * static_cast<float>(i), half = std::sqrt(0.30f * 0.30f - z * z);
-        b.box({-half, 0.010f, z - 0.022f}, {half, 0.018f, z + 0.022f},
-              all_faces & ~unsigned{bottom});
+        b.box({-half, 0.010f, z - 0.022f}, {half, 0.018f, z + 0.022f}, all_faces & ~unsigned{bottom});
     }
     return b.finish("manhole");
 }
@@ -211,8 +202,7 @@ float bin_place(const Scene& scene, size_t first, float x, float z) {
     const auto taken = [&](const Node& node) {
         return std::hypot(node.local[3].x - double(x), node.local[3].z - double(z)) < clear;
     };
-    while (std::any_of(scene.nodes.begin() + static_cast<std::ptrdiff_t>(first), scene.nodes.end(),
-                       taken))
+    while (std::any_of(scene.nodes.begin() + static_cast<std::ptrdiff_t>(first), scene.nodes.end(), taken))
         z -= 0.1f;
     return z;
 }
@@ -238,8 +228,7 @@ void add_props(Plan& plan) {
                 continue;
             const float x = side * (road_half + 0.75f);
             plan.place(bin_mesh, {x, kerb_height, bin_place(plan.scene, first, x, z)});
-            plan.place(bench_mesh, {side * (house_line - 0.9f), kerb_height, z - 3},
-                       side < 0 ? pi / 2 : -pi / 2);
+            plan.place(bench_mesh, {side * (house_line - 0.9f), kerb_height, z - 3}, side < 0 ? pi / 2 : -pi / 2);
         }
     }
     for (float z = 4; z > street_far; z -= 21)

@@ -5,9 +5,9 @@
 namespace prelight::city {
 namespace {
 
-constexpr float head = 3.15f;                ///< top of the openings
+constexpr float head = 3.15f;                     ///< top of the openings
 constexpr float shop_depth = 0.42f;               ///< of a shop front behind the wall
-constexpr float pier = 0.38f;                ///< from the end of a shop's unit to its opening
+constexpr float pier = 0.38f;                     ///< from the end of a shop's unit to its opening
 constexpr float corner_pier = shop_depth + 0.06f; ///< keeps the recesses of two fronts apart
 constexpr unsigned no_back = all_faces & ~unsigned{back};
 
@@ -18,8 +18,8 @@ void door(MeshBuilder& b, float s0, float s1, float height, float d, glm::vec3 t
     const float w = s1 - s0;
     for (const glm::vec2& rows : {glm::vec2(0.15f, 0.42f), glm::vec2(0.5f, 0.92f)})
         for (const glm::vec2& columns : {glm::vec2(0.1f, 0.46f), glm::vec2(0.54f, 0.9f)})
-            b.box({s0 + w * columns.x, height * rows.x, d - 0.01f},
-                  {s0 + w * columns.y, height * rows.y, d + 0.025f}, no_back);
+            b.box({s0 + w * columns.x, height * rows.x, d - 0.01f}, {s0 + w * columns.y, height * rows.y, d + 0.025f},
+                  no_back);
     b.use(Surface::chrome);
     b.sphere({s1 - 0.12f, 1.02f, d + 0.07f}, glm::vec3(0.035f), 10, 6);
 }
@@ -34,8 +34,7 @@ void awning(MeshBuilder& b, float s0, float s1, glm::vec3 tint) {
     b.quad(edge + drop, across, -drop); // the valance, both sides
     b.quad(edge + drop + across - glm::vec3(0, 0, 0.02f), -across, -drop + thick);
     b.polygon(std::array{wall + thick, edge + thick, edge, wall});
-    b.polygon(
-        std::array{wall + across, edge + across, edge + thick + across, wall + thick + across});
+    b.polygon(std::array{wall + across, edge + across, edge + thick + across, wall + thick + across});
 }
 
 /// The board above a shop with small lamps on arms or a line of light below it.
@@ -75,8 +74,7 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
     TexRect rect = shop_rect(cell);
     b.quad({w0, 0.5f, -shop_depth + 0.08f}, {w1 - w0, 0, 0}, {0, head - 0.5f, 0}, rect);
     b.quad({d0, 0.9f, -shop_depth}, {door_width, 0, 0}, {0, head - 0.9f, 0},
-           {rect.lower_left,
-            {glm::mix(rect.lower_left.x, rect.upper_right.x, 0.4f), rect.upper_right.y}});
+           {rect.lower_left, {glm::mix(rect.lower_left.x, rect.upper_right.x, 0.4f), rect.upper_right.y}});
     b.use(Surface::board, paint); // bars
     const float f0 = -shop_depth + 0.08f, f1 = -shop_depth + 0.16f;
     b.box({w0, head - 0.08f, f0}, {w1, head, f1}, bottom | front);
@@ -92,16 +90,13 @@ void shop(Plan& plan, MeshBuilder& b, float s0, float s1) {
         b.box({s, 0.9f, -shop_depth - 0.02f}, {s + 0.09f, 2.3f, -shop_depth + 0.05f}, left | right | front);
     b.box({d0, 2.3f, -shop_depth - 0.02f}, {d1, 2.42f, -shop_depth + 0.05f}, top | bottom | front);
     b.use(Surface::chrome);
-    b.cone({d0 + 0.14f, 0.95f, -shop_depth + 0.1f}, {d0 + 0.14f, 1.35f, -shop_depth + 0.1f}, 0.015f, 0.015f,
-           8);
+    b.cone({d0 + 0.14f, 0.95f, -shop_depth + 0.1f}, {d0 + 0.14f, 1.35f, -shop_depth + 0.1f}, 0.015f, 0.015f, 8);
 
     fascia(plan, b, s0 - 0.05f, s1 + 0.05f, paint, light);
     if (plan.chance(0.35))
-        awning(b, s0 + 0.05f, s1 - 0.05f,
-               plan.chance(0.5) ? glm::vec3(1) : glm::vec3(0.3f, 0.9f, 0.8f));
+        awning(b, s0 + 0.05f, s1 - 0.05f, plan.chance(0.5) ? glm::vec3(1) : glm::vec3(0.3f, 0.9f, 0.8f));
     for (const float share : {0.25f, 0.75f})
-        plan.add_point(Rank::shop, b.frame.point({glm::mix(w0, w1, share), 1.5f, 0.35f}), light,
-                       3.2f, 3.8f);
+        plan.add_point(Rank::shop, b.frame.point({glm::mix(w0, w1, share), 1.5f, 0.35f}), light, 3.2f, 3.8f);
 }
 
 /// A rolled-down shutter.
@@ -125,14 +120,12 @@ void entrance(Plan& plan, MeshBuilder& b, float s0, float s1) {
     b.box({middle + 0.6f, 0.04f, -shop_depth}, {s1, head, -shop_depth + 0.1f}, left | front);
     door(b, middle - 0.6f, middle + 0.6f, 2.3f, -shop_depth + 0.01f, {0.32f, 0.26f, 0.24f});
     b.use(Surface::window);
-    b.quad({middle - 0.6f, 2.3f, -shop_depth + 0.01f}, {1.2f, 0, 0}, {0, head - 2.3f, 0},
-           window_rect(4));
+    b.quad({middle - 0.6f, 2.3f, -shop_depth + 0.01f}, {1.2f, 0, 0}, {0, head - 2.3f, 0}, window_rect(4));
     b.use(Surface::metal);
     b.box({s1 + 0.1f, 2.18f, -0.02f}, {s1 + 0.18f, 2.24f, 0.2f}, no_back);
     b.use(Glow::warm_white);
     b.sphere({s1 + 0.14f, 2.36f, 0.14f}, glm::vec3(0.10f, 0.12f, 0.10f), 14, 8);
-    plan.add_point(Rank::shop, b.frame.point({s1 + 0.14f, 2.36f, 0.4f}), {1, 0.72f, 0.42f}, 5,
-                   4.2f);
+    plan.add_point(Rank::shop, b.frame.point({s1 + 0.14f, 2.36f, 0.4f}), {1, 0.72f, 0.42f}, 5, 4.2f);
 }
 
 } // namespace
@@ -146,9 +139,7 @@ void build_ground_floor(Plan& plan, MeshBuilder& b, const Facade& f) {
     for (uint32_t i = 0; i < units; ++i) {
         const float start = unit * static_cast<float>(i);
         const bool narrow = i == house_door && units > 1;
-        const auto inset = [&](bool corner) {
-            return narrow ? unit / 2 - 1.0f : corner ? corner_pier : pier;
-        };
+        const auto inset = [&](bool corner) { return narrow ? unit / 2 - 1.0f : corner ? corner_pier : pier; };
         openings.emplace_back(start + inset(f.corner_left && i == 0),
                               start + unit - inset(f.corner_right && i + 1 == units));
         s.insert(s.end(), {openings.back().x, openings.back().y});
@@ -166,8 +157,7 @@ void build_ground_floor(Plan& plan, MeshBuilder& b, const Facade& f) {
     for (size_t i = 0; i < s.size(); i += 2) { // plinths of the piers
         const float low = s[i == 0 ? 0 : i], high = s[i + 1 < s.size() ? i + 1 : i];
         if (high - low > 0.05f && i + 1 < s.size())
-            b.box({i == 0 ? lip : low - lip, 0, -0.05f}, {high + lip, 0.45f, 0.06f},
-                  left | right | top | front);
+            b.box({i == 0 ? lip : low - lip, 0, -0.05f}, {high + lip, 0.45f, 0.06f}, left | right | top | front);
     }
     for (uint32_t i = 0; i < units; ++i) {
         const glm::vec2 o = openings[i];

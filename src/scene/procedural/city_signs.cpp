@@ -33,8 +33,7 @@ void blade(Plan& plan, const Word& word, float side, float z, float base) {
         b.use(word.letters);
         for (size_t i = 0; i < word.text.size(); ++i)
             neon_letter(b, word.text[i],
-                        {-letter / 4, height - 0.15f - step * static_cast<float>(i + 1) + 0.09f,
-                         thick + 0.045f},
+                        {-letter / 4, height - 0.15f - step * static_cast<float>(i + 1) + 0.09f, thick + 0.045f},
                         letter, 0.026f);
         b.use(word.border);
         constexpr float w = half - 0.05f;
@@ -50,12 +49,11 @@ void blade(Plan& plan, const Word& word, float side, float z, float base) {
         for (const float facing : {1.0f, -1.0f}) {
             const float y = height * (static_cast<float>(i) + 0.5f) / static_cast<float>(lights);
             const Glow colour = i % 3 == 2 ? word.border : word.letters;
-            plan.add_point(Rank::neon, centre + glm::vec3(-side * 0.45f, y, facing * 0.6f),
-                           glow_colour(colour), 7, 6.5f);
+            plan.add_point(Rank::neon, centre + glm::vec3(-side * 0.45f, y, facing * 0.6f), glow_colour(colour), 7,
+                           6.5f);
         }
     // One that reaches across the street: its streak on the wet asphalt is seen from afar.
-    plan.add_point(Rank::neon, centre + glm::vec3(-side * 1.4f, height / 2, 0),
-                   glow_colour(word.letters), 19, 28);
+    plan.add_point(Rank::neon, centre + glm::vec3(-side * 1.4f, height / 2, 0), glow_colour(word.letters), 19, 28);
     plan.build(b, "blade sign", centre);
 }
 
@@ -67,8 +65,7 @@ void edge_tube(Plan& plan, float side, float z0, float z1, float y, Glow colour)
     b.cone({x, y, z0}, {x, y, z1}, 0.025f, 0.025f, 8);
     const auto lights = static_cast<uint32_t>(std::abs(z1 - z0) / 2.2f) + 1;
     for (uint32_t i = 0; i < lights; ++i) {
-        const float z =
-            glm::mix(z0, z1, (static_cast<float>(i) + 0.5f) / static_cast<float>(lights));
+        const float z = glm::mix(z0, z1, (static_cast<float>(i) + 0.5f) / static_cast<float>(lights));
         plan.add_point(Rank::neon, {x - side * 0.25f, y, z}, glow_colour(colour), 2.2f, 4.2f);
     }
     plan.build(b, "light line");
@@ -82,15 +79,13 @@ void arch(Plan& plan, std::string_view text, float z, float y) {
     b.frame.origin = {0, y, z};
     b.use(Surface::metal);
     for (const float at : {-0.35f, letter + 0.35f})
-        b.box({-reach, at - girder, -girder}, {reach, at + girder, girder},
-              top | bottom | front | back);
+        b.box({-reach, at - girder, -girder}, {reach, at + girder, girder}, top | bottom | front | back);
     const auto bays = static_cast<uint32_t>(2 * reach / 1.7f);
     for (uint32_t i = 0; i < bays; ++i) { // lattice
         const float a = -reach + 2 * reach * static_cast<float>(i) / static_cast<float>(bays);
         const float c = -reach + 2 * reach * static_cast<float>(i + 1) / static_cast<float>(bays);
         const bool rising = i % 2 == 0;
-        b.cone({a, rising ? -0.35f : letter + 0.35f, 0}, {c, rising ? letter + 0.35f : -0.35f, 0},
-               0.025f, 0.025f, 6);
+        b.cone({a, rising ? -0.35f : letter + 0.35f, 0}, {c, rising ? letter + 0.35f : -0.35f, 0}, 0.025f, 0.025f, 6);
     }
     b.use(Glow::cyan);
     neon_row(b, text, {-half, 0, 0.14f}, letter, 0.05f);
@@ -98,11 +93,9 @@ void arch(Plan& plan, std::string_view text, float z, float y) {
     for (const float at : {-0.28f, letter + 0.28f})
         b.cone({-half - 0.6f, at, 0.13f}, {half + 0.6f, at, 0.13f}, 0.03f, 0.03f, 8);
     for (uint32_t i = 0; i < text.size(); ++i) {
-        const float s =
-            2 * half * ((static_cast<float>(i) + 0.5f) / static_cast<float>(text.size()) - 0.5f);
-        plan.add_point(
-            Rank::neon, {s, y + (i % 2 == 0 ? 0.2f : 1.3f), z + (i % 2 == 0 ? 0.7f : -0.7f)},
-            glow_colour(i % 4 < 2 ? Glow::cyan : Glow::magenta), 12, i % 4 == 0 ? 34.0f : 10.0f);
+        const float s = 2 * half * ((static_cast<float>(i) + 0.5f) / static_cast<float>(text.size()) - 0.5f);
+        plan.add_point(Rank::neon, {s, y + (i % 2 == 0 ? 0.2f : 1.3f), z + (i % 2 == 0 ? 0.7f : -0.7f)},
+                       glow_colour(i % 4 < 2 ? Glow::cyan : Glow::magenta), 12, i % 4 == 0 ? 34.0f : 10.0f);
     }
     plan.build(b, "arch", {0, y, z});
 }

@@ -82,8 +82,7 @@ void corner_pavement(MeshBuilder& b, float s_width, float d_width) {
                            line(stone, kerb_height)};
     for (size_t k = 0; k + 1 < lines.size(); ++k)
         for (size_t i = 0; i + 1 < lines[k].size(); ++i)
-            b.polygon(
-                std::array{lines[k][i], lines[k + 1][i], lines[k + 1][i + 1], lines[k][i + 1]});
+            b.polygon(std::array{lines[k][i], lines[k + 1][i], lines[k + 1][i + 1], lines[k][i + 1]});
 }
 
 void pavements(Plan& plan) {
@@ -94,18 +93,15 @@ void pavements(Plan& plan) {
         b.frame = frame;
         pavement(b, length, wide);
         plan.build(b, "pavement");
-        plan.sheets.push_back({{frame.origin + glm::vec3(0, kerb_height, 0) + frame.d * wide,
-                                frame.s,
-                                -frame.d,
-                                {0, 1, 0}},
-                               {length, wide}});
+        plan.sheets.push_back(
+            {{frame.origin + glm::vec3(0, kerb_height, 0) + frame.d * wide, frame.s, -frame.d, {0, 1, 0}},
+             {length, wide}});
     };
     for (const glm::vec2& z : {glm::vec2(z_near, street_near), glm::vec2(street_far, z_far)}) {
         add({{-house_line, 0, z.y}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}}, z.y - z.x, width);
         add({{house_line, 0, z.x}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, z.y - z.x, width);
     }
-    for (const glm::vec2& x :
-         {glm::vec2(-cross_end, -house_line), glm::vec2(house_line, cross_end)}) {
+    for (const glm::vec2& x : {glm::vec2(-cross_end, -house_line), glm::vec2(house_line, cross_end)}) {
         add({{x.y, 0, z_near}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, x.y - x.x, cross_width);
         add({{x.x, 0, z_far}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, x.y - x.x, cross_width);
     }
@@ -137,8 +133,7 @@ void markings(Plan& plan) {
     plan.build(b, "crossing markings");
 
     b.use(Surface::marking);
-    for (const glm::vec2& z :
-         {glm::vec2(stop_near + 4.6f, street_near), glm::vec2(street_far, stop_far - 4.6f)}) {
+    for (const glm::vec2& z : {glm::vec2(stop_near + 4.6f, street_near), glm::vec2(street_far, stop_far - 4.6f)}) {
         for (float at = z.y - 1; at - 3 > z.x; at -= 6)
             flat(b, -0.07f, 0.07f, at - 3, at, paint_height);
         for (const float x : {-3.05f, 2.95f}) // parking bays
@@ -159,20 +154,17 @@ void surroundings(Plan& plan) {
     std::vector<glm::vec3> points;
     for (uint32_t row = 0; row < rows; ++row)
         for (uint32_t column = 0; column < columns; ++column) {
-            const float up =
-                std::numbers::pi_v<float> / 2 * 0.985f * static_cast<float>(row) / (rows - 1);
-            const float around = 2 * std::numbers::pi_v<float> *
-                                 static_cast<float>(column % (columns - 1)) / (columns - 1);
-            points.emplace_back(radius * std::cos(up) * std::cos(around),
-                                radius * std::sin(up) - 1.0f,
+            const float up = std::numbers::pi_v<float> / 2 * 0.985f * static_cast<float>(row) / (rows - 1);
+            const float around =
+                2 * std::numbers::pi_v<float> * static_cast<float>(column % (columns - 1)) / (columns - 1);
+            points.emplace_back(radius * std::cos(up) * std::cos(around), radius * std::sin(up) - 1.0f,
                                 radius * std::cos(up) * std::sin(around));
         }
     b.patch(points, columns);
     Mesh mesh = b.finish("sky");
     for (uint32_t i = 0; i < points.size(); ++i)
-        mesh.primitives[0].texcoords[0][i] = {
-            3 * static_cast<float>(i % columns) / (columns - 1),
-            1 - 0.98f * static_cast<float>(i / columns) / (rows - 1) - 0.01f};
+        mesh.primitives[0].texcoords[0][i] = {3 * static_cast<float>(i % columns) / (columns - 1),
+                                              1 - 0.98f * static_cast<float>(i / columns) / (rows - 1) - 0.01f};
     plan.place(plan.add_mesh(std::move(mesh)), {0, 0, -40});
     b.use(Surface::roofing);
     b.frame = {};

@@ -7,13 +7,10 @@ namespace {
 
 /// A cable between two points with bulbs hanging from it, sagging by `sag` metres.
 void garland(Plan& plan, glm::vec3 from, glm::vec3 to, float sag, bool colourful) {
-    static constexpr std::array<Glow, 5> mix{Glow::red, Glow::amber, Glow::green, Glow::blue,
-                                             Glow::pink};
+    static constexpr std::array<Glow, 5> mix{Glow::red, Glow::amber, Glow::green, Glow::blue, Glow::pink};
     const auto bulbs = static_cast<uint32_t>(glm::length(to - from) / 0.45f);
     MeshBuilder b;
-    const auto at = [&](float t) {
-        return glm::mix(from, to, t) - glm::vec3(0, 4 * sag * t * (1 - t), 0);
-    };
+    const auto at = [&](float t) { return glm::mix(from, to, t) - glm::vec3(0, 4 * sag * t * (1 - t), 0); };
     std::vector<glm::vec3> cable;
     for (uint32_t i = 0; i <= 20; ++i)
         cable.push_back(at(static_cast<float>(i) / 20));
@@ -21,8 +18,7 @@ void garland(Plan& plan, glm::vec3 from, glm::vec3 to, float sag, bool colourful
     b.tube(cable, 0.012f, 5);
     for (uint32_t i = 0; i < bulbs; ++i) {
         const Glow colour = colourful ? mix[i % mix.size()] : Glow::warm_white;
-        const glm::vec3 p =
-            at((static_cast<float>(i) + 0.5f) / static_cast<float>(bulbs)) - glm::vec3(0, 0.07f, 0);
+        const glm::vec3 p = at((static_cast<float>(i) + 0.5f) / static_cast<float>(bulbs)) - glm::vec3(0, 0.07f, 0);
         b.use(colour);
         b.gem(p, 0.045f);
         plan.bulbs.push_back({p - glm::vec3(0, 0.1f, 0), glow_colour(colour)});
@@ -46,8 +42,7 @@ void add_strings(Plan& plan) {
         colourful = !colourful;
     }
     for (const float x : {-24.0f, -38.0f, 24.0f, 38.0f})
-        garland(plan, {x, 8.4f, cross_z - cross_line + 0.02f},
-                {x + 2, 8.4f, cross_z + cross_line - 0.02f}, 1.3f, true);
+        garland(plan, {x, 8.4f, cross_z - cross_line + 0.02f}, {x + 2, 8.4f, cross_z + cross_line - 0.02f}, 1.3f, true);
 }
 
 } // namespace prelight::city

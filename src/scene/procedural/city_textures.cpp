@@ -43,8 +43,7 @@ TextureImage fabric_picture() {
         "fabric", 128, 128,
         [&](glm::vec2 uv) {
             const float stripe = std::abs(uv.x - 0.5f) < 0.25f ? 1.0f : 0.0f;
-            const glm::vec3 c =
-                glm::mix(glm::vec3(0.75f, 0.7f, 0.62f), glm::vec3(0.45f, 0.06f, 0.06f), stripe);
+            const glm::vec3 c = glm::mix(glm::vec3(0.75f, 0.7f, 0.62f), glm::vec3(0.45f, 0.06f, 0.06f), stripe);
             return glm::vec4(c * (0.85f + 0.15f * fade(uv)), 1);
         },
         true);
@@ -97,13 +96,12 @@ glm::vec4 sky_texel(glm::vec2 uv, const TileNoise& clouds) {
     const float up = 1 - uv.y;
     const float glow = std::exp(-up * 7);
     const float cloud = ramp(0.42f, 0.72f, clouds(uv)) * (1 - 0.6f * up);
-    glm::vec3 c =
-        glm::mix(glm::vec3(0.0035f, 0.006f, 0.017f), glm::vec3(0.045f, 0.032f, 0.040f), glow);
+    glm::vec3 c = glm::mix(glm::vec3(0.0035f, 0.006f, 0.017f), glm::vec3(0.045f, 0.032f, 0.040f), glow);
     c += cloud * (glm::vec3(0.010f, 0.011f, 0.020f) + glow * glm::vec3(0.05f, 0.03f, 0.025f));
     const Cellular star = tile_cells(uv, 110, 702);
     const float bright = hash_unit(star.cell, 2, 703);
-    c += (1 - cloud) * ramp(0.09f, 0.04f, star.nearest) * ramp(0.6f, 1.0f, bright) *
-         ramp(0.1f, 0.5f, up) * glm::vec3(0.30f, 0.33f, 0.4f);
+    c += (1 - cloud) * ramp(0.09f, 0.04f, star.nearest) * ramp(0.6f, 1.0f, bright) * ramp(0.1f, 0.5f, up) *
+         glm::vec3(0.30f, 0.33f, 0.4f);
     return {c, 1};
 }
 

@@ -34,8 +34,8 @@ public:
     }
 
 private:
-    TileNoise dents{5, 11, 4}, shore{48, 17}, film{9, 23, 3}, course{6, 31, 4}, broken{7, 37},
-        grains{460, 41}, gravel{230, 43}, swell{12, 47, 3}, ripples{60, 53};
+    TileNoise dents{5, 11, 4}, shore{48, 17}, film{9, 23, 3}, course{6, 31, 4}, broken{7, 37}, grains{460, 41},
+        gravel{230, 43}, swell{12, 47, 3}, ripples{60, 53};
 };
 
 constexpr uint32_t asphalt_side = 1024;
@@ -51,16 +51,14 @@ Slab slab_at(glm::vec2 uv, const TileNoise& damp, const TileNoise& grain) {
     const float shift = static_cast<int>(row) % 2 == 0 ? 0.0f : 0.5f;
     const float x = uv.x * 3 + shift, y = uv.y * 4;
     const float fx = x - std::floor(x), fy = y - row;
-    const float edge =
-        std::min(std::min(fx, 1 - fx) * 0.667f, std::min(fy, 1 - fy) * 0.5f); // metres
+    const float edge = std::min(std::min(fx, 1 - fx) * 0.667f, std::min(fy, 1 - fy) * 0.5f); // metres
     Slab s{};
     s.joint = ramp(0.012f, 0.004f, edge);
     const auto column = static_cast<uint32_t>(std::floor(x)) % 3;
     const auto line = static_cast<uint32_t>(row);
     s.tone = hash_unit(column, line, 71);
     s.water = ramp(0.55f, 0.68f, damp(uv));
-    s.height = -0.005f * s.joint + 0.0012f * (grain(uv) - 0.5f) * (1 - s.water) +
-               0.004f * (s.tone - 0.5f) * fx;
+    s.height = -0.005f * s.joint + 0.0012f * (grain(uv) - 0.5f) * (1 - s.water) + 0.004f * (s.tone - 0.5f) * fx;
     return s;
 }
 
@@ -75,8 +73,7 @@ void add_ground_pictures(std::vector<TextureImage>& images) {
         [&](glm::vec2, size_t i) {
             const Asphalt& a = asphalt[i];
             const float dry = 0.026f + 0.042f * a.stone * a.stone;
-            const float v = std::lerp(dry * (0.75f + 0.4f * (1 - a.wet)) * (1 - 0.7f * a.crack),
-                                      0.013f, a.water);
+            const float v = std::lerp(dry * (0.75f + 0.4f * (1 - a.wet)) * (1 - 0.7f * a.crack), 0.013f, a.water);
             return glm::vec4(v, v * 1.01f, v * 1.05f, 1);
         },
         true));
@@ -88,12 +85,10 @@ void add_ground_pictures(std::vector<TextureImage>& images) {
             return glm::vec4(1, std::lerp(damp, 0.17f, a.water), 0, 1);
         },
         false));
-    images.push_back(
-        normal_map("asphalt normal", heights_of(asphalt), asphalt_side, tile_metres(Surface::asphalt)));
+    images.push_back(normal_map("asphalt normal", heights_of(asphalt), asphalt_side, tile_metres(Surface::asphalt)));
 
     const TileNoise damp(3, 73, 4), grain(170, 79), stains(6, 83, 3);
-    const std::vector<Slab> slabs =
-        sample_field(paving_side, [&](glm::vec2 uv) { return slab_at(uv, damp, grain); });
+    const std::vector<Slab> slabs = sample_field(paving_side, [&](glm::vec2 uv) { return slab_at(uv, damp, grain); });
     images.push_back(paint(
         "paving colour", paving_side, paving_side,
         [&](glm::vec2 uv, size_t i) {
@@ -108,13 +103,10 @@ void add_ground_pictures(std::vector<TextureImage>& images) {
         "paving surface", paving_side, paving_side,
         [&](glm::vec2, size_t i) {
             const Slab& s = slabs[i];
-            return glm::vec4(
-                1, std::lerp(std::lerp(0.46f + 0.1f * s.tone, 0.22f, s.water), 0.7f, s.joint), 0,
-                1);
+            return glm::vec4(1, std::lerp(std::lerp(0.46f + 0.1f * s.tone, 0.22f, s.water), 0.7f, s.joint), 0, 1);
         },
         false));
-    images.push_back(
-        normal_map("paving normal", heights_of(slabs), paving_side, tile_metres(Surface::paving)));
+    images.push_back(normal_map("paving normal", heights_of(slabs), paving_side, tile_metres(Surface::paving)));
 }
 
 } // namespace prelight::city

@@ -32,10 +32,8 @@ Brick brick_at(glm::vec2 uv, const TileNoise& edges, const TileNoise& grain) {
 } // namespace
 
 void add_wall_pictures(std::vector<TextureImage>& images) {
-    const TileNoise edges(128, 107), grain(64, 103, 3), soot_noise(3, 109, 4),
-        plaster_noise(12, 131, 5);
-    const std::vector<Brick> bricks =
-        sample_field(side, [&](glm::vec2 uv) { return brick_at(uv, edges, grain); });
+    const TileNoise edges(128, 107), grain(64, 103, 3), soot_noise(3, 109, 4), plaster_noise(12, 131, 5);
+    const std::vector<Brick> bricks = sample_field(side, [&](glm::vec2 uv) { return brick_at(uv, edges, grain); });
     images.push_back(paint(
         "brick colour", side, side,
         [&](glm::vec2 uv, size_t i) {
@@ -48,8 +46,7 @@ void add_wall_pictures(std::vector<TextureImage>& images) {
         true));
     images.push_back(normal_map("brick normal", heights_of(bricks), side, tile_metres(Surface::brick)));
 
-    const Field plaster =
-        sample_field(side, [&](glm::vec2 uv) { return 0.016f * plaster_noise(uv); });
+    const Field plaster = sample_field(side, [&](glm::vec2 uv) { return 0.016f * plaster_noise(uv); });
     images.push_back(normal_map("plaster normal", plaster, side, tile_metres(Surface::plaster)));
 }
 

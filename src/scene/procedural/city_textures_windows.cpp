@@ -14,8 +14,7 @@ namespace {
 TexRect cell_rect(glm::uvec2 cell, glm::uvec2 cells, glm::vec2 texels) {
     const glm::vec2 size = 1.0f / glm::vec2(cells), low = glm::vec2(cell) * size;
     const glm::vec2 inset = 1.5f / texels;
-    return {{low.x + inset.x, low.y + size.y - inset.y},
-            {low.x + size.x - inset.x, low.y + inset.y}};
+    return {{low.x + inset.x, low.y + size.y - inset.y}, {low.x + size.x - inset.x, low.y + inset.y}};
 }
 
 /// 1 inside the ellipse, soft at its edge.
@@ -44,8 +43,7 @@ glm::vec3 room(uint32_t cell, glm::vec2 p, const TileNoise& foliage) {
         c *= 1 - 0.92f * figure(p, 0.35f + 0.3f * pick, 0.9f);
     if (cell % 5 == 2) // a plant on the sill
         c *= 1 - 0.9f * std::max(blob(p, {0.72f, 0.1f}, {0.07f, 0.1f}),
-                                 blob(p, {0.72f, 0.3f}, {0.15f, 0.16f}) *
-                                     ramp(0.42f, 0.5f, foliage(p)));
+                                 blob(p, {0.72f, 0.3f}, {0.15f, 0.16f}) * ramp(0.42f, 0.5f, foliage(p)));
     if (cell % 4 == 3) // blinds
         c *= 0.35f + 0.65f * ramp(0.25f, 0.45f, std::abs(p.y * 14 - std::floor(p.y * 14) - 0.5f));
     if (lit && cell % 3 == 0)
@@ -69,8 +67,7 @@ glm::vec3 shop_front(uint32_t cell, glm::vec2 p) {
     const float shelves = bar ? 6.0f : 4.0f;
     const float y = p.y * shelves, row = std::floor(y), fy = y - row;
     if (p.y < 0.85f && (!bar || p.y > 0.35f)) {
-        const float items =
-            bar ? 26.0f : 11.0f + 4 * hash_unit(cell, static_cast<uint32_t>(row), 210);
+        const float items = bar ? 26.0f : 11.0f + 4 * hash_unit(cell, static_cast<uint32_t>(row), 210);
         const auto id = static_cast<uint32_t>(p.x * items);
         const auto line = static_cast<uint32_t>(row) + 16 * cell;
         const float fx = p.x * items - static_cast<float>(id);
@@ -79,10 +76,8 @@ glm::vec3 shop_front(uint32_t cell, glm::vec2 p) {
         if (fy < tall && std::abs(fx - 0.5f) < wide && hash_unit(id, line, 213) > 0.18f) {
             // Muted packages, a few of them loud, with a paler label across each.
             const float tone = hash_unit(id, line, 214), loud = hash_unit(id, line, 215);
-            const glm::vec3 hue =
-                0.5f + 0.5f * glm::cos(6.2831853f * (tone + glm::vec3(0, 0.33f, 0.67f)));
-            glm::vec3 goods =
-                glm::mix(glm::vec3(0.30f + 0.3f * tone), hue * hue, loud * loud * 0.8f);
+            const glm::vec3 hue = 0.5f + 0.5f * glm::cos(6.2831853f * (tone + glm::vec3(0, 0.33f, 0.67f)));
+            glm::vec3 goods = glm::mix(glm::vec3(0.30f + 0.3f * tone), hue * hue, loud * loud * 0.8f);
             if (std::abs(fy / tall - 0.55f) < 0.16f)
                 goods = glm::mix(goods, glm::vec3(0.8f), 0.5f);
             c = light * goods * (0.35f + 0.5f * p.y);
@@ -103,8 +98,7 @@ glm::vec3 shop_front(uint32_t cell, glm::vec2 p) {
 } // namespace
 
 TexRect window_rect(uint32_t cell) {
-    return cell_rect({cell % window_cells, cell / window_cells}, glm::uvec2(window_cells),
-                     glm::vec2(1024));
+    return cell_rect({cell % window_cells, cell / window_cells}, glm::uvec2(window_cells), glm::vec2(1024));
 }
 
 TexRect shop_rect(uint32_t cell) {
@@ -139,8 +133,7 @@ void add_window_pictures(std::vector<TextureImage>& images) {
     const auto atlas = [](glm::vec2 uv, glm::uvec2 cells, auto&& inside) {
         const glm::vec2 at = uv * glm::vec2(cells), cell = glm::floor(at);
         const glm::vec2 p(at.x - cell.x, 1 - (at.y - cell.y));
-        return glm::vec4(
-            inside(static_cast<uint32_t>(cell.y) * cells.x + static_cast<uint32_t>(cell.x), p), 1);
+        return glm::vec4(inside(static_cast<uint32_t>(cell.y) * cells.x + static_cast<uint32_t>(cell.x), p), 1);
     };
     const TileNoise foliage(17, 204);
     images.push_back(paint(

@@ -17,17 +17,14 @@ void bars(MeshBuilder& b, glm::vec2 low, glm::vec2 high, Style style) {
     b.box({low.x, y0, back_d}, {low.x + w, y1, front_d}, along);
     b.box({high.x - w, y0, back_d}, {high.x, y1, front_d}, along);
     const float middle = (low.x + high.x) / 2;
-    const float rail =
-        style == Style::brick ? (low.y + high.y) / 2 : low.y + (high.y - low.y) * 0.7f;
+    const float rail = style == Style::brick ? (low.y + high.y) / 2 : low.y + (high.y - low.y) * 0.7f;
     if (style != Style::modern)
         b.box({low.x + w, rail - thin / 2, back_d}, {high.x - w, rail + thin / 2, bar_d}, across);
     if (style == Style::brick) { // sash: the bar only in the upper half
-        b.box({middle - thin / 2, rail + thin / 2, back_d}, {middle + thin / 2, y1, bar_d - 0.01f},
-              along);
+        b.box({middle - thin / 2, rail + thin / 2, back_d}, {middle + thin / 2, y1, bar_d - 0.01f}, along);
     } else {
         b.box({middle - thin / 2, y0, back_d},
-              {middle + thin / 2, style == Style::modern ? y1 : rail - thin / 2, bar_d - 0.01f},
-              along);
+              {middle + thin / 2, style == Style::modern ? y1 : rail - thin / 2, bar_d - 0.01f}, along);
     }
 }
 
@@ -40,8 +37,7 @@ void surround(MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high) {
     if (f.style == Style::brick) {
         b.box({low.x - 0.14f, under, -0.03f}, {high.x + 0.14f, high.y + 0.24f, 0.035f}, faces);
         const float middle = (low.x + high.x) / 2; // keystone
-        b.box({middle - 0.11f, high.y - 0.02f, -0.03f}, {middle + 0.11f, high.y + 0.3f, 0.075f},
-              faces);
+        b.box({middle - 0.11f, high.y - 0.02f, -0.03f}, {middle + 0.11f, high.y + 0.3f, 0.075f}, faces);
     } else if (f.style == Style::stucco) {
         for (const float s : {low.x - 0.14f, high.x - lip})
             b.box({s, low.y, -0.03f}, {s + 0.14f + lip, under, 0.05f}, left | right | front);
@@ -65,8 +61,7 @@ void railing(MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high) {
     constexpr float w = 0.018f;
     const auto count = static_cast<uint32_t>((s1 - s0) / 0.16f);
     for (uint32_t i = 0; i <= count; ++i) {
-        const float s = s0 + 0.006f +
-                        (s1 - s0 - w - 0.012f) * static_cast<float>(i) / static_cast<float>(count);
+        const float s = s0 + 0.006f + (s1 - s0 - w - 0.012f) * static_cast<float>(i) / static_cast<float>(count);
         b.box({s, y + low_rail + t, out - 0.024f}, {s + w, y + h, out - 0.006f}, post);
     }
     for (const float s : {s0 + 0.006f, s1 - 0.024f})
@@ -78,14 +73,12 @@ void railing(MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high) {
 
 } // namespace
 
-void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high,
-                  bool balcony) {
+void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, glm::vec2 high, bool balcony) {
     b.use(f.wall, f.wall_tint);
     reveal(b, low, high, pane_depth);
     const bool lit = plan.chance(0.42);
-    const uint32_t cell =
-        lit ? plan.random.below(lit_windows)
-            : lit_windows + plan.random.below(window_cells * window_cells - lit_windows);
+    const uint32_t cell = lit ? plan.random.below(lit_windows)
+                              : lit_windows + plan.random.below(window_cells * window_cells - lit_windows);
     b.use(Surface::window);
     TexRect rect = window_rect(cell);
     if (plan.chance(0.5)) // mirrored rooms look like other ones
@@ -99,8 +92,7 @@ void build_window(Plan& plan, MeshBuilder& b, const Facade& f, glm::vec2 low, gl
     if (!lit)
         return;
     const glm::vec3 colour = window_light(cell);
-    plan.add_point(Rank::window, b.frame.point({(low.x + high.x) / 2, low.y + 0.5f, 0.30f}), colour,
-                   1.1f, 2.4f);
+    plan.add_point(Rank::window, b.frame.point({(low.x + high.x) / 2, low.y + 0.5f, 0.30f}), colour, 1.1f, 2.4f);
 }
 
 } // namespace prelight::city

@@ -53,7 +53,8 @@ TextureImage window_cookie() {
         if (arch > 1 || y > 1)
             return glm::dvec3(0);
         const double column = (x + 1) * 1.5, row = (y + 1) * 2.5;
-        const double across = std::abs(column - std::round(column)) / 1.5, down = std::abs(row - std::round(row)) / 2.5 * 1.5;
+        const double across = std::abs(column - std::round(column)) / 1.5,
+                     down = std::abs(row - std::round(row)) / 2.5 * 1.5;
         if (arch > 0.94 || across < 0.045 || down < 0.045)
             return glm::dvec3(0);
         return glass[size_t(int(column) * 2 + int(row) * 3) % glass.size()];
@@ -79,12 +80,13 @@ TextureImage dice_cookie() {
     return painted("dice", 768, 128, [](double u, double v) {
         constexpr std::array<glm::dvec3, 6> colours{
             {{1, 0.5, 0.4}, {0.5, 1, 0.5}, {1, 1, 0.9}, {0.5, 0.7, 1}, {1, 0.9, 0.4}, {0.9, 0.6, 1}}};
-        constexpr std::array<std::array<glm::dvec2, 6>, 6> pips{{{{{0, 0}}},
-                                                                 {{{-1, -1}, {1, 1}}},
-                                                                 {{{-1, -1}, {0, 0}, {1, 1}}},
-                                                                 {{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}},
-                                                                 {{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {0, 0}}},
-                                                                 {{{-1, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {1, 1}}}}};
+        constexpr std::array<std::array<glm::dvec2, 6>, 6> pips{
+            {{{{0, 0}}},
+             {{{-1, -1}, {1, 1}}},
+             {{{-1, -1}, {0, 0}, {1, 1}}},
+             {{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}},
+             {{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {0, 0}}},
+             {{{-1, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {1, 1}}}}};
         const auto face = static_cast<size_t>(u * 6);
         const glm::dvec2 place(2 * (u * 6 - double(face)) - 1, 2 * v - 1);
         for (size_t pip = 0; pip <= face; ++pip)
@@ -95,7 +97,8 @@ TextureImage dice_cookie() {
 }
 
 std::string wall_lamp_profile() {
-    std::string text = "IESNA:LM-63-2002\n[TEST] procedural\n[MANUFAC] Prelight\n[LUMCAT] wall lamp\n[LUMINAIRE] beam, ring and up-light\n"
+    std::string text = "IESNA:LM-63-2002\n[TEST] procedural\n[MANUFAC] Prelight\n[LUMCAT] wall lamp\n[LUMINAIRE] beam, "
+                       "ring and up-light\n"
                        "TILT=NONE\n1 1000 1 37 5 1 2 0.1 0.1 0.2\n1 1 12\n";
     for (int v = 0; v <= 180; v += 5)
         text += fmt::format("{}{}", v, v % 60 == 55 || v == 180 ? '\n' : ' ');

@@ -12,7 +12,8 @@ TextureImage window_cookie();
 TextureImage lantern_cookie();
 /// A dice with holes for its pips, each face with a colour: six faces side by side.
 TextureImage dice_cookie();
-/// An IES file (LM-63-2002): a lamp that sends a narrow beam, a ring around it and some light upwards, alike in all four quarters.
+/// An IES file (LM-63-2002): a lamp that sends a narrow beam, a ring around it and some light upwards, alike in all
+/// four quarters.
 std::string wall_lamp_profile();
 
 } // namespace prelight

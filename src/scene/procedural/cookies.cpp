@@ -10,8 +10,9 @@ namespace prelight {
 namespace {
 
 void add_box(Scene& scene, const char* name, glm::vec3 colour, glm::vec3 low, glm::vec3 high, float roughness = 0.8f) {
-    const uint32_t material = append(
-        scene.materials, Material{.name = name, .base_colour = glm::vec4(colour, 1), .metallic = 0, .roughness = roughness});
+    const uint32_t material =
+        append(scene.materials,
+               Material{.name = name, .base_colour = glm::vec4(colour, 1), .metallic = 0, .roughness = roughness});
     add_root(scene, name, glm::dmat4(1)).mesh = add_mesh(scene, name, make_box(low, high), material);
 }
 
@@ -28,8 +29,11 @@ void add_room(Scene& scene) {
         for (const float z : {-1.35f, -0.35f})
             add_box(scene, "leg", {0.5f, 0.35f, 0.25f}, {x, 0, z}, {x + 0.1f, 0.66f, z + 0.1f}, 0.45f);
     add_box(scene, "chest", {0.45f, 0.5f, 0.6f}, {-1.2f, 0, -3.3f}, {0.4f, 0.7f, -2.5f});
-    const uint32_t ball = append(scene.materials, Material{.name = "ball", .base_colour = {0.8f, 0.8f, 0.8f, 1}, .metallic = 0, .roughness = 0.35f});
-    add_root(scene, "ball", translation({-0.9, 0.45, 0.4})).mesh = add_mesh(scene, "ball", make_sphere(0.45f, 48, 24), ball);
+    const uint32_t ball =
+        append(scene.materials,
+               Material{.name = "ball", .base_colour = {0.8f, 0.8f, 0.8f, 1}, .metallic = 0, .roughness = 0.35f});
+    add_root(scene, "ball", translation({-0.9, 0.45, 0.4})).mesh =
+        add_mesh(scene, "ball", make_sphere(0.45f, 48, 24), ball);
 }
 
 /// A light that looks from one place to another, +Y up as far as that goes.
@@ -48,22 +52,48 @@ void turn_last(Scene& scene, glm::dvec3 at) {
     for (int key = 0; key <= 8; ++key) {
         const double half = key * 3.14159265358979323846 / 8;
         sampler.times.push_back(1.5f * static_cast<float>(key));
-        sampler.values.insert(sampler.values.end(), {0, static_cast<float>(std::sin(half)), 0, static_cast<float>(std::cos(half))});
+        sampler.values.insert(sampler.values.end(),
+                              {0, static_cast<float>(std::sin(half)), 0, static_cast<float>(std::cos(half))});
     }
-    scene.animations.push_back({.name = "lantern", .samplers = {std::move(sampler)}, .channels = {{0, index, AnimationPath::rotation}}});
+    scene.animations.push_back(
+        {.name = "lantern", .samplers = {std::move(sampler)}, .channels = {{0, index, AnimationPath::rotation}}});
 }
 
 void add_lights(Scene& scene, uint32_t lights, uint64_t seed) {
     const uint32_t window = append(scene.images, window_cookie()), lantern = append(scene.images, lantern_cookie()),
                    dice = append(scene.images, dice_cookie());
     const auto profile = std::make_shared<const LightProfile>(parse_profile(wall_lamp_profile(), "wall lamp"));
-    const Light through_window{.name = "window", .kind = LightKind::spot, .colour = {1, 0.95f, 0.85f}, .intensity = 150, .range = 16,
-                               .inner_cone = 0.38f, .outer_cone = 0.4f, .cookie = window};
-    const Light pierced{.name = "lantern", .kind = LightKind::point, .colour = {1, 0.85f, 0.6f}, .intensity = 12, .range = 9, .cookie = lantern};
+    const Light through_window{.name = "window",
+                               .kind = LightKind::spot,
+                               .colour = {1, 0.95f, 0.85f},
+                               .intensity = 150,
+                               .range = 16,
+                               .inner_cone = 0.38f,
+                               .outer_cone = 0.4f,
+                               .cookie = window};
+    const Light pierced{.name = "lantern",
+                        .kind = LightKind::point,
+                        .colour = {1, 0.85f, 0.6f},
+                        .intensity = 12,
+                        .range = 9,
+                        .cookie = lantern};
     const Light pips{.name = "dice", .kind = LightKind::point, .intensity = 7, .range = 6, .cookie = dice};
-    Light wall{.name = "wall lamp", .kind = LightKind::point, .colour = {1, 0.9f, 0.75f}, .intensity = 9, .range = 7, .profile = profile};
-    const Light both{.name = "stage", .kind = LightKind::spot, .colour = {0.8f, 0.9f, 1}, .intensity = 0.05f, .range = 10, .inner_cone = 0.7f,
-                     .outer_cone = 0.8f, .cookie = window, .profile = profile, .profile_candela = true};
+    Light wall{.name = "wall lamp",
+               .kind = LightKind::point,
+               .colour = {1, 0.9f, 0.75f},
+               .intensity = 9,
+               .range = 7,
+               .profile = profile};
+    const Light both{.name = "stage",
+                     .kind = LightKind::spot,
+                     .colour = {0.8f, 0.9f, 1},
+                     .intensity = 0.05f,
+                     .range = 10,
+                     .inner_cone = 0.7f,
+                     .outer_cone = 0.8f,
+                     .cookie = window,
+                     .profile = profile,
+                     .profile_candela = true};
     uint32_t made = 0;
     const auto wanted = [&] { return made++ < lights; };
     if (wanted())

@@ -16,7 +16,8 @@ using namespace map_painting;
 double from_middle(double u, double v) { return 2 * std::hypot(u - 0.5, v - 0.5); }
 
 double noise(double u, double v, uint32_t seed) {
-    static const city::TileNoise fields[] = {city::TileNoise(6, 11, 4), city::TileNoise(5, 23, 3), city::TileNoise(24, 5, 3)};
+    static const city::TileNoise fields[] = {city::TileNoise(6, 11, 4), city::TileNoise(5, 23, 3),
+                                             city::TileNoise(24, 5, 3)};
     return fields[seed](glm::vec2(u, v));
 }
 
@@ -66,7 +67,8 @@ TextureImage target() {
 }
 
 TextureImage bolt_colours() {
-    return map_of("bolt colours", [](double u, double v) { return glm::dvec4(0.72, 0.73, 0.76, smooth(0.02, 0.1, bolt(u, v))); });
+    return map_of("bolt colours",
+                  [](double u, double v) { return glm::dvec4(0.72, 0.73, 0.76, smooth(0.02, 0.1, bolt(u, v))); });
 }
 
 TextureImage bolt_normals() {

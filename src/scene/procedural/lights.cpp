@@ -15,27 +15,22 @@ Primitive untextured(Primitive primitive) {
 }
 
 void add_objects(Scene& scene) {
-    scene.materials = {
-        {.name = "ground", .base_colour = {0.5, 0.5, 0.5, 1}, .metallic = 0, .roughness = 0.7f},
-        {.name = "sphere", .base_colour = {0.8, 0.75, 0.7, 1}, .metallic = 0, .roughness = 0.35f},
-        {.name = "column", .base_colour = {0.6, 0.65, 0.7, 1}, .metallic = 0, .roughness = 0.5f}};
+    scene.materials = {{.name = "ground", .base_colour = {0.5, 0.5, 0.5, 1}, .metallic = 0, .roughness = 0.7f},
+                       {.name = "sphere", .base_colour = {0.8, 0.75, 0.7, 1}, .metallic = 0, .roughness = 0.35f},
+                       {.name = "column", .base_colour = {0.6, 0.65, 0.7, 1}, .metallic = 0, .roughness = 0.5f}};
     const auto ground = add_mesh(scene, "ground", untextured(make_ground({100, 100}, 96)), 0);
     const auto sphere = add_mesh(scene, "sphere", untextured(make_sphere(1, 40, 20)), 1);
-    const auto column =
-        add_mesh(scene, "column", untextured(make_box({-0.25, 0, -0.25}, {0.25, 4, 0.25})), 2);
+    const auto column = add_mesh(scene, "column", untextured(make_box({-0.25, 0, -0.25}, {0.25, 4, 0.25})), 2);
 
     add_root(scene, "ground", glm::dmat4(1)).mesh = ground;
     for (int z = 0; z < 12; ++z)
         for (int x = 0; x < 12; ++x) {
             const double height = 1 + 0.5 * ((x + z) % 3);
-            add_root(scene, "sphere",
-                     translation({spacing * (x - 5.5), height, spacing * (z - 5.5)}))
-                .mesh = sphere;
+            add_root(scene, "sphere", translation({spacing * (x - 5.5), height, spacing * (z - 5.5)})).mesh = sphere;
         }
     for (int z = 0; z < 11; ++z)
         for (int x = 0; x < 11; ++x)
-            add_root(scene, "column", translation({spacing * (x - 5), 0, spacing * (z - 5)})).mesh =
-                column;
+            add_root(scene, "column", translation({spacing * (x - 5), 0, spacing * (z - 5)})).mesh = column;
 }
 
 } // namespace

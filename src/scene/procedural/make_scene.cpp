@@ -26,10 +26,10 @@ struct Entry {
 /// A new built-in scene is one line here.
 constexpr auto entries = std::to_array<Entry>({
     {{"city", "a wet street at night: facades, cars, neon, lamps, string lights", 1024}, make_city},
-    {{"city-sparks", "the same street with sparks of welding, each a moving light: 8 in 9 of the lights", 9216}, make_city_sparks},
+    {{"city-sparks", "the same street with sparks of welding, each a moving light: 8 in 9 of the lights", 9216},
+     make_city_sparks},
     {{"spheres", "shininess x metalness grid of spheres", 8}, make_spheres_scene},
-    {{"lights", "yardstick for speed: 144 spheres, 121 columns, small point lights", 1024},
-     make_lights_scene},
+    {{"lights", "yardstick for speed: 144 spheres, 121 columns, small point lights", 1024}, make_lights_scene},
     {{"motion", "all that moves: turning boxes, a bent column, a morphing sphere, camera, lights", 24},
      make_motion_scene},
     {{"shadows", "thin walls, poles, a fence, columns far away: sun, point light, narrow and wide spot", 4},
@@ -37,8 +37,10 @@ constexpr auto entries = std::to_array<Entry>({
     {{"cookies", "a room whose lights throw pictures and have measured profiles: window, lantern, dice, wall lamps", 7},
      make_cookies_scene},
     {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
-    {{"decals", "cracks, paint, bolts, a puddle and a burn on brick walls and a floor, lights that go round", 8}, make_decals_scene},
-    {{"bounce", "a room with a sunlit patch, and small lights on it in place of its indirect light", 65}, make_bounce_scene},
+    {{"decals", "cracks, paint, bolts, a puddle and a burn on brick walls and a floor, lights that go round", 8},
+     make_decals_scene},
+    {{"bounce", "a room with a sunlit patch, and small lights on it in place of its indirect light", 65},
+     make_bounce_scene},
 });
 
 } // namespace
@@ -51,8 +53,8 @@ std::vector<BuiltinScene> builtin_scenes() {
 }
 
 Scene make_scene(std::string_view name, uint32_t lights, uint64_t seed) {
-    const auto found = std::find_if(entries.begin(), entries.end(),
-                                    [&](const Entry& entry) { return entry.scene.name == name; });
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.scene.name == name; });
     if (found == entries.end()) {
         std::string known;
         for (const Entry& entry : entries)
@@ -60,8 +62,7 @@ Scene make_scene(std::string_view name, uint32_t lights, uint64_t seed) {
         throw UsageError(fmt::format("scene {}: unknown; built-in scenes are {}", name, known));
     }
     if (lights < 1 || lights > max_lights)
-        throw UsageError(
-            fmt::format("scene {}: lights: {} is outside 1 … {}", name, lights, max_lights));
+        throw UsageError(fmt::format("scene {}: lights: {} is outside 1 … {}", name, lights, max_lights));
     return found->make(lights, seed);
 }
 

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <scene/environment_codes.hpp>
-#include <scene/procedural/material_maps.hpp>
 #include <scene/procedural/map_painting.hpp>
+#include <scene/procedural/material_maps.hpp>
 #include <scene/procedural/shapes.hpp>
 
 namespace prelight {
@@ -53,23 +53,25 @@ TextureImage brick_normals() {
 
 TextureImage hammered_normals() {
     return normals_of("hammered normals", [](double u, double v) {
-        return 0.004 * (std::sin(full_turn * 12 * u) * std::sin(full_turn * 12 * v) + 0.5 * std::sin(full_turn * (7 * u + 9 * v)));
+        return 0.004 * (std::sin(full_turn * 12 * u) * std::sin(full_turn * 12 * v) +
+                        0.5 * std::sin(full_turn * (7 * u + 9 * v)));
     });
 }
 
 TextureImage bands() {
-    return map_of("bands", [](double, double v) { return glm::dvec3(smooth(-0.15, 0.15, std::sin(full_turn * 2 * v))); });
+    return map_of("bands",
+                  [](double, double v) { return glm::dvec3(smooth(-0.15, 0.15, std::sin(full_turn * 2 * v))); });
 }
 
 TextureImage checks() {
-    return map_of("checks", [](double u, double v) {
-        return glm::dvec3(0.15 + 0.85 * ((int(u * 16) + int(v * 8)) % 2));
-    });
+    return map_of("checks",
+                  [](double u, double v) { return glm::dvec3(0.15 + 0.85 * ((int(u * 16) + int(v * 8)) % 2)); });
 }
 
 TextureImage circuits() {
     return map_of("circuits", [](double u, double v) {
-        const double across = std::abs(u * 8 - std::floor(u * 8) - 0.5), down = std::abs(v * 6 - std::floor(v * 6) - 0.5);
+        const double across = std::abs(u * 8 - std::floor(u * 8) - 0.5),
+                     down = std::abs(v * 6 - std::floor(v * 6) - 0.5);
         const double line = 1 - smooth(0.02, 0.06, std::min(across, down));
         return line * glm::dvec3(0.1, 0.8, 1);
     });
@@ -80,8 +82,9 @@ Environment make_studio() {
     for (uint32_t y = 0; y < 64; ++y)
         for (uint32_t x = 0; x < 128; ++x) {
             const double up = 90 - (y + 0.5) * 180 / 64, round = (x + 0.5) * 360 / 128 - 180; // degrees
-            glm::dvec3 c = up > 0 ? glm::mix(glm::dvec3(0.5, 0.55, 0.6), glm::dvec3(0.12, 0.25, 0.6), smooth(0, 70, up))
-                                  : glm::mix(glm::dvec3(0.3, 0.27, 0.22), glm::dvec3(0.08, 0.07, 0.06), smooth(0, 60, -up));
+            glm::dvec3 c =
+                up > 0 ? glm::mix(glm::dvec3(0.5, 0.55, 0.6), glm::dvec3(0.12, 0.25, 0.6), smooth(0, 70, up))
+                       : glm::mix(glm::dvec3(0.3, 0.27, 0.22), glm::dvec3(0.08, 0.07, 0.06), smooth(0, 60, -up));
             const double window = smooth(28, 22, std::abs(round - 120)) * smooth(22, 16, std::abs(up - 30));
             c += window * glm::dvec3(3, 2.8, 2.4);
             const double lamp = smooth(14, 6, std::hypot(round + 140, up - 45));

@@ -14,8 +14,7 @@ constexpr double motion_seconds = 4; // seconds
 
 /// A node under `parent` (or a root) with parts that animation can change.
 uint32_t add_node(Scene& scene, std::string name, const Trs& trs, std::optional<uint32_t> parent = {}) {
-    const uint32_t index =
-        append(scene.nodes, Node{.name = std::move(name), .local = trs.matrix(), .trs = trs});
+    const uint32_t index = append(scene.nodes, Node{.name = std::move(name), .local = trs.matrix(), .trs = trs});
     (parent ? scene.nodes[*parent].children : scene.scenes.back().nodes).push_back(index);
     return index;
 }
@@ -51,10 +50,9 @@ void spin(Animation& animation, uint32_t node, const glm::dvec3& axis, int turns
 }
 
 uint32_t add_material(Scene& scene, const char* name, const glm::vec3& colour, float metallic, float roughness) {
-    return append(scene.materials, Material{.name = name,
-                                            .base_colour = glm::vec4(colour, 1),
-                                            .metallic = metallic,
-                                            .roughness = roughness});
+    return append(
+        scene.materials,
+        Material{.name = name, .base_colour = glm::vec4(colour, 1), .metallic = metallic, .roughness = roughness});
 }
 
 /// Two shades in a pattern of `columns` × `rows` cells of 8 × 8 pixels.
@@ -84,8 +82,9 @@ void add_carousel(Scene& scene, Animation& animation) {
         const auto name = fmt::format("box {}", i);
         const uint32_t material = add_material(scene, name.c_str(), hue_colour(i / 6.0, 0.6), i % 2 ? 0.9f : 0, 0.35f);
         const double angle = full_turn * i / 6;
-        const uint32_t node = add_node(
-            scene, name, {.translation = {1.9 * std::cos(angle), 0.9 + 0.35 * (i % 3), -1.9 * std::sin(angle)}}, carousel);
+        const uint32_t node =
+            add_node(scene, name,
+                     {.translation = {1.9 * std::cos(angle), 0.9 + 0.35 * (i % 3), -1.9 * std::sin(angle)}}, carousel);
         scene.nodes[node].mesh = add_mesh(scene, name, box, material);
         spin(animation, node, glm::normalize(glm::dvec3(1, 0.5 * i, 2)), i % 2 ? 1 : -2);
     }
@@ -138,8 +137,7 @@ void add_blob(Scene& scene, Animation& animation) {
 void add_hand(Scene& scene, Animation& animation) {
     const uint32_t material = add_material(scene, "hand", {0.85, 0.2, 0.25}, 0, 0.5f);
     const uint32_t node = add_node(scene, "hand", {.translation = {1.2, 0.15, 3}});
-    scene.nodes[node].mesh =
-        add_mesh(scene, "hand", make_box({-0.12, -0.1, -0.12}, {1.3, 0.1, 0.12}), material);
+    scene.nodes[node].mesh = add_mesh(scene, "hand", make_box({-0.12, -0.1, -0.12}, {1.3, 0.1, 0.12}), material);
     spin(animation, node, {0, 1, 0}, -1, Interpolation::step, 8);
 }
 
@@ -156,16 +154,16 @@ void add_moving_lights(Scene& scene, Animation& animation, uint32_t lights, uint
         const double from_axis = (i % 2 ? 3.2 : 6.2) + random.uniform(-0.7, 0.7);
         const double y = random.uniform(-0.9, 0.9);
         const glm::vec3 colour = hue_colour(random.unit(), 0.55);
-        const uint32_t node = add_node(
-            scene, fmt::format("light {}", i),
-            {.translation = {from_axis * std::cos(angle), y, from_axis * std::sin(angle)}}, rings[i % 2]);
+        const uint32_t node =
+            add_node(scene, fmt::format("light {}", i),
+                     {.translation = {from_axis * std::cos(angle), y, from_axis * std::sin(angle)}}, rings[i % 2]);
         const float intensity = 170.0f / static_cast<float>(lights + 8);
         scene.nodes[node].light = append(scene.lights, Light{.colour = colour, .intensity = intensity, .range = 9});
         if (i >= most_balls)
             continue;
-        const uint32_t material = append(
-            scene.materials,
-            Material{.name = fmt::format("ball {}", i), .base_colour = {0, 0, 0, 1}, .emissive = 2.0f * colour});
+        const uint32_t material =
+            append(scene.materials,
+                   Material{.name = fmt::format("ball {}", i), .base_colour = {0, 0, 0, 1}, .emissive = 2.0f * colour});
         scene.nodes[node].mesh = add_mesh(scene, fmt::format("ball {}", i), make_sphere(0.06f, 12, 6), material);
     }
 }

@@ -32,8 +32,13 @@ public:
         place(name, make_sphere(radius, 64, 32), material(name, colour), at, 0);
     }
     void fence(glm::dvec3 at, double turn) {
-        Material bars_of{.name = "fence", .base_colour = {0.5f, 0.55f, 0.6f, 1}, .metallic = 0, .roughness = 0.6f,
-                         .alpha_mode = AlphaMode::mask, .alpha_cutoff = 0.5f, .double_sided = true};
+        Material bars_of{.name = "fence",
+                         .base_colour = {0.5f, 0.55f, 0.6f, 1},
+                         .metallic = 0,
+                         .roughness = 0.6f,
+                         .alpha_mode = AlphaMode::mask,
+                         .alpha_cutoff = 0.5f,
+                         .double_sided = true};
         bars_of.base_colour_texture = {.image = append(scene_.images, bars())};
         const uint32_t index = append(scene_.materials, std::move(bars_of));
         glm::dmat4 standing = glm::rotate(glm::dmat4(1), std::acos(0.0), glm::dvec3(1, 0, 0));
@@ -43,7 +48,8 @@ public:
 
 private:
     uint32_t material(const char* name, glm::vec3 colour) {
-        return append(scene_.materials, Material{.name = name, .base_colour = glm::vec4(colour, 1), .metallic = 0, .roughness = 0.7f});
+        return append(scene_.materials,
+                      Material{.name = name, .base_colour = glm::vec4(colour, 1), .metallic = 0, .roughness = 0.7f});
     }
     void place(const char* name, Primitive primitive, uint32_t index, glm::dvec3 at, double turn) {
         const uint32_t mesh = add_mesh(scene_, name, std::move(primitive), index);
@@ -78,14 +84,25 @@ Node& add_shadowing(Scene& scene, const Light& light, glm::dvec3 from, glm::dvec
 }
 
 void add_shadowed_lights(Scene& scene, uint32_t lights, uint64_t seed) {
-    add_shadowing(scene, {.name = "sun", .kind = LightKind::directional, .colour = {1, 0.93f, 0.82f}, .intensity = 1.2f},
-                {6, 7, 9}, {0, 0, 0});
+    add_shadowing(scene,
+                  {.name = "sun", .kind = LightKind::directional, .colour = {1, 0.93f, 0.82f}, .intensity = 1.2f},
+                  {6, 7, 9}, {0, 0, 0});
     const Light kinds[] = {
         {.name = "lamp", .kind = LightKind::point, .colour = {1, 0.6f, 0.3f}, .intensity = 9, .range = 9},
-        {.name = "spot", .kind = LightKind::spot, .colour = {0.4f, 0.7f, 1}, .intensity = 50, .range = 14,
-         .inner_cone = 0.3f, .outer_cone = 0.5f},
-        {.name = "wide spot", .kind = LightKind::spot, .colour = {0.6f, 1, 0.5f}, .intensity = 12, .range = 10,
-         .inner_cone = 0.8f, .outer_cone = 1.3f}};
+        {.name = "spot",
+         .kind = LightKind::spot,
+         .colour = {0.4f, 0.7f, 1},
+         .intensity = 50,
+         .range = 14,
+         .inner_cone = 0.3f,
+         .outer_cone = 0.5f},
+        {.name = "wide spot",
+         .kind = LightKind::spot,
+         .colour = {0.6f, 1, 0.5f},
+         .intensity = 12,
+         .range = 10,
+         .inner_cone = 0.8f,
+         .outer_cone = 1.3f}};
     const std::pair<glm::dvec3, glm::dvec3> places[] = {
         {{-0.4, 1.1, 2.2}, {-0.4, 0, 2}}, {{3.4, 3.6, 3.6}, {0.6, 0, -0.8}}, {{-3.4, 2.6, 2.4}, {-2.6, 0, 0.4}}};
     Random random(seed);
@@ -110,8 +127,11 @@ Scene make_shadows_scene(uint32_t lights, uint64_t seed) {
     add_camera(scene, {.name = "along", .yfov = 0.9}, {-1, 1.7, 4}, {-1, 1.2, -10});
     add_camera(scene, {.name = "close", .yfov = 0.6}, {-1.2, 0.7, 2.6}, {-2.2, 0.15, 0.2});
     add_camera(scene, {.name = "pole", .yfov = 0.5}, {1.9, 0.9, 2.3}, {0.75, 0.1, 0.75});
-    const uint32_t ground = append(scene.materials, Material{.name = "ground", .base_colour = {0.62f, 0.6f, 0.56f, 1}, .metallic = 0, .roughness = 0.8f});
-    add_root(scene, "ground", translation({0, 0, -26})).mesh = add_mesh(scene, "ground", make_ground({40, 80}, 20), ground);
+    const uint32_t ground =
+        append(scene.materials,
+               Material{.name = "ground", .base_colour = {0.62f, 0.6f, 0.56f, 1}, .metallic = 0, .roughness = 0.8f});
+    add_root(scene, "ground", translation({0, 0, -26})).mesh =
+        add_mesh(scene, "ground", make_ground({40, 80}, 20), ground);
     add_things(scene);
     add_shadowed_lights(scene, lights, seed);
     return scene;

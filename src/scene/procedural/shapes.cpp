@@ -38,8 +38,7 @@ Primitive make_sphere(float radius, uint32_t slices, uint32_t stacks) {
             const glm::vec3 normal(polar.y * around.x, polar.x, -polar.y * around.y);
             sphere.positions.push_back(radius * normal);
             sphere.normals.push_back(normal);
-            sphere.texcoords[0].emplace_back(static_cast<double>(column) / slices,
-                                             static_cast<double>(row) / stacks);
+            sphere.texcoords[0].emplace_back(static_cast<double>(column) / slices, static_cast<double>(row) / stacks);
         }
     add_grid_indices(sphere, slices, stacks);
     return sphere;
@@ -76,8 +75,7 @@ Primitive make_ground(glm::vec2 size, uint32_t quads) {
     Primitive ground;
     for (uint32_t row = 0; row <= quads; ++row)
         for (uint32_t column = 0; column <= quads; ++column) {
-            const glm::dvec2 at(static_cast<double>(column) / quads,
-                                static_cast<double>(row) / quads);
+            const glm::dvec2 at(static_cast<double>(column) / quads, static_cast<double>(row) / quads);
             ground.positions.emplace_back((at.x - 0.5) * size.x, 0, (at.y - 0.5) * size.y);
             ground.normals.emplace_back(0, 1, 0);
             ground.texcoords[0].emplace_back(at);

@@ -11,8 +11,7 @@ constexpr int float_component = 5126;
 
 class AnimationWriter {
 public:
-    AnimationWriter(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes,
-                    Document& document)
+    AnimationWriter(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes, Document& document)
         : scene_(scene), meshes_(meshes), document_(document) {}
 
     void write(size_t index) {
@@ -42,14 +41,10 @@ public:
 private:
     static const char* name(AnimationPath path) {
         switch (path) {
-        case AnimationPath::translation:
-            return "translation";
-        case AnimationPath::rotation:
-            return "rotation";
-        case AnimationPath::scale:
-            return "scale";
-        default:
-            return "weights";
+        case AnimationPath::translation: return "translation";
+        case AnimationPath::rotation: return "rotation";
+        case AnimationPath::scale: return "scale";
+        default: return "weights";
         }
     }
 
@@ -60,8 +55,8 @@ private:
             for (const float value : *list)
                 if (!std::isfinite(value))
                     document_.fail(object_, "a sampler's numbers are not all finite");
-        const uint32_t input = document_.add_accessor(view(sampler.times), float_component, "SCALAR",
-                                                      sampler.times.size());
+        const uint32_t input =
+            document_.add_accessor(view(sampler.times), float_component, "SCALAR", sampler.times.size());
         document_.root["accessors"][input]["min"] = Json::array({number(sampler.times.front())});
         document_.root["accessors"][input]["max"] = Json::array({number(sampler.times.back())});
         const char* type = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : "VEC4";
@@ -110,8 +105,7 @@ void add_skins(const Scene& scene, Document& document) {
     }
 }
 
-void add_animations(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes,
-                    Document& document) {
+void add_animations(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes, Document& document) {
     AnimationWriter writer(scene, meshes, document);
     for (size_t i = 0; i < scene.animations.size(); ++i)
         writer.write(i);

@@ -13,18 +13,14 @@ Json perspective(const Camera& camera) {
 
 /// The picture's shape decides the width of the view: glTF's xmag is only a hint.
 Json orthographic(const Camera& camera) {
-    return {{"xmag", camera.ymag},
-            {"ymag", camera.ymag},
-            {"znear", camera.znear},
-            {"zfar", camera.zfar}};
+    return {{"xmag", camera.ymag}, {"ymag", camera.ymag}, {"znear", camera.znear}, {"zfar", camera.zfar}};
 }
 
 bool valid(const Camera& camera) {
     if (camera.kind == ProjectionKind::perspective)
-        return camera.yfov > 0 && std::isfinite(camera.yfov) && camera.znear > 0 &&
-               camera.zfar > camera.znear;
-    return camera.ymag != 0 && std::isfinite(camera.ymag) && camera.znear >= 0 &&
-           camera.zfar > camera.znear && std::isfinite(camera.zfar);
+        return camera.yfov > 0 && std::isfinite(camera.yfov) && camera.znear > 0 && camera.zfar > camera.znear;
+    return camera.ymag != 0 && std::isfinite(camera.ymag) && camera.znear >= 0 && camera.zfar > camera.znear &&
+           std::isfinite(camera.zfar);
 }
 
 } // namespace
@@ -38,8 +34,7 @@ void add_cameras(const Scene& scene, Document& document) {
         set_name(entry, camera.name);
         const bool flat = camera.kind == ProjectionKind::orthographic;
         entry["type"] = flat ? "orthographic" : "perspective";
-        entry[flat ? "orthographic" : "perspective"] =
-            flat ? orthographic(camera) : perspective(camera);
+        entry[flat ? "orthographic" : "perspective"] = flat ? orthographic(camera) : perspective(camera);
         document.add("cameras", std::move(entry));
     }
 }

@@ -32,9 +32,7 @@ uint32_t Document::add_view(std::span<const std::byte> bytes, ViewKind kind) {
 }
 
 uint32_t Document::add_accessor(uint32_t view, int component, const char* type, size_t count) {
-    return add(
-        "accessors",
-        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+    return add("accessors", {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
 }
 
 Json number(float value) {
@@ -55,8 +53,7 @@ void set_name(Json& object, const std::string& name) {
 }
 
 std::string label(std::string_view kind, size_t index, const std::string& name) {
-    return name.empty() ? fmt::format("{} {}", kind, index)
-                        : fmt::format("{} {} ({})", kind, index, name);
+    return name.empty() ? fmt::format("{} {}", kind, index) : fmt::format("{} {} ({})", kind, index, name);
 }
 
 } // namespace prelight::write

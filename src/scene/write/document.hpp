@@ -44,8 +44,7 @@ public:
     template <int N>
     uint32_t add_vectors(const std::vector<glm::vec<N, float>>& values, ViewKind kind) {
         constexpr std::array types{"VEC2", "VEC3", "VEC4"};
-        return add_accessor(add_view(std::as_bytes(std::span(values)), kind), 5126, types[N - 2],
-                            values.size());
+        return add_accessor(add_view(std::as_bytes(std::span(values)), kind), 5126, types[N - 2], values.size());
     }
 
 private:

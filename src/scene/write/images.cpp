@@ -54,17 +54,14 @@ void add_images(const Scene& scene, Document& document) {
     }
     for (size_t i = 0; i < images.size(); ++i) {
         const TextureImage& image = *images[i];
-        const auto fail = [&](const std::string& reason) {
-            document.fail(label("image", i, image.name), reason);
-        };
+        const auto fail = [&](const std::string& reason) { document.fail(label("image", i, image.name), reason); };
         try {
             check_picture_size(image.width, image.height); // what is written can be read
         } catch (const DecodeError& error) {
             fail(error.what());
         }
         if (image.rgba.size() != size_t(image.width) * image.height * 4)
-            fail(fmt::format("holds {} bytes, not {} × {} × 4", image.rgba.size(), image.width,
-                             image.height));
+            fail(fmt::format("holds {} bytes, not {} × {} × 4", image.rgba.size(), image.width, image.height));
         const std::vector<std::byte> png = encode(image);
         Json entry = Json::object();
         set_name(entry, image.name);

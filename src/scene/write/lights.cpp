@@ -33,8 +33,7 @@ void set_cone(Json& entry, const Light& light) {
 
 void set_extras(Json& entry, const Light& light) {
     if (light.falloff != Falloff::gltf && light.kind != LightKind::directional)
-        entry["extras"]["prelight"]["falloff"] =
-            light.falloff == Falloff::linear ? "linear" : "quadratic";
+        entry["extras"]["prelight"]["falloff"] = light.falloff == Falloff::linear ? "linear" : "quadratic";
     if (light.shininess != 1)
         entry["extras"]["prelight"]["shininess"] = number(light.shininess);
     if (!light.casts_shadow)
@@ -73,15 +72,13 @@ private:
 
 void check(const Scene& scene, const Light& light, size_t index, const Document& document) {
     check_light(scene, light, fmt::format("{}: {}", document.name(), label("light", index, light.name)));
-    const float sum = light.colour.r + light.colour.g + light.colour.b + light.intensity +
-                      light.inner_cone + light.outer_cone + light.shininess;
-    const bool positive = std::min({light.colour.r, light.colour.g, light.colour.b}) >= 0 &&
-                          light.intensity >= 0 && light.range > 0 && light.outer_cone > 0 &&
-                          light.shininess > 0;
+    const float sum = light.colour.r + light.colour.g + light.colour.b + light.intensity + light.inner_cone +
+                      light.outer_cone + light.shininess;
+    const bool positive = std::min({light.colour.r, light.colour.g, light.colour.b}) >= 0 && light.intensity >= 0 &&
+                          light.range > 0 && light.outer_cone > 0 && light.shininess > 0;
     if (!std::isfinite(sum) || !std::isfinite(light.intensity * light.colour.r) || !positive)
         document.fail(label("light", index, light.name), "a value is out of range");
-    if (light.falloff != Falloff::gltf && light.kind != LightKind::directional &&
-        !std::isfinite(light.range))
+    if (light.falloff != Falloff::gltf && light.kind != LightKind::directional && !std::isfinite(light.range))
         document.fail(label("light", index, light.name), "its falloff needs a range");
 }
 

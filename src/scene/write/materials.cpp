@@ -9,20 +9,15 @@
 namespace prelight::write {
 namespace {
 
-int wrap_code(Wrap wrap) {
-    return wrap == Wrap::repeat ? 10497 : wrap == Wrap::mirrored_repeat ? 33648 : 33071;
-}
+int wrap_code(Wrap wrap) { return wrap == Wrap::repeat ? 10497 : wrap == Wrap::mirrored_repeat ? 33648 : 33071; }
 
-int filter_code(Filter filter) {
-    return filter == Filter::nearest ? 9728 : 9729;
-}
+int filter_code(Filter filter) { return filter == Filter::nearest ? 9728 : 9729; }
 
 /// 9984 … 9987: the low bit filters within a level, the next one between levels.
 int min_filter_code(const Sampler& sampler) {
     if (sampler.mip == MipFilter::none)
         return filter_code(sampler.min);
-    return 9984 + (sampler.min == Filter::linear ? 1 : 0) +
-           (sampler.mip == MipFilter::linear ? 2 : 0);
+    return 9984 + (sampler.min == Filter::linear ? 1 : 0) + (sampler.mip == MipFilter::linear ? 2 : 0);
 }
 
 /// rotation and scale with uv_linear = R(rotation) · diag(scale), where R turns counter-clockwise
@@ -115,8 +110,7 @@ private:
         entry["emissiveFactor"] = numbers(emissive / strength);
         if (strength != 1) {
             document_.use("KHR_materials_emissive_strength");
-            entry["extensions"]["KHR_materials_emissive_strength"] = {
-                {"emissiveStrength", number(strength)}};
+            entry["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", number(strength)}};
         }
     }
 

@@ -10,9 +10,8 @@ namespace {
 /// How many texture-coordinate sets the material reads: 0, 1 or 2. glTF wants set 0 below set 1.
 size_t sets_read(const Material& material) {
     size_t sets = 0;
-    for (const TextureRef* ref :
-         {&material.base_colour_texture, &material.metallic_roughness_texture,
-          &material.normal_texture, &material.occlusion_texture, &material.emissive_texture})
+    for (const TextureRef* ref : {&material.base_colour_texture, &material.metallic_roughness_texture,
+                                  &material.normal_texture, &material.occlusion_texture, &material.emissive_texture})
         if (*ref)
             sets = std::max<size_t>(sets, ref->texcoord + 1);
     return sets;
@@ -46,8 +45,7 @@ private:
         attributes["POSITION"] = positions(primitive);
         // What deforms with normals of its triangles gets new ones in each pose: left out, the reader
         // makes the same again, and tangents with them.
-        const bool made = primitive.flat_normals &&
-                          (!primitive.joint_sets.empty() || !primitive.morph_targets.empty());
+        const bool made = primitive.flat_normals && (!primitive.joint_sets.empty() || !primitive.morph_targets.empty());
         if (!primitive.normals.empty() && !made)
             attributes["NORMAL"] = vectors(primitive, primitive.normals, "normals");
         if (!primitive.tangents.empty() && !made)
@@ -59,8 +57,8 @@ private:
         for (size_t set = 0; set < sets; ++set) {
             const bool absent = primitive.texcoords[set].empty();
             const std::vector<glm::vec2> zeros(absent ? primitive.positions.size() : 0);
-            attributes[fmt::format("TEXCOORD_{}", set)] = vectors(
-                primitive, absent ? zeros : primitive.texcoords[set], "texture coordinates");
+            attributes[fmt::format("TEXCOORD_{}", set)] =
+                vectors(primitive, absent ? zeros : primitive.texcoords[set], "texture coordinates");
         }
         if (!primitive.colours.empty())
             attributes["COLOR_0"] = vectors(primitive, primitive.colours, "colours");
@@ -74,11 +72,10 @@ private:
     }
 
     template <int N>
-    uint32_t vectors(const Primitive& primitive, const std::vector<glm::vec<N, float>>& values,
-                     const char* what) {
+    uint32_t vectors(const Primitive& primitive, const std::vector<glm::vec<N, float>>& values, const char* what) {
         if (values.size() != primitive.positions.size())
-            document_.fail(object_, fmt::format("has {} positions but {} {}",
-                                                primitive.positions.size(), values.size(), what));
+            document_.fail(object_,
+                           fmt::format("has {} positions but {} {}", primitive.positions.size(), values.size(), what));
         for (const auto& value : values)
             for (int i = 0; i < N; ++i)
                 if (!std::isfinite(value[i]))
@@ -89,19 +86,18 @@ private:
     void add_joints(Json& attributes, const Primitive& primitive, size_t index) {
         const JointSet& set = primitive.joint_sets[index];
         if (set.joints.size() != primitive.positions.size())
-            document_.fail(object_, fmt::format("has {} positions but {} joints",
-                                                primitive.positions.size(), set.joints.size()));
+            document_.fail(
+                object_, fmt::format("has {} positions but {} joints", primitive.positions.size(), set.joints.size()));
         const auto bytes = std::as_bytes(std::span(set.joints));
-        attributes[fmt::format("JOINTS_{}", index)] = document_.add_accessor(
-            document_.add_view(bytes, ViewKind::vertices), 5123, "VEC4", set.joints.size());
+        attributes[fmt::format("JOINTS_{}", index)] =
+            document_.add_accessor(document_.add_view(bytes, ViewKind::vertices), 5123, "VEC4", set.joints.size());
         attributes[fmt::format("WEIGHTS_{}", index)] = vectors(primitive, set.weights, "joint weights");
     }
 
     /// A target that moves nothing still needs one attribute: zeros.
     Json target_of(const Primitive& primitive, const MorphTarget& target) {
         Json entry;
-        const bool nothing =
-            target.positions.empty() && target.normals.empty() && target.tangents.empty();
+        const bool nothing = target.positions.empty() && target.normals.empty() && target.tangents.empty();
         if (!target.positions.empty() || nothing) {
             const std::vector<glm::vec3> zeros(nothing ? primitive.positions.size() : 0);
             entry["POSITION"] = bounded(primitive, nothing ? zeros : target.positions, "morph targets");
@@ -113,9 +109,7 @@ private:
         return entry;
     }
 
-    uint32_t positions(const Primitive& primitive) {
-        return bounded(primitive, primitive.positions, "positions");
-    }
+    uint32_t positions(const Primitive& primitive) { return bounded(primitive, primitive.positions, "positions"); }
 
     /// Vectors with the bounds that glTF wants of positions.
     uint32_t bounded(const Primitive& primitive, const std::vector<glm::vec3>& values, const char* what) {
@@ -133,21 +127,18 @@ private:
     uint32_t indices(const Primitive& primitive) {
         const size_t count = primitive.indices.size();
         if (count % 3 != 0 ||
-            *std::max_element(primitive.indices.begin(), primitive.indices.end()) >=
-                primitive.positions.size())
+            *std::max_element(primitive.indices.begin(), primitive.indices.end()) >= primitive.positions.size())
             document_.fail(object_, "its indices are not triangles of its vertices");
         if (primitive.positions.size() > 65535) { // 65,535 itself would be primitive restart
             const auto bytes = std::as_bytes(std::span(primitive.indices));
-            return document_.add_accessor(document_.add_view(bytes, ViewKind::indices), 5125,
-                                          "SCALAR", count);
+            return document_.add_accessor(document_.add_view(bytes, ViewKind::indices), 5125, "SCALAR", count);
         }
         std::vector<uint16_t> small;
         small.reserve(count);
         for (const uint32_t index : primitive.indices)
             small.push_back(static_cast<uint16_t>(index));
         const auto bytes = std::as_bytes(std::span(small));
-        return document_.add_accessor(document_.add_view(bytes, ViewKind::indices), 5123, "SCALAR",
-                                      count);
+        return document_.add_accessor(document_.add_view(bytes, ViewKind::indices), 5123, "SCALAR", count);
     }
 
     const Scene& scene_;

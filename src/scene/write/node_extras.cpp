@@ -17,7 +17,8 @@ Json decal_entry(const Decal& decal) {
     if (decal.colour && decal.normal && decal.roughness)
         return entry;
     entry["channels"] = Json::array();
-    for (const auto& [name, on] : {std::pair("colour", decal.colour), {"normal", decal.normal}, {"roughness", decal.roughness}})
+    for (const auto& [name, on] :
+         {std::pair("colour", decal.colour), {"normal", decal.normal}, {"roughness", decal.roughness}})
         if (on)
             entry["channels"].push_back(name);
     return entry;
@@ -59,7 +60,8 @@ bool emitter_is_finite(const Emitter& e) {
 
 } // namespace
 
-void set_node_extras(Json& entry, const Scene& scene, const Node& node, const std::string& object, const Document& document) {
+void set_node_extras(Json& entry, const Scene& scene, const Node& node, const std::string& object,
+                     const Document& document) {
     if (!node.receives_decals)
         entry["extras"]["prelight"]["receivesDecals"] = false;
     if (node.decal) {

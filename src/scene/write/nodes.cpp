@@ -15,9 +15,7 @@ bool is_diagonal(const glm::dmat4& matrix) {
     return true;
 }
 
-Json three(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
+Json three(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// Exact: numbers are written as they are, either as translation and scale or as a whole matrix.
 /// Only a turned matrix with a scale of zero, which glTF does not take as a matrix, is decomposed.
@@ -56,8 +54,7 @@ void set_parts(Json& entry, const Trs& trs) {
 
 class NodeWriter {
 public:
-    NodeWriter(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes,
-               Document& document)
+    NodeWriter(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes, Document& document)
         : scene_(scene), meshes_(meshes), document_(document) {}
 
     void write(size_t index) {
@@ -128,8 +125,7 @@ private:
 
 } // namespace
 
-void add_nodes(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes,
-               Document& document) {
+void add_nodes(const Scene& scene, const std::vector<std::optional<uint32_t>>& meshes, Document& document) {
     NodeWriter writer(scene, meshes, document);
     for (size_t i = 0; i < scene.nodes.size(); ++i)
         writer.write(i);

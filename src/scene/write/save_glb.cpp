@@ -46,8 +46,8 @@ void save_glb(const Scene& scene, const std::filesystem::path& path) {
     document.binary.resize((document.binary.size() + 3) / 4 * 4);
 
     constexpr uint64_t header = 12, chunk_header = 8;
-    const uint64_t length = header + chunk_header + json.size() +
-                            (document.binary.empty() ? 0 : chunk_header + document.binary.size());
+    const uint64_t length =
+        header + chunk_header + json.size() + (document.binary.empty() ? 0 : chunk_header + document.binary.size());
     if (length > std::numeric_limits<uint32_t>::max())
         document.fail("scene", fmt::format("{} bytes do not fit a .glb file (4 GiB)", length));
     const auto size = [](const auto& chunk) { return static_cast<uint32_t>(chunk.size()); };
