@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The alpha mask, for a depth-only pass [Z1]; the passes after it rely on depth.
+// The alpha mask, for a depth-only pass; the passes after it rely on depth.
 #include "shared/material_interface.glsl"
 
 void main() {

@@ -4,7 +4,7 @@
 #extension GL_ARB_shader_stencil_export : require
 #endif
 // Stage 1: the shading normal and roughness of the nearest surface; the only place that discards.
-// Compiled with NO_NORMAL_TARGET it is the first of two passes [L9]: depth alone.
+// Compiled with NO_NORMAL_TARGET it is the first of two passes: depth alone.
 #if !defined(DEPTH_TARGET) && !defined(OWN_MATERIAL)
 #define NO_WORLD
 #endif

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Position and nothing else [Z1].
+// Position and nothing else.
 #include "shared/vertex.glsl"
 
 void main() { vertex_position(); }

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The nearest and the farthest surface of each tile, and the depths that its surfaces have [V6]. A tile of a coarse
+// The nearest and the farthest surface of each tile, and the depths that its surfaces have. A tile of a coarse
 // cell that no light reaches is as good as one without surfaces: where lights are few, most depths need not be read.
 #include "shared/light_cells.glsl"
 #extension GL_KHR_shader_subgroup_vote : require

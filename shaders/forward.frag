@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Forward shading of up to eight lights, which come as push constants [M2] [Z2]. Fresnel of each
+// Forward shading of up to eight lights, which come as push constants. Fresnel of each
 // light at V·H (model=full), or at N·V (nv). Depth test EQUAL needs no alpha mask, for a hole's depth is another's; LESS_OR_EQUAL
 // does.
 #include "shared/forward.h"

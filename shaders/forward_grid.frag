@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Forward shading with the lights of the pixel's cell in a grid over the world [Z3]. It needs nothing of
+// Forward shading with the lights of the pixel's cell in a grid over the world. It needs nothing of
 // the screen, so that transparent surfaces can take the same path.
 #include "shared/display.glsl"
 #include "shared/forward_light.glsl"

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Deferred shading's geometry pass [D1] [D2]: all that lights need of the nearest surface, and the light
+// Deferred shading's geometry pass: all that lights need of the nearest surface, and the light
 // that needs no lamp. The only place that discards. A material's surface() fills it, and its shade() is asked
 // for what needs no lamp; of lamps the G-buffer knows metallic-roughness only.
 #include "shared/base_light.glsl"

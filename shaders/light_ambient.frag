@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Ambient light as a light of its own: a full-screen quad that adds to the diffuse sum [V1].
+// Ambient light as a light of its own: a full-screen quad that adds to the diffuse sum.
 #include "shared/light_sums.glsl"
 
 layout(location = 0) flat in uint in_light;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One full-screen triangle a light [V1], at the far end: depth test LESS keeps it off the background.
+// One full-screen triangle a light, at the far end: depth test LESS keeps it off the background.
 #include "shared/frame.glsl"
 layout(location = 0) flat out uint out_light;
 

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// All lights of a tile [V6], summed and written once, for devices that read buffers slowly: each invocation
+// All lights of a tile, summed and written once, for devices that read buffers slowly: each invocation
 // of a subgroup loads another light, then all of them take each in turn from their neighbours. A workgroup is
 // one of the 8 × 8 blocks of pixels that light_lists_lit.comp found, an invocation `rows` of them. The lights
 // come as the tile's list, or (masked) as the bits of its 8 × 8 tiles' list.

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// All lights of a pixel's tile [V6] or cluster [V7], summed and written once.
+// All lights of a pixel's tile or cluster, summed and written once.
 #include "shared/light_sums.glsl"
 #include "shared/light_lists.glsl"
 #include "shared/light_slices.glsl"

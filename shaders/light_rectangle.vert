@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The rectangle that a light's volume covers on the screen [V2], one instance a light, at the volume's
+// The rectangle that a light's volume covers on the screen, one instance a light, at the volume's
 // near or far side.
 #include "shared/frame.glsl"
 

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Volumes that circumscribe what a light reaches, one instance a light [V5].
+// Volumes that circumscribe what a light reaches, one instance a light.
 #include "shared/frame.glsl"
 
 layout(constant_id = CONSTANT_VOLUME) const int volume = VOLUME_SPHERE;

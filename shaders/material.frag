@@ -19,7 +19,7 @@ layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform texture2D visibility
 #endif
 layout(location = 0) out vec4 out_colour;
 
-// A material with a shininess of its own raises the lights' sum to it [L5].
+// A material with a shininess of its own raises the lights' sum to it.
 vec3 specular_sum(LightTexels texels, float roughness) {
     return shading == SHADING_PHONG ? specular_light_of(texels, shininess(roughness)) : texels.specular.rgb;
 }

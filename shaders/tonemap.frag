@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
-// [E4] tone mapping and sRGB encoding.
+// Tone mapping and sRGB encoding.
 #include "shared/display.glsl"
 
 layout(set = SET_INPUTS, binding = INPUT_COLOUR) uniform texture2D colour_buffer;

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
-// Which triangles of a group may show [G2]. The tests and the room for rounding are those of
+// Which triangles of a group may show. The tests and the room for rounding are those of
 // src/resident/trim_indices.cpp; with BY_DEPTH a triangle of a few pixels is left out too when at each of them
 // stands something nearer.
 #include "shared/frame.glsl"

@@ -10,7 +10,7 @@ namespace prelight::app {
 
 enum class Verdict { agrees, does_not, too_close, not_measured };
 
-/// A sentence of a source text beside figures of ours: [C1].
+/// A sentence of a source text beside figures of ours.
 struct Claim {
     std::string id;     ///< one word, for programs
     std::string claim;  ///< what the text says

@@ -11,7 +11,8 @@ namespace prelight::app {
 namespace {
 
 constexpr uint32_t longest_side = 256;
-constexpr double too_much = 0.25; ///< of a picture
+/// Of a picture. Behind most scenes with lights of their own it is black.
+constexpr double too_burnt = 0.25, too_black = 0.9;
 
 /// The command's settings that say what light there is, as far as this renderer has them.
 std::map<std::string, std::string> settings_of_light(const RendererInfo& info, const RenderOptions& options) {
@@ -66,10 +67,10 @@ void warn_of_extremes(const Log& log, const Image& display, const std::string& f
         return;
     const Extremes extremes = find_extremes(display);
     const auto percent = [](double share) { return std::lround(100 * share); };
-    if (extremes.burnt > too_much)
+    if (extremes.burnt > too_burnt)
         log.warning(fmt::format("{}: {} % of the pixels are burnt out: {}", file, percent(extremes.burnt),
                                 auto_exposure ? "try a lower --exposure than auto's" : "try --exposure auto"));
-    else if (extremes.black > too_much)
+    else if (extremes.black > too_black)
         log.warning(fmt::format("{}: {} % of the pixels are black: {}{}", file, percent(extremes.black),
                                 world.scene->environment ? "try --background backdrop" : "try --environment studio",
                                 auto_exposure ? "" : ", or --exposure auto"));

@@ -10,7 +10,7 @@
 
 namespace prelight {
 
-/// Figures of one encoding of normals: [L1].
+/// Figures of one encoding of normals.
 struct EncodingFigures {
     std::string name;         ///< value of the setting `normals`
     std::string target;       ///< format of the normal target on this device
@@ -23,7 +23,7 @@ struct EncodingFigures {
     Comparison picture; ///< of the light pre-pass with this encoding, against its reference
 };
 
-/// Figures of one place where view depth is read from: [L2].
+/// Figures of one place where view depth is read from.
 struct DepthFigures {
     std::string name;   ///< value of the setting `depth`
     std::string target; ///< its format

@@ -14,7 +14,7 @@ struct LightSumError {
     double bias = 0; ///< mean of the signed errors: below 0 is too dark
 };
 
-/// Figures of one light buffer [L4] or one way to a material's own shininess [L5], with one number of
+/// Figures of one light buffer or one way to a material's own shininess, with one number of
 /// lights on every pixel.
 struct LightBufferFigures {
     std::string name;                               ///< "RGBA8 packed, luminance"

@@ -16,7 +16,7 @@ struct ReferenceForm {
     bool grey_reflectance = false;  ///< lights meet F0's luminance (a G-buffer with one specular channel)
     bool gate_by_step = false;      ///< [phong] specular-gate=step: N·L > 0 instead of factor N·L
     bool reflection_vector = false; ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
-    bool ambient_as_light = false;  ///< ambient enters the diffuse sum (full-screen light) [V1]
+    bool ambient_as_light = false;  ///< ambient enters the diffuse sum (full-screen light)
     bool shadows = false;           ///< shadow rays for every light that casts one
     /// Lamps see a rougher surface where its normals differ between the pixels of a 2×2 quad, all on the plane of the
     /// triangle that the pixel's own ray hits: α² + min(½(|∂n/∂x|² + |∂n/∂y|²), 0.18). Differences within the
@@ -26,7 +26,7 @@ struct ReferenceForm {
     /// Textures: bilinear on level 0, whatever the sampler says; false: as samplers say, with mip maps but for alpha
     /// masks and decals.
     bool bilinear_level0 = true;
-    /// [phong] `specular=` [L5]: how a material's own exponent comes in. All but `stored` raise a sum
+    /// [phong] `specular=`: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.
     enum class Specular { stored, luv, fifth_channel, luminance, bent } specular = Specular::stored;
     /// What materials with a shader of their own make of lamps: all at once, as a light buffer sums them;

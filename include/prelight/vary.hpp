@@ -6,7 +6,7 @@
 namespace prelight {
 
 // What a person changes while looking at many lights on a few objects, as the XNA multipass sample
-// lets them [M4] [U2]. Lights go back to a renderer by Renderer::set_lights, materials by set_world.
+// lets them. Lights go back to a renderer by Renderer::set_lights, materials by set_world.
 
 /// Turns positions and directions by `angle` radians, counter-clockwise seen from above, around the
 /// vertical (+Y) line through `centre` (world, metres).

@@ -207,7 +207,7 @@
 #define MODEL_MONO 2
 #define MODEL_FULL 3
 
-// How a material's own shininess is come by [L5].
+// How a material's own shininess is come by.
 #define SPECULAR_STORED 0
 #define SPECULAR_LUV 1
 #define SPECULAR_FIFTH_CHANNEL 2

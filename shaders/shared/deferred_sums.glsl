@@ -1,4 +1,4 @@
-// Deferred shading [D2]: the lights of a pixel with its material, as they leave for the viewer; added to
+// Deferred shading: the lights of a pixel with its material, as they leave for the viewer; added to
 // what the geometry pass left in RT0.
 #ifndef PRELIGHT_DEFERRED_SUMS_GLSL
 #define PRELIGHT_DEFERRED_SUMS_GLSL

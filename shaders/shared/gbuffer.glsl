@@ -1,5 +1,5 @@
-// Depth and normals read back: position from depth by frustum ray or by inverse matrix [L3], normals
-// by their encoding [L1].
+// Depth and normals read back: position from depth by frustum ray or by inverse matrix, normals
+// by their encoding.
 #ifndef PRELIGHT_GBUFFER_GLSL
 #define PRELIGHT_GBUFFER_GLSL
 #extension GL_EXT_samplerless_texture_functions : require

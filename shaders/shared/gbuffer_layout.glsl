@@ -1,4 +1,4 @@
-// What the targets of a G-buffer hold of a surface [D1]; one function writes them, the others read.
+// What the targets of a G-buffer hold of a surface; one function writes them, the others read.
 //            RT1                      RT2                                  RT3
 // wide       oct24 normal, roughness  motion XY, dullness where there is   base colour, metallic
 // killzone2  view normal X, Y         motion XY, spec power, intensity     diffuse albedo, sun occlusion

@@ -1,4 +1,4 @@
-// What the light buffer holds of a pixel's lights [L4] [L5]. [ggx]: diffuse = Σ N·L att colour, specular =
+// What the light buffer holds of a pixel's lights. [ggx]: diffuse = Σ N·L att colour, specular =
 // Σ N·L att colour D V; alphas: luminance-weighted (1 − V·H)⁵ of each (model=weighted). [phong]:
 // equation 8.5.2, with the material's exponent (specular=stored) or only the light's. Packed: specular's
 // luminance in alpha. Where several lights are written at once, they are summed here and rounded once.
@@ -31,7 +31,7 @@ bool add_light(inout LightSums sums, LitPixel p, Lamp lamp) {
     return terms.contributes;
 }
 
-// Ambient light as a light [V1]. [ggx] divides diffuse light by π: a uniform environment of radiance L
+// Ambient light as a light. [ggx] divides diffuse light by π: a uniform environment of radiance L
 // gives irradiance π·L.
 void add_ambient(inout LightSums sums) {
     sums.diffuse.rgb += frame.ambient.rgb * (shading == SHADING_GGX ? 3.14159265 : 1.0);

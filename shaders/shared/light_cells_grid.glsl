@@ -1,4 +1,4 @@
-// Cells of light lists in the world: a uniform grid over the world's bounds [Z3]. A coarse cell is
+// Cells of light lists in the world: a uniform grid over the world's bounds. A coarse cell is
 // 4 × 4 × 4 cells.
 #ifndef PRELIGHT_LIGHT_CELLS_GRID_GLSL
 #define PRELIGHT_LIGHT_CELLS_GRID_GLSL

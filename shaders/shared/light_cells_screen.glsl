@@ -1,4 +1,4 @@
-// Cells of light lists on the screen: tiles with their depth range [V6], cut into depth slices [V7].
+// Cells of light lists on the screen: tiles with their depth range, cut into depth slices.
 // A coarse cell is 8 × 8 tiles.
 #ifndef PRELIGHT_LIGHT_CELLS_SCREEN_GLSL
 #define PRELIGHT_LIGHT_CELLS_SCREEN_GLSL

@@ -1,4 +1,4 @@
-// View depth in metres in a colour target: [L2]. The same text is compiled as C++ and as GLSL.
+// View depth in metres in a colour target. The same text is compiled as C++ and as GLSL.
 #ifndef PRELIGHT_LINEAR_DEPTH_H
 #define PRELIGHT_LINEAR_DEPTH_H
 #include "shared/bindings.h"

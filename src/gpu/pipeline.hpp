@@ -22,7 +22,7 @@ enum class Blend {
 };
 enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only, overwrite };
 
-/// What a draw does to stencil: [V4]. Marks count the faces of a closed volume around a pixel's surface,
+/// What a draw does to stencil. Marks count the faces of a closed volume around a pixel's surface,
 /// wrapping; with `depth` as `behind_or_at`, a face "passes" where the surface lies behind it.
 enum class Stencil {
     none,

@@ -3,7 +3,7 @@
 
 namespace prelight::passes {
 
-/// [E1] How much of ambient light nearby surfaces let through (docs/ssao.md).
+/// How much of ambient light nearby surfaces let through (docs/ssao.md).
 struct OcclusionOptions {
     bool on = false;
     bool half = false; ///< searched at half the resolution, and brought to the picture's along edges

@@ -18,7 +18,7 @@ enum class NormalEncoding : uint32_t {
     xy16f = NORMAL_XY16F,
 };
 
-/// What is to be known of an encoding: [L1]. Its code stands in shaders/shared/normal_encoding.h.
+/// What is to be known of an encoding. Its code stands in shaders/shared/normal_encoding.h.
 struct NormalEncodingInfo {
     NormalEncoding encoding;
     const char* name;              ///< the value of `normals=`
@@ -31,7 +31,7 @@ std::span<const NormalEncodingInfo> normal_encodings();
 const NormalEncodingInfo& find_normal_encoding(std::string_view name);
 
 /// Where later passes read depth from: the attachment itself, or view depth in metres in a colour
-/// target of this format: [L2].
+/// target of this format.
 enum class DepthSource : uint32_t {
     attachment = DEPTH_ATTACHMENT,
     r32f = DEPTH_R32F,
@@ -50,10 +50,10 @@ std::span<const DepthSourceInfo> depth_sources();
 /// Throws UsageError listing them.
 const DepthSourceInfo& find_depth_source(std::string_view name);
 
-/// What else a G-buffer holds, and where: shaders/shared/gbuffer_layout.glsl. [D1]
+/// What else a G-buffer holds, and where: shaders/shared/gbuffer_layout.glsl.
 enum class GBufferLayout : uint32_t { none = GBUFFER_NONE, wide = GBUFFER_WIDE, killzone2 = GBUFFER_KILLZONE2 };
 
-/// How depth and normals are stored and read back: [L1] [L2] [L3] [L9].
+/// How depth and normals are stored and read back.
 struct SurfaceFormat {
     NormalEncoding normals = NormalEncoding::oct24;
     bool view_space = false; ///< normals in view space instead of world space

@@ -4,7 +4,7 @@
 
 namespace prelight::passes {
 
-/// [Z1] Depth of the nearest surface and nothing else; the alpha mask is honoured. Reversed; D32F, or with
+/// Depth of the nearest surface and nothing else; the alpha mask is honoured. Reversed; D32F, or with
 /// `stencil` beside it as make_depth() has it.
 graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::Frame& frame, bool stencil = false);
 

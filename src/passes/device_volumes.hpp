@@ -7,13 +7,13 @@ namespace prelight::passes {
 
 struct VolumeMesh;
 
-/// The volumes' meshes on the device: a sphere, and a spot's cone or box [V3].
+/// The volumes' meshes on the device: a sphere, and a spot's cone or box.
 class DeviceVolumes {
 public:
     explicit DeviceVolumes(const resident::Frame& frame);
     /// Vertex stage and its inputs.
     void describe(gpu::GraphicsPipelineDesc& desc, bool spot) const;
-    /// One instance for each of `count` lights from place `first` of the frame's order [V5].
+    /// One instance for each of `count` lights from place `first` of the frame's order.
     void draw(VkCommandBuffer commands, bool spot, uint32_t count, uint32_t first) const;
 
 private:

@@ -32,7 +32,7 @@ struct ForwardInputs {
 };
 void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);
 
-/// [Z3] Every object once, with the lights that a grid over the world's bounds lists for the pixel's
+/// Every object once, with the lights that a grid over the world's bounds lists for the pixel's
 /// place; replaces, depth test EQUAL. `kinds` and `plan` are not used.
 /// Where forward_grid_adds(), in several draws that add up: `colour` must be linear.
 void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);

@@ -26,16 +26,16 @@ void limit_steps(ForwardPlan& plan, uint32_t most_adds);
 
 /// The base of every object.
 ForwardPlan plan_base(size_t draws);
-/// [M1] Outer loop over objects (the XNA sample); each object's lights in batches. `with_base`: each
+/// Outer loop over objects (the XNA sample); each object's lights in batches. `with_base`: each
 /// object's base directly before its lights.
 ForwardPlan plan_by_objects(const resident::LightReach& reach, uint32_t per_pass, bool with_base);
-/// [M1] Outer loop over lights, `per_pass` neighbours at a time (Lee); inside, every object that one
+/// Outer loop over lights, `per_pass` neighbours at a time (Lee); inside, every object that one
 /// of them reaches, with those that reach it. `with_base`: an object's base directly before its first
 /// light; the bases of objects without light come last. Draws are sorted by pipeline and material;
 /// every second round walks them backwards, so that a round begins with the state the last one ended
-/// with [M4].
+/// with.
 ForwardPlan plan_by_lights(const resident::LightReach& reach, uint32_t per_pass, bool with_base);
-/// [Z2] Each object with the first batch of its list, and once more for each further one.
+/// Each object with the first batch of its list, and once more for each further one.
 ForwardPlan plan_shaded_once(const resident::LightReach& reach, uint32_t per_pass);
 
 } // namespace prelight::passes

@@ -4,7 +4,7 @@
 
 namespace prelight::passes {
 
-/// Deferred shading's buffers [D1]. What each channel holds: shaders/shared/gbuffer_layout.glsl.
+/// Deferred shading's buffers. What each channel holds: shaders/shared/gbuffer_layout.glsl.
 struct GBuffer {
     SurfaceBuffers surface;               ///< depth, and RT1
     graph::ImageId light;                 ///< RT0: light so far, divided by FrameSettings::light_scale

@@ -5,7 +5,7 @@
 namespace prelight::passes {
 
 /// Between the first pass over the geometry, which left `depth`, and the later ones: what lets them leave out draws
-/// [G1] and triangles [G2] of which no pixel is left, as the frame's DrawOptions have it. Nothing without.
+/// and triangles of which no pixel is left, as the frame's DrawOptions have it. Nothing without.
 void hidden_geometry_passes(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth);
 
 } // namespace prelight::passes

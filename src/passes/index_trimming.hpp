@@ -4,7 +4,7 @@
 
 namespace prelight::passes {
 
-/// [G2] With index-trimming=device: leaves out triangles that face away, lie off screen or cover no pixel's centre, of
+/// With index-trimming=device: leaves out triangles that face away, lie off screen or cover no pixel's centre, of
 /// each visible object, in the order in which they stand. Comes before every pass over the geometry.
 void index_trimming_passes(graph::FrameGraph& graph, const resident::Frame& frame);
 

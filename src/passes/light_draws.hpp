@@ -25,7 +25,7 @@ inline constexpr std::array<VolumeGroup, 4> volume_groups{{
 /// Binds a pipeline of a light pass, with the frame's set and the pass's inputs.
 void bind_lighting(const graph::PassContext& pass, const resident::Frame& frame, const gpu::GraphicsPipeline& pipeline);
 
-/// Ambient light as a light of its own, added to the target by a full-screen triangle [V1]; draws nothing where
+/// Ambient light as a light of its own, added to the target by a full-screen triangle; draws nothing where
 /// ambient light is a term of the material, or is summed with the others.
 class AmbientDraw {
 public:
@@ -39,7 +39,7 @@ private:
 };
 
 /// What all passes share that draw light by light: pipelines that add to the target, ambient light and
-/// the lights that are drawn full screen [V1].
+/// the lights that are drawn full screen.
 class LightDraws {
 public:
     LightDraws(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs);

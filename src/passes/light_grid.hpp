@@ -5,7 +5,7 @@
 
 namespace prelight::passes {
 
-/// A uniform grid over the world's bounds [Z3]; no cells: none.
+/// A uniform grid over the world's bounds; no cells: none.
 struct LightGrid {
     glm::dvec3 low{0};  ///< world space
     glm::dvec3 cell{1}; ///< size of a cell, metres

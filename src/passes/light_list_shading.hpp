@@ -3,7 +3,7 @@
 
 namespace prelight::passes {
 
-/// All lights into the target by lists for tiles of the screen [V6], or for depth slices of tiles [V7]:
+/// All lights into the target by lists for tiles of the screen, or for depth slices of tiles:
 /// each pixel sums its lights in registers and is written once.
 void light_list_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                      const LightingInputs& inputs);

@@ -7,10 +7,10 @@ namespace prelight::passes {
 enum class FresnelModel { weighted, nv, mono, full };
 /// Pairs (diffuse and specular) and Engel's equation 8.5.2 in one target ("packed").
 enum class LightBufferFormat { rgba16f, r11g11b10f, rgb10a2, rgba8, packed_rgba16f, packed_rgba8 };
-/// The five ways to a material's own shininess [L5], in the order of SPECULAR_….
+/// The five ways to a material's own shininess, in the order of SPECULAR_….
 enum class SpecularWay { stored, luv, fifth_channel, luminance, bent };
 
-/// Which terms the light passes sum, and where the light buffer keeps them: [L4] [L5].
+/// Which terms the light passes sum, and where the light buffer keeps them.
 struct LightModel {
     Shading shading = Shading::ggx;
     FresnelModel fresnel = FresnelModel::weighted;

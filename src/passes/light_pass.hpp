@@ -5,7 +5,7 @@
 namespace prelight::passes {
 
 /// All lights of a frame into the target, in the way that resident::FrameSettings::culling says
-/// (`light-culling=`): [V1] … [V7]. `name` is the pass's name in figures and labels.
+/// (`light-culling=`). `name` is the pass's name in figures and labels.
 void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                 const LightingInputs& inputs);
 

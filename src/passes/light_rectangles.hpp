@@ -3,7 +3,7 @@
 
 namespace prelight::passes {
 
-/// All lights into the target, each by the rectangle that its volume covers on the screen [V2]. The
+/// All lights into the target, each by the rectangle that its volume covers on the screen. The
 /// rectangle lies at the volume's near side and finds surfaces behind it, or, when the camera is inside,
 /// at its far side and finds surfaces before it: one draw for all lights of a kind. With the depth
 /// bounds test both sides count, at one draw a light.

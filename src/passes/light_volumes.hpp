@@ -3,8 +3,8 @@
 
 namespace prelight::passes {
 
-/// All lights into the target, light by light: full-screen triangles [V1], spheres and cones with
-/// depth test by camera position [V3], instanced [V5].
+/// All lights into the target, light by light: full-screen triangles, spheres and cones with
+/// depth test by camera position, instanced.
 void light_volume_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
                        const LightingInputs& inputs);
 

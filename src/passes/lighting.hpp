@@ -23,7 +23,7 @@ enum class ListShading { automatic, fragment, compute };
 /// no pixel of their tile (the limit of what lists can be), or without any.
 enum class ListContents { built, perfect, empty };
 
-/// What every light pass gets, however it finds its pixels: [V1] … [V7].
+/// What every light pass gets, however it finds its pixels.
 struct LightingInputs {
     SurfaceBuffers surface;
     graph::ImageId material{}, albedo{}; ///< "+deferred": RT2 and RT3 of the G-buffer
@@ -39,7 +39,7 @@ struct LightingInputs {
     bool write_once = false; ///< all of a pixel's lights in one loop, instead of blended one by one
 };
 
-/// The light buffer [L4]; `specular` is the diffuse image itself when packed, or the fifth channel [L5].
+/// The light buffer; `specular` is the diffuse image itself when packed, or the fifth channel.
 struct LightBuffer {
     graph::ImageId diffuse;
     graph::ImageId specular;

@@ -20,7 +20,7 @@ graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& fr
                              Display display = {});
 
 /// The light buffer's sums as a material receives them, exposed and scene-linear, in full floats:
-/// diffuse light, or specular light with the material's own shininess [L5].
+/// diffuse light, or specular light with the material's own shininess.
 graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
                               bool specular);
 

@@ -28,7 +28,7 @@ struct ShadowCounts {
     uint64_t tiles_drawn = 0, tiles_reused = 0, casters_drawn = 0;
 };
 
-/// Shadow maps [S1]: a pass "shadows" that draws the tiles of Frame::shadows() into one depth image, each with the
+/// Shadow maps: a pass "shadows" that draws the tiles of Frame::shadows() into one depth image, each with the
 /// casters that its light may see. Both faces of every triangle cast, masked ones where they are not masked out.
 /// A tile that the image holds already is left as it is. With ShadowOptions::reuse there is no such pass: see
 /// Shadows::reused. Nothing without shadows. `counts` lives as long as the graph.

@@ -71,7 +71,7 @@ private:
     bool depth_only_;
     bool motion_;
     bool only_decals_;
-    bool later_, counts_, skips_; ///< [G1]: the pass counts pixels, or leaves out what has none
+    bool later_, counts_, skips_; ///< the pass counts pixels, or leaves out what has none
     std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };
 

@@ -7,7 +7,7 @@
 namespace prelight::passes {
 
 /// What a pass that shades makes of its colours: with a curve the finished picture, tone mapped by the
-/// pass itself, "final", sRGB-encoded RGBA8 [E4], encoded by the
+/// pass itself, "final", sRGB-encoded RGBA8, encoded by the
 /// target where a GPU has sRGB targets; without one "linear", scene-linear RGBA16F for
 /// tonemap_pass() and others. The shader ends with stored_colour() of shaders/shared/display.glsl.
 using Display = std::optional<Tonemap>;
@@ -17,7 +17,7 @@ graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& fr
 /// The specialisation constants of stored_colour() for a target of this format.
 gpu::Constants display_constants(Display display, VkFormat target);
 
-/// [E4] Scene-linear `colour` → sRGB-encoded RGBA8, where something else needs the linear picture.
+/// Scene-linear `colour` → sRGB-encoded RGBA8, where something else needs the linear picture.
 graph::ImageId tonemap_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId colour,
                             Tonemap curve);
 

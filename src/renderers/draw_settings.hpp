@@ -5,8 +5,8 @@
 
 namespace prelight {
 
-/// The settings of every architecture that say how geometry is drawn: [G2] [G3].
-/// `twice`: of one that draws all geometry twice, and may leave out in the second pass what the first one hid [G1].
+/// The settings of every architecture that say how geometry is drawn.
+/// `twice`: of one that draws all geometry twice, and may leave out in the second pass what the first one hid.
 std::vector<SettingInfo> draw_settings(bool twice);
 /// Of every architecture that lights surfaces.
 SettingInfo specular_antialiasing_setting();

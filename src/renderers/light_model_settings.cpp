@@ -123,7 +123,7 @@ std::vector<SettingInfo> light_model_settings() {
             {"specular",
              {"stored", "luv", "fifth-channel", "luminance", "bent"},
              "stored",
-             "phong: where a material's own shininess comes in [L5]"},
+             "phong: where a material's own shininess comes in"},
             {"model",
              {"auto", "weighted", "nv", "mono", "full"},
              "auto",

@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// The settings of light buffers and of what is summed in them, [L4] [L5].
+/// The settings of light buffers and of what is summed in them.
 std::vector<SettingInfo> light_model_settings();
 /// The model that the settings ask for. What they leave open ("auto", defaults that do not go with
 /// what the user asked for) is resolved in `settings`. Throws UsageError for what does not go together.

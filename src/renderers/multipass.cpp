@@ -21,7 +21,7 @@ private:
     }
 
     Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
-        const bool per_object = settings().is("ambient", "per-object"); // [M1]
+        const bool per_object = settings().is("ambient", "per-object");
         const uint32_t per_pass = lights_per_pass();
         const auto plan = settings().is("order", "lights") ? passes::plan_by_lights : passes::plan_by_objects;
         decals_ = passes::decals_of_own(graph, frame);

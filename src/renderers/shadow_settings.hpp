@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// The settings of every architecture that say whether lights have shadows, and how: [S1] [S2].
+/// The settings of every architecture that say whether lights have shadows, and how.
 /// `light_by_light`: its light passes may draw one light after the other.
 std::vector<SettingInfo> shadow_settings(bool light_by_light = false);
 /// Where maps of one light after the other share their memory, lights are drawn one by one: chooses

@@ -48,13 +48,13 @@ private:
         else if (grid_)
             views = picture_views(graph, frame, depth,
                                   [&](passes::Display display) { return draw_by_grid(graph, frame, depth, display); });
-        else // [Z2] further lights blend: only linear light adds up
+        else // Further lights blend: only linear light adds up
             views = linear_views(graph, frame, draw_by_plan(graph, frame, depth), depth);
         add_views(views, graph, frame, depth);
         return views;
     }
 
-    /// [Z1]; where there are decals, with the normals that they look at.
+    /// Depth; where there are decals, with the normals that they look at.
     graph::ImageId depth_pass(graph::FrameGraph& graph, const resident::Frame& frame) {
         decals_ = {};
         if (frame.decals().empty())

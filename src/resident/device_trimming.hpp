@@ -6,7 +6,7 @@
 
 namespace prelight::resident {
 
-/// [G2] Buffers of index trimming on the device: what the host says of the visible objects, and the indices and
+/// Buffers of index trimming on the device: what the host says of the visible objects, and the indices and
 /// commands that passes/index_trimming.cpp makes of them. Each draw's indices stand where the host says, in the
 /// order of the source; only their number comes from the device.
 class DeviceTrimming {

@@ -7,7 +7,7 @@ namespace prelight::resident {
 /// Whether a frame finds the lights of each object, and in which order it lists them.
 enum class ObjectLights { none, world_order, strongest_first };
 
-/// For each draw the lights that may reach it [M3].
+/// For each draw the lights that may reach it.
 struct LightReach {
     std::vector<uint32_t> lights; ///< indices into World::lights, list after list
     std::vector<uint32_t> first;  ///< where each draw's list begins; one more than draws

@@ -9,13 +9,13 @@ namespace prelight::resident {
 
 /// How lights find their pixels: the setting `light-culling`.
 enum class LightCulling {
-    fullscreen, ///< every light by a full-screen triangle, wherever it is: the yardstick [V1]
-    rectangles, ///< the rectangle that its volume covers on the screen [V2]
-    volumes,    ///< spheres and cones [V3] [V5]
-    stencil,    ///< volumes that mark in stencil the pixels they hold, before they light them [V4]
-    tiles,      ///< lists for tiles of the screen, with their depth range [V6]
-    clusters,   ///< lists for depth slices of tiles [V7]
-    grid,       ///< lists for cells of the world [Z3]
+    fullscreen, ///< every light by a full-screen triangle, wherever it is: the yardstick
+    rectangles, ///< the rectangle that its volume covers on the screen
+    volumes,    ///< spheres and cones
+    stencil,    ///< volumes that mark in stencil the pixels they hold, before they light them
+    tiles,      ///< lists for tiles of the screen, with their depth range
+    clusters,   ///< lists for depth slices of tiles
+    grid,       ///< lists for cells of the world
 };
 
 /// The depth bounds test of rectangles: the setting `depth-bounds`.
@@ -31,7 +31,7 @@ struct VolumeOptions {
 /// Tiles, clusters, grid: lights with a volume are of one group, `listed`.
 bool builds_lists(LightCulling culling);
 
-/// How one light is drawn: full screen, or a volume seen from outside or inside [V1] [V3]; or listed.
+/// How one light is drawn: full screen, or a volume seen from outside or inside; or listed.
 enum class LightGroup { fullscreen, sphere_outside, sphere_inside, cone_outside, cone_inside, listed };
 inline constexpr size_t light_group_count = 6;
 

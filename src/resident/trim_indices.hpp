@@ -7,7 +7,7 @@
 
 namespace prelight::resident {
 
-/// What index trimming [G2] has to know of the picture.
+/// What index trimming has to know of the picture.
 struct TrimView {
     glm::mat4 clip_from_world{1}; ///< FrameConstants::clip_from_world
     float width = 0, height = 0;  ///< pixels

@@ -17,7 +17,7 @@ bool same_but_place(const Draw& a, const Draw& b) {
            a.first_index == b.first_index && a.index_count == b.index_count && a.vertex_offset == b.vertex_offset;
 }
 
-/// Occluders first [G1]: draws that differ in nothing but their place stay together, front to back, and these runs
+/// Occluders first: draws that differ in nothing but their place stay together, front to back, and these runs
 /// follow one another by their nearest draw.
 void sort_by_distance(std::vector<VisibleDraw>& draws, const std::vector<Draw>& all, glm::dvec3 eye,
                       glm::dvec3 forward) {

@@ -9,14 +9,14 @@ namespace prelight::resident {
 /// Which triangles of a visible object are sent to the device.
 enum class IndexTrimming { off, host, device };
 
-/// How the visible objects of a frame become draw calls [G3].
+/// How the visible objects of a frame become draw calls.
 struct DrawOptions {
     bool frustum_culling = true;
     bool instanced = false; ///< neighbours with the same mesh and material are one draw
     bool indirect = false;  ///< draws come from a buffer, many in one call where the device can
     IndexTrimming trimming = IndexTrimming::off;
-    bool counts_pixels = false;  ///< [G1] draws of which the first pass left no pixel are not drawn again
-    bool trims_by_depth = false; ///< [G2] nor are triangles that lie behind what the first pass left
+    bool counts_pixels = false;  ///< draws of which the first pass left no pixel are not drawn again
+    bool trims_by_depth = false; ///< nor are triangles that lie behind what the first pass left
 
     bool trims_on_device() const { return trimming == IndexTrimming::device || trims_by_depth; }
 };

@@ -5,7 +5,7 @@
 
 namespace prelight::resident {
 
-/// [G1] An occlusion query a draw: the first geometry pass counts the pixels that each draw leaves, and later ones
+/// An occlusion query a draw: the first geometry pass counts the pixels that each draw leaves, and later ones
 /// leave out the draws that left none. The counts go from the queries to a buffer on the device; the host never waits
 /// for them.
 class VisiblePixels {

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(BenchEncodings, L1_PrintsATableAndWritesIt) {
+TEST(BenchEncodings, PrintsATableAndWritesIt) {
     const TemporaryFolder folder;
     const Result result = run(
         {"bench", "encodings", "--size", "64x36", "--lights", "4", "--device", "cpu", "--validate", "--json", "e.json"},
@@ -56,7 +56,7 @@ TEST(BenchEncodings, RefusesInOneLine) {
     EXPECT_EQ(folder.entries(), 0u);
 }
 
-TEST(BenchLightBuffers, L4_L5_PrintsATableAndWritesIt) {
+TEST(BenchLightBuffers, PrintsATableAndWritesIt) {
     const TemporaryFolder folder;
     const Result result =
         run({"bench", "light-buffers", "--size", "16x9", "--device", "cpu", "--json", "l.json"}, folder.path);
@@ -74,7 +74,7 @@ TEST(BenchLightBuffers, L4_L5_PrintsATableAndWritesIt) {
     }
 }
 
-TEST(BenchClaims, C1_PrintsEachClaimAndWritesIt) {
+TEST(BenchClaims, PrintsEachClaimAndWritesIt) {
     const TemporaryFolder folder;
     const Result result = run({"bench", "claims", "--size", "64x36", "--lights", "8", "--frames", "1", "--device",
                                "cpu", "--validate", "--json", "c.json"},
@@ -121,7 +121,7 @@ TEST(BenchClaims, C1_PrintsEachClaimAndWritesIt) {
     }
 }
 
-TEST(BenchClaims, C1_InventsNoFigureForOneLight) {
+TEST(BenchClaims, InventsNoFigureForOneLight) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run(
         {"bench", "claims", "--size", "16x9", "--lights", "1", "--frames", "1", "--device", "cpu", "--json", "c.json"},

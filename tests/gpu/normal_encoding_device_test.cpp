@@ -1,5 +1,5 @@
 // CPU and GLSL compile shaders/shared/normal_encoding.h from the same text; here a device encodes into
-// the real formats and decodes, and the CPU does the same: [L1].
+// the real formats and decodes, and the CPU does the same.
 #include "devices.hpp"
 #include "directions.hpp"
 #include <bench/through_target.hpp>
@@ -68,7 +68,7 @@ constexpr Expected expected_errors[] = {{NormalEncoding::oct24, 0.0209, 0.0592, 
 
 class NormalEncodingOnDevice : public OnEachDevice {};
 
-TEST_P(NormalEncodingOnDevice, L1_AgreesWithTheCpu) {
+TEST_P(NormalEncodingOnDevice, AgreesWithTheCpu) {
     const std::vector<glm::vec4> directions = bench::directions(512 * BENCH_WIDTH);
     ASSERT_EQ(std::size(expected_errors), passes::normal_encodings().size());
     for (const Expected& e : expected_errors) {

@@ -124,7 +124,7 @@ TEST(NormalEncoding, Oct32AngularError) {
     EXPECT_NEAR(f.ours.max, 0.0037, 0.00005);
 }
 
-TEST(NormalEncoding, L1_Oct16AngularError) {
+TEST(NormalEncoding, Oct16AngularError) {
     expect_as_defined(measure(through_oct16, [](glm::dvec3 n) { return octahedral_by_definition(n, 127); }));
 }
 
@@ -135,22 +135,22 @@ TEST(NormalEncoding, Rgb10AngularError) {
     EXPECT_NEAR(f.ours.max, 0.096, 0.0005);
 }
 
-TEST(NormalEncoding, L1_Rgb8AngularError) {
+TEST(NormalEncoding, Rgb8AngularError) {
     expect_as_defined(measure(through_rgb8, [](glm::dvec3 n) { return xyz_by_definition(n, 255); }));
 }
 
-TEST(NormalEncoding, L1_SphericalAngularError) {
+TEST(NormalEncoding, SphericalAngularError) {
     const Figures f = measure(through_spherical, spherical_by_definition);
     expect_as_defined(f);
     // Half a step of θ and, at the equator, half a step of φ.
     EXPECT_NEAR(f.ours.max, std::hypot(180.0 / 4094 / 2, 180.0 / 2048 / 2), 0.0002);
 }
 
-TEST(NormalEncoding, L1_Xy16fAngularError) { expect_as_defined(measure(through_xy16f, xy16f_by_definition)); }
+TEST(NormalEncoding, Xy16fAngularError) { expect_as_defined(measure(through_xy16f, xy16f_by_definition)); }
 
 // Around the poles φ turns fast, and at φ = ±180° its codes go round; one step too far throws a
 // direction to the other side.
-TEST(NormalEncoding, L1_SphericalHasNoSeamAndBothPoles) {
+TEST(NormalEncoding, SphericalHasNoSeamAndBothPoles) {
     Angles angles;
     for (const double aside : {0.0, -0.0, 1e-20, 1e-9, 1e-7, 1e-5, 1e-4, 7e-4, 1e-3, 1e-2})
         for (uint32_t i = 0; i < 10'000; ++i) {
@@ -174,7 +174,7 @@ TEST(NormalEncoding, L1_SphericalHasNoSeamAndBothPoles) {
 }
 
 // Z's sign lies in the exponents: nothing in front may come back behind, at the equator and at −Z too.
-TEST(NormalEncoding, L1_Xy16fKeepsTheSignOfZ) {
+TEST(NormalEncoding, Xy16fKeepsTheSignOfZ) {
     Angles all, poles;
     for (const double z : {0.0, -0.0, 1e-7, 1e-5, 1e-3, 0.01, 0.02, 0.05, 0.5, 0.999, 0.9999999, 1 - 2e-9, 1.0})
         for (const double side : {z, -z})
@@ -244,8 +244,8 @@ TEST(NormalEncoding, RoughnessInEightBits) {
     EXPECT_EQ(shared::roughness_encode(2), 1);
 }
 
-// [L2] The four bytes of a float: nothing may be lost, whatever its exponent.
-TEST(LinearDepth, L2_PackedIntoFourBytesIsExact) {
+// The four bytes of a float: nothing may be lost, whatever its exponent.
+TEST(LinearDepth, PackedIntoFourBytesIsExact) {
     const auto through = [](float z) {
         const glm::vec4 e = shared::linear_depth_encode(DEPTH_RGBA8, z);
         return shared::linear_depth_decode(DEPTH_RGBA8,
@@ -258,7 +258,7 @@ TEST(LinearDepth, L2_PackedIntoFourBytesIsExact) {
     }
 }
 
-TEST(LinearDepth, L2_HalfFloatsHoldNoInfinityAndNoFalseBackground) {
+TEST(LinearDepth, HalfFloatsHoldNoInfinityAndNoFalseBackground) {
     const auto stored_half = [](float z) {
         return glm::unpackHalf1x16(glm::packHalf1x16(shared::linear_depth_encode(DEPTH_R16F, z).x));
     };

@@ -39,7 +39,7 @@ TEST(Lighting, EveryFresnelFormByHand) {
     expect(Fresnel::mono, {0.450017868, 0.285569962, 0.196513441}, "mono");
 }
 
-TEST(Lighting, L5_WaysOfAMaterialsOwnShininessByHand) {
+TEST(Lighting, WaysOfAMaterialsOwnShininessByHand) {
     OnePoint test;
     test.world.ambient = {0.1f, 0.2f, 0.3f};
     const auto expect = [&](ReferenceForm::Specular way, glm::dvec3 want, const char* what, double exposure = 0) {

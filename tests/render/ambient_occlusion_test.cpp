@@ -1,4 +1,4 @@
-// [E1] Ambient occlusion from depth and normals: what planes, corners and edges must look like, how it lies against
+// Ambient occlusion from depth and normals: what planes, corners and edges must look like, how it lies against
 // rays, and that it takes from ambient light alone.
 #include "every_way.hpp"
 #include "garden.hpp"

@@ -1,4 +1,4 @@
-// [L1] The figures that `prelight bench encodings` prints.
+// The figures that `prelight bench encodings` prints.
 #include "garden.hpp"
 #include <algorithm>
 #include <bench/through_target.hpp>
@@ -7,7 +7,7 @@
 namespace prelight {
 namespace {
 
-TEST(BenchEncodings, L1_FiguresAreThoseOfTheTargetAndThePicture) {
+TEST(BenchEncodings, FiguresAreThoseOfTheTargetAndThePicture) {
     Garden garden;
     garden.add_lights(6, 4, 6);
     std::vector<std::string> told;
@@ -49,7 +49,7 @@ TEST(BenchEncodings, L1_FiguresAreThoseOfTheTargetAndThePicture) {
     expect_validation_clean(test_device());
 }
 
-TEST(BenchEncodings, L2_DepthsGoThroughTheirTargets) {
+TEST(BenchEncodings, DepthsGoThroughTheirTargets) {
     Garden garden;
     garden.add_lights(6, 4, 6);
     const auto all = bench_depth_sources(test_device(), garden.world, garden.camera, {.width = 96, .height = 54});

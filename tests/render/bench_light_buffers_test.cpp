@@ -1,4 +1,4 @@
-// [L4] [L5] The figures that `prelight bench light-buffers` prints.
+// The figures that `prelight bench light-buffers` prints.
 #include "against_reference.hpp"
 #include <bench/light_wall.hpp>
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 namespace prelight {
 namespace {
 
-TEST(BenchLightBuffers, L4_L5_FiguresAreThoseOfTheBuffers) {
+TEST(BenchLightBuffers, FiguresAreThoseOfTheBuffers) {
     std::vector<size_t> told;
     const std::vector<LightBufferFigures> all = bench_light_buffers(
         test_device(),
@@ -50,7 +50,7 @@ TEST(BenchLightBuffers, L4_L5_FiguresAreThoseOfTheBuffers) {
     expect_validation_clean(test_device());
 }
 
-TEST(BenchLightBuffers, L4_EveryPixelOfTheWallHasEveryLight) {
+TEST(BenchLightBuffers, EveryPixelOfTheWallHasEveryLight) {
     const bench::LightWall wall(7, 48, 27);
     RenderOptions options{.width = 48, .height = 27, .count_pairs = true};
     const auto renderer = create_renderer("light-prepass", &test_device(), options);

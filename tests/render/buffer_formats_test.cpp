@@ -1,4 +1,4 @@
-// [L4]: every way to store light, against the reference.
+// Every way to store light, against the reference.
 #include "garden.hpp"
 
 namespace prelight {

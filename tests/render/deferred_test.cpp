@@ -1,4 +1,4 @@
-// Deferred shading, rows [D2] [D3], against the reference and the other architectures.
+// Deferred shading against the reference and the other architectures.
 #include "filled_gbuffer.hpp"
 #include "garden.hpp"
 #include <passes/light_pass.hpp>
@@ -13,7 +13,7 @@ std::vector<std::string> culling_methods() { return passes::light_culling_settin
 
 class DeferredForms : public testing::TestWithParam<Form> {};
 
-TEST_P(DeferredForms, D2_AgreeWithTheReference) {
+TEST_P(DeferredForms, AgreeWithTheReference) {
     Garden garden;
     garden.add_lights(12, 4, 6);
     garden.add_light({.kind = LightKind::directional, .intensity = 0.6f}, {0, 0, 0}, {-0.3, -1, -0.5});
@@ -25,14 +25,14 @@ TEST_P(DeferredForms, D2_AgreeWithTheReference) {
     expect_agrees(shot);
 }
 
-TEST_P(DeferredForms, D2_AgreeWithTheReferenceBacklit) {
+TEST_P(DeferredForms, AgreeWithTheReferenceBacklit) {
     BacklitGarden garden;
     Shot shot = deferred(garden.shot(), GetParam().settings);
     shot.shading = GetParam().shading;
     shot.exposure = shot.shading == Shading::phong ? -3 : -1;
     expect_agrees(shot);
 }
-INSTANTIATE_TEST_SUITE_P(D2, DeferredForms,
+INSTANTIATE_TEST_SUITE_P(All, DeferredForms,
                          testing::Values(Form{"full", Shading::ggx, {}}, Form{"nv", Shading::ggx, {{"model", "nv"}}},
                                          Form{"matrix", Shading::ggx, {{"position", "matrix"}}},
                                          Form{"phong", Shading::phong, {}},
@@ -40,12 +40,12 @@ INSTANTIATE_TEST_SUITE_P(D2, DeferredForms,
                                          Form{"phong_reflection", Shading::phong, {{"specular-vector", "reflection"}}}),
                          [](const auto& form) { return std::string(form.param.name); });
 
-TEST(Deferred, D2_MaskedMirroredDoubleSidedUnlit) {
+TEST(Deferred, MaskedMirroredDoubleSidedUnlit) {
     MixedMaterials mixed;
     expect_agrees(deferred(mixed.shot()));
 }
 
-TEST(Deferred, D2_SeedFalloffsAndOrthographicCameraAgree) {
+TEST(Deferred, SeedFalloffsAndOrthographicCameraAgree) {
     Garden garden;
     for (const Falloff falloff : {Falloff::linear, Falloff::quadratic, Falloff::gltf}) {
         Light light = garden.point(5, falloff == Falloff::gltf ? 5.0f : 1.5f);
@@ -59,13 +59,13 @@ TEST(Deferred, D2_SeedFalloffsAndOrthographicCameraAgree) {
     expect_agrees(deferred(garden.shot()));
 }
 
-TEST(Deferred, D2_TenKilometresFromTheOrigin) {
+TEST(Deferred, TenKilometresFromTheOrigin) {
     Garden garden(glm::dvec3(10000.03, -3.7, -10000.77));
     garden.add_lights(12, 4, 6);
     expect_agrees(deferred(garden.shot()));
 }
 
-TEST(Deferred, D2_ManyLightsOfTheYardstickSceneAgree) {
+TEST(Deferred, ManyLightsOfTheYardstickSceneAgree) {
     const Scene scene = make_scene("lights", 256, 1);
     const World world = resolve(scene);
     Shot shot = deferred({.world = &world, .camera = world.cameras.at(0)});
@@ -75,7 +75,7 @@ TEST(Deferred, D2_ManyLightsOfTheYardstickSceneAgree) {
 }
 
 // Each object is drawn once, and light is what RT0 holds in the end: no pass over geometry after it.
-TEST(Deferred, D2_GeometryIsDrawnOnce) {
+TEST(Deferred, GeometryIsDrawnOnce) {
     Garden garden;
     garden.add_lights(12, 4, 6);
     const auto renderer =
@@ -91,7 +91,7 @@ TEST(Deferred, D2_GeometryIsDrawnOnce) {
 }
 
 // Two architectures, one form: what differs is rounding.
-TEST(Deferred, D2_AgreesWithLightPrepassAndZPrepass) {
+TEST(Deferred, AgreesWithLightPrepassAndZPrepass) {
     Garden garden;
     garden.add_lights(12, 4, 6);
     const auto expect_same = [&](const char* other, const Settings& settings) {
@@ -109,7 +109,7 @@ TEST(Deferred, D2_AgreesWithLightPrepassAndZPrepass) {
     expect_same("z-prepass", {{"model", "nv"}});
 }
 
-TEST(Deferred, D2_OrderOfLightsOnlyRounds) {
+TEST(Deferred, OrderOfLightsOnlyRounds) {
     Garden garden, reversed;
     garden.add_lights(24, 4, 3);
     reversed.world.lights.assign(garden.world.lights.rbegin(), garden.world.lights.rend());
@@ -123,7 +123,7 @@ TEST(Deferred, D2_OrderOfLightsOnlyRounds) {
     }
 }
 
-TEST(Deferred, D2_NeverHoldsInfinity) {
+TEST(Deferred, NeverHoldsInfinity) {
     Garden garden;
     garden.add_light(garden.point(50, 1e6f), {0, 2.05, 0.8});
     for (int i = 0; i < 40; ++i)
@@ -140,9 +140,9 @@ TEST(Deferred, D2_NeverHoldsInfinity) {
     expect_validation_clean(test_device());
 }
 
-// [D3] Camera outside, on the edge of, and inside the volume, the near plane cutting it: every way to
+// Camera outside, on the edge of, and inside the volume, the near plane cutting it: every way to
 // find pixels lights the same ones.
-TEST(Deferred, D3_EveryCullingMethodLightsTheSamePixels) {
+TEST(Deferred, EveryCullingMethodLightsTheSamePixels) {
     for (const double share : {2.5, 0.95, 0.05}) {
         Garden garden;
         garden.camera.camera.znear = 0.25; // a large near rectangle, so that volumes are really cut
@@ -175,7 +175,7 @@ TEST(Deferred, D3_EveryCullingMethodLightsTheSamePixels) {
     expect_validation_clean(test_device());
 }
 
-TEST(Deferred, D3_EveryCullingMethodAgreesWithTheReference) {
+TEST(Deferred, EveryCullingMethodAgreesWithTheReference) {
     for (const std::string& method : culling_methods()) {
         Garden garden;
         garden.add_lights(10, 4, 6);

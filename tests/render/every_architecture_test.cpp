@@ -32,9 +32,9 @@ TEST_P(RandomScenes, EveryArchitectureAgreesWithTheReferenceAndTheOthers) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, testing::Range<uint64_t>(1, 9));
 
-// [M4] Lights that move, change, come and go while the renderer stays: the same bytes as a renderer
+// Lights that move, change, come and go while the renderer stays: the same bytes as a renderer
 // made for those lights.
-TEST(EveryArchitecture, M4_LightsChangeWhileItRuns) {
+TEST(EveryArchitecture, LightsChangeWhileItRuns) {
     Garden garden;
     garden.add_lights(5, 4, 6);
     std::vector<std::vector<PlacedLight>> steps(1, garden.world.lights);

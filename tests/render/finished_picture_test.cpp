@@ -1,4 +1,4 @@
-// [E4] at the end of the pass that shades: the picture without a linear image in between.
+// At the end of the pass that shades: the picture without a linear image in between.
 #include "garden.hpp"
 #include <cmath>
 
@@ -79,7 +79,7 @@ TEST_P(FinishedPicture, NeedsNoPassOfItsOwn) {
     expect_validation_clean(test_device());
 }
 
-INSTANTIATE_TEST_SUITE_P(E4, FinishedPicture,
+INSTANTIATE_TEST_SUITE_P(All, FinishedPicture,
                          testing::Values(FinishingWay{"light-prepass", {}, Shading::ggx, {"material", "tonemap"}},
                                          FinishingWay{"light-prepass", {}, Shading::phong, {"material", "tonemap"}},
                                          FinishingWay{"deferred", {}, Shading::ggx, {"resolve", "tonemap"}},

@@ -1,4 +1,4 @@
-// [L1] [L2] A device that cannot draw into a format gets the next one, and the log says so.
+// A device that cannot draw into a format gets the next one, and the log says so.
 #include "garden.hpp"
 #include <vulkan/vulkan_core.h>
 

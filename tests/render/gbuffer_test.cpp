@@ -1,4 +1,4 @@
-// The G-buffer's layouts [D1]: formats, what each channel holds, and the pictures that come of them;
+// The G-buffer's layouts: formats, what each channel holds, and the pictures that come of them;
 // presets, views, and a second driver.
 #include "filled_gbuffer.hpp"
 #include "garden.hpp"
@@ -9,7 +9,7 @@
 namespace prelight {
 namespace {
 
-TEST(Deferred, D1_FormatsAreExactlyValients) {
+TEST(Deferred, FormatsAreExactlyValients) {
     Garden garden;
     const FilledGBuffer filled(garden.shot(), killzone2);
     const passes::GBuffer& b = filled.buffer;
@@ -25,7 +25,7 @@ TEST(Deferred, D1_FormatsAreExactlyValients) {
     expect_validation_clean(test_device());
 }
 
-TEST(Deferred, D1_WithoutD24S8DepthAndStencilAreD32S8AndTheLogSaysSo) {
+TEST(Deferred, WithoutD24S8DepthAndStencilAreD32S8AndTheLogSaysSo) {
     const auto device =
         Device::create({.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_D24_UNORM_S8_UINT}});
     Garden garden;
@@ -40,7 +40,7 @@ TEST(Deferred, D1_WithoutD24S8DepthAndStencilAreD32S8AndTheLogSaysSo) {
 }
 
 // Each channel of one surface, decoded here from the documentation.
-TEST(Deferred, D1_ChannelsHoldWhatTheTableSays) {
+TEST(Deferred, ChannelsHoldWhatTheTableSays) {
     TestWorld test;
     Material& material = test.add_material({.name = "brass",
                                             .base_colour = {0.81f, 0.49f, 0.25f, 1},
@@ -85,7 +85,7 @@ Comparison killzone2_against(const Shot& shot, bool grey_form) {
     return compare(picture_of(shot), reference.linear, reference.left_out());
 }
 
-TEST(Deferred, D1_Killzone2AgreesWithinTheBoundsOfBytes) {
+TEST(Deferred, Killzone2AgreesWithinTheBoundsOfBytes) {
     FewLights coloured;
     FewLights grey(true);
     for (const Shading shading : {Shading::ggx, Shading::phong}) {
@@ -110,14 +110,14 @@ TEST(Deferred, D1_Killzone2AgreesWithinTheBoundsOfBytes) {
 }
 
 // The G-buffer alone: light accumulated in half floats.
-TEST(Deferred, D1_Killzone2WithHalfFloatLight) {
+TEST(Deferred, Killzone2WithHalfFloatLight) {
     FewLights garden(true);
     const Comparison c = killzone2_against(deferred(garden.shot(), {{"g-buffer", "killzone2"}}), false);
     EXPECT_GE(c.psnr, 45);
     std::printf("    %.1f dB, %.3f %% off, block %.2f/255\n", c.psnr, c.off_share * 100, c.block);
 }
 
-TEST(Deferred, D1_Killzone2MaskedMirroredDoubleSidedUnlit) {
+TEST(Deferred, Killzone2MaskedMirroredDoubleSidedUnlit) {
     MixedMaterials mixed;
     const Comparison c =
         killzone2_against(deferred(mixed.shot(), {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}}), false);
@@ -125,7 +125,7 @@ TEST(Deferred, D1_Killzone2MaskedMirroredDoubleSidedUnlit) {
 }
 
 // Z of the view-space normal is negative where a surface, or its normal map, turns from the view axis.
-TEST(Deferred, D1_NormalsThatTurnFromTheViewAxisKeepTheirSide) {
+TEST(Deferred, NormalsThatTurnFromTheViewAxisKeepTheirSide) {
     TestWorld test;
     test.add_material({.name = "wall", .base_colour = {0.7f, 0.7f, 0.7f, 1}, .metallic = 0, .roughness = 0.5f});
     // A wide view along two walls that lean away from the axis.
@@ -146,7 +146,7 @@ TEST(Deferred, D1_NormalsThatTurnFromTheViewAxisKeepTheirSide) {
 }
 
 // Where RGB is full, the intensity channel keeps the luminance.
-TEST(Deferred, D1_IntensityKeepsBrightnessBeyondBytes) {
+TEST(Deferred, IntensityKeepsBrightnessBeyondBytes) {
     TestWorld test;
     for (const double x : {-2.0, 2.0}) {
         test.add_material({.name = "lamp",
@@ -167,7 +167,7 @@ TEST(Deferred, D1_IntensityKeepsBrightnessBeyondBytes) {
 
 // ---- The preset, the views, what is refused.
 
-TEST(Deferred, D1_PresetIsTheLayoutAndSettingsGoBeforeIt) {
+TEST(Deferred, PresetIsTheLayoutAndSettingsGoBeforeIt) {
     RenderOptions options{.width = 16, .height = 16, .preset = "killzone2"};
     Garden garden;
     const auto settings_of = [&] {
@@ -189,7 +189,7 @@ TEST(Deferred, D1_PresetIsTheLayoutAndSettingsGoBeforeIt) {
     EXPECT_THROW(settings_of(), UsageError);
 }
 
-TEST(Deferred, D1_EveryViewOfBothLayoutsIsDrawn) {
+TEST(Deferred, EveryViewOfBothLayoutsIsDrawn) {
     Garden garden;
     garden.add_lights(12, 4, 6);
     garden.camera.previous = CameraPose{garden.camera.position + glm::dvec3(1, 0, 0), garden.camera.axes};
@@ -215,7 +215,7 @@ TEST(Deferred, D1_EveryViewOfBothLayoutsIsDrawn) {
     expect_validation_clean(test_device());
 }
 
-TEST(DeferredOnSwiftShader, D1_D2_AgreeWithTheReference) {
+TEST(DeferredOnSwiftShader, AgreeWithTheReference) {
     const auto device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";

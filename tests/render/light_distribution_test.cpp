@@ -1,4 +1,4 @@
-// Cookies and measured profiles of lights against the reference [S3], in every architecture.
+// Cookies and measured profiles of lights against the reference, in every architecture.
 #include "every_way.hpp"
 #include "garden.hpp"
 #include "vulkan_calls.hpp"
@@ -66,7 +66,7 @@ private:
     }
 };
 
-TEST(LightDistributions, S3_EveryArchitectureAgreesWithTheReference) {
+TEST(LightDistributions, EveryArchitectureAgreesWithTheReference) {
     const CookieGarden garden;
     const Shot form = garden.shot();
     const ReferencePicture reference =
@@ -88,7 +88,7 @@ TEST(LightDistributions, S3_EveryArchitectureAgreesWithTheReference) {
     expect_validation_clean(test_device());
 }
 
-TEST(LightDistributions, S3_EachKindAgreesWithTheReference) {
+TEST(LightDistributions, EachKindAgreesWithTheReference) {
     const CookieGarden garden;
     for (size_t i = 0; i < 5; ++i)
         for (const Shading shading : {Shading::ggx, Shading::phong}) {
@@ -102,7 +102,7 @@ TEST(LightDistributions, S3_EachKindAgreesWithTheReference) {
         }
 }
 
-TEST(LightDistributions, S3_WithShadows) {
+TEST(LightDistributions, WithShadows) {
     CookieGarden garden;
     for (const size_t i : {2, 4, 5, 6}) // fewer edges of shadows to leave out
         garden.world.lights[i].light.casts_shadow = false;
@@ -117,7 +117,7 @@ TEST(LightDistributions, S3_WithShadows) {
     }
 }
 
-TEST(LightDistributions, S3_InAnOrthographicViewAndFarFromTheOrigin) {
+TEST(LightDistributions, InAnOrthographicViewAndFarFromTheOrigin) {
     CookieGarden garden;
     garden.camera.camera.kind = ProjectionKind::orthographic;
     garden.camera.camera.ymag = 4;
@@ -128,7 +128,7 @@ TEST(LightDistributions, S3_InAnOrthographicViewAndFarFromTheOrigin) {
 }
 
 // A coarse picture of a fine pattern: what the pixels of a picture eight times as fine have in the mean.
-TEST(LightDistributions, S3_SmallCookiesDoNotAlias) {
+TEST(LightDistributions, SmallCookiesDoNotAlias) {
     CookieGarden garden;
     TextureImage checks{"checks", 512, 512, {}};
     for (uint32_t i = 0; i < 512 * 512; ++i)
@@ -167,7 +167,7 @@ TEST(LightDistributions, S3_SmallCookiesDoNotAlias) {
     }
 }
 
-TEST(LightDistributions, S3_ACookieTurnsWithItsNode) {
+TEST(LightDistributions, ACookieTurnsWithItsNode) {
     const Scene scene = make_scene("cookies", 7, 1);
     Image before;
     for (const double time : {0.0, 1.0}) {

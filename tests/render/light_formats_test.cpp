@@ -1,4 +1,4 @@
-// [L4] Every light buffer, blended light by light and written once, against the reference.
+// Every light buffer, blended light by light and written once, against the reference.
 #include "garden.hpp"
 #include <prelight/error.hpp>
 #include <vulkan/vulkan_core.h>
@@ -44,7 +44,7 @@ TEST_P(LightFormats, BlendedAndWrittenOnce) {
         expect_agrees(shot, std::string(writes) == "once" ? buffer.once : buffer.blended);
     }
 }
-INSTANTIATE_TEST_SUITE_P(L4, LightFormats,
+INSTANTIATE_TEST_SUITE_P(All, LightFormats,
                          testing::Combine(testing::Values(Buffer{"rgba16f", half_float_bound, half_float_bound},
                                                           Buffer{"packed-rgba16f", half_float_bound, half_float_bound},
                                                           Buffer{"rgba8", table(40), table(37)},
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(L4, LightFormats,
                              return name + (std::get<1>(test.param) == Shading::ggx ? "_ggx" : "_phong");
                          });
 
-TEST(L4LightFormats, AmbientAsALightIsWrittenInBothWays) {
+TEST(LightFormatsOnDrivers, AmbientAsALightIsWrittenInBothWays) {
     FourLights garden;
     for (const char* culling : {"volumes", "fullscreen", "tiles"}) {
         Shot shot = garden.shot("rgba16f", culling == std::string("volumes") ? "blended" : "once");
@@ -68,7 +68,7 @@ TEST(L4LightFormats, AmbientAsALightIsWrittenInBothWays) {
     }
 }
 
-TEST(L4LightFormats, HundredsOfLightsWrittenOnceLoseNothing) {
+TEST(LightFormatsOnDrivers, HundredsOfLightsWrittenOnceLoseNothing) {
     // 512 lights on each pixel: blended half floats are several percent too dark (docs/figures.md).
     Garden garden;
     garden.add_lights(512, 60, 0.06f);
@@ -79,7 +79,7 @@ TEST(L4LightFormats, HundredsOfLightsWrittenOnceLoseNothing) {
     expect_agrees(shot);
 }
 
-TEST(L4LightFormats, OnceCountsTheSamePairsAsBlended) {
+TEST(LightFormatsOnDrivers, OnceCountsTheSamePairsAsBlended) {
     Garden garden;
     garden.add_lights(9, 3, 4);
     std::vector<Stats> stats;
@@ -99,7 +99,7 @@ TEST(L4LightFormats, OnceCountsTheSamePairsAsBlended) {
     EXPECT_EQ(stats[0].pairs_contributing, stats[1].pairs_contributing);
 }
 
-TEST(L4LightFormats, ADeviceWithoutAFormatGetsTheNextOneAndSaysSo) {
+TEST(LightFormatsOnDrivers, ADeviceWithoutAFormatGetsTheNextOneAndSaysSo) {
     const struct {
         const char* buffer;
         VkFormat hidden;
@@ -122,7 +122,7 @@ TEST(L4LightFormats, ADeviceWithoutAFormatGetsTheNextOneAndSaysSo) {
     }
 }
 
-TEST(L4LightFormats, SwiftShaderStoresWhatLavapipeStores) {
+TEST(LightFormatsOnDrivers, SwiftShaderStoresWhatLavapipeStores) {
     const auto device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
@@ -145,7 +145,7 @@ TEST(L4LightFormats, SwiftShaderStoresWhatLavapipeStores) {
     expect_validation_clean(*device);
 }
 
-TEST(L4LightFormats, WhatDoesNotGoTogetherIsRefused) {
+TEST(LightFormatsOnDrivers, WhatDoesNotGoTogetherIsRefused) {
     const auto refusal = [](std::map<std::string, std::string> settings) -> std::string {
         try {
             create_renderer("light-prepass", &test_device(), {.settings = std::move(settings)});

@@ -1,4 +1,4 @@
-// [Z3]: a grid over the world lists each pixel's lights.
+// A grid over the world lists each pixel's lights.
 #include "garden.hpp"
 #include <cstring>
 #include <passes/light_grid.hpp>
@@ -14,7 +14,7 @@ Shot grid_shot(const Garden& garden) {
     return shot;
 }
 
-TEST(LightGrid, AgreesWithTheReferenceWithPointsSpotsAndLightsWithoutRange) { // [Z3]
+TEST(LightGrid, AgreesWithTheReferenceWithPointsSpotsAndLightsWithoutRange) {
     Garden garden;
     garden.add_lights(24, 2.5f, 4);
     garden.add_light(garden.spot(0.6f, 8, 60), {1, 4, 2}, {0, -1, -0.2});
@@ -29,13 +29,13 @@ TEST(LightGrid, AgreesWithTheReferenceWithPointsSpotsAndLightsWithoutRange) { //
     expect_agrees(shot);
 }
 
-TEST(LightGrid, AgreesFarFromTheOrigin) { // [Z3]
+TEST(LightGrid, AgreesFarFromTheOrigin) {
     Garden garden({10000, 50, -10000});
     garden.add_lights(24, 2.5f, 4);
     expect_agrees(grid_shot(garden));
 }
 
-TEST(LightGrid, HoldsEveryContributingLightOfRandomScenes) { // [Z3]
+TEST(LightGrid, HoldsEveryContributingLightOfRandomScenes) {
     std::mt19937 random(11);
     const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     for (int scene = 0; scene < 4; ++scene) {
@@ -61,7 +61,7 @@ TEST(LightGrid, HoldsEveryContributingLightOfRandomScenes) { // [Z3]
     expect_validation_clean(test_device());
 }
 
-TEST(LightGrid, GivesTheSameBytesTwice) { // [Z3]
+TEST(LightGrid, GivesTheSameBytesTwice) {
     Garden garden;
     garden.add_lights(300, 2, 3);
     const Image once = render_counting_pairs(grid_shot(garden), 1).linear;
@@ -69,7 +69,7 @@ TEST(LightGrid, GivesTheSameBytesTwice) { // [Z3]
     EXPECT_EQ(std::memcmp(once.pixels.data(), twice.pixels.data(), once.pixels.size() * sizeof(once.pixels[0])), 0);
 }
 
-TEST(LightGrid, AgreesOnSwiftShader) { // [Z3]
+TEST(LightGrid, AgreesOnSwiftShader) {
     const std::unique_ptr<Device> device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
@@ -84,7 +84,7 @@ TEST(LightGrid, AgreesOnSwiftShader) { // [Z3]
     expect_validation_clean(*device);
 }
 
-TEST(LightGrid, CellsCoverTheWorldAndStayWithinTheirNumber) { // [Z3]
+TEST(LightGrid, CellsCoverTheWorldAndStayWithinTheirNumber) {
     for (const glm::dvec3& size :
          {glm::dvec3(100, 5, 100), glm::dvec3(0, 0, 0), glm::dvec3(1e5, 1e-3, 1), glm::dvec3(3, 3, 3)}) {
         resident::Draw draw;

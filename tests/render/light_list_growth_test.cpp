@@ -1,4 +1,4 @@
-// [V6] [V7]: lists that do not fit walk all lights in that frame, and have room in the next.
+// Lists that do not fit walk all lights in that frame, and have room in the next.
 #include "garden.hpp"
 #include <gpu/context.hpp>
 #include <passes/light_pass.hpp>
@@ -68,13 +68,13 @@ private:
 class ListGrowth : public testing::TestWithParam<GrowthCase> {};
 const auto growth_name = [](const auto& info) { return std::string(info.param.name); };
 // The compute pass asks itself which lights reach a block: all lights are walked, and few more evaluated.
-INSTANTIATE_TEST_SUITE_P(V6, ListGrowth,
+INSTANTIATE_TEST_SUITE_P(Tiles, ListGrowth,
                          testing::Values(GrowthCase{"tiles", resident::LightCulling::tiles},
                                          GrowthCase{"tiles_compute", resident::LightCulling::tiles,
                                                     passes::ListShading::compute, 1}),
                          growth_name);
-INSTANTIATE_TEST_SUITE_P(V7, ListGrowth, testing::Values(GrowthCase{"clusters", resident::LightCulling::clusters}),
-                         growth_name);
+INSTANTIATE_TEST_SUITE_P(Clusters, ListGrowth,
+                         testing::Values(GrowthCase{"clusters", resident::LightCulling::clusters}), growth_name);
 
 TEST_P(ListGrowth, ListsThatDoNotFitWalkAllLightsAndFitInTheNextFrame) {
     Garden garden;

@@ -1,4 +1,4 @@
-// [V6] [V7]: light lists hold every light that contributes, wherever the camera is.
+// Light lists hold every light that contributes, wherever the camera is.
 #include "garden.hpp"
 #include <cstring>
 #include <prelight/error.hpp>
@@ -48,10 +48,10 @@ protected:
         return with({{"light-culling", GetParam().culling}, {"tile-size", GetParam().tile_size}}, more);
     }
 };
-INSTANTIATE_TEST_SUITE_P(V6, LightLists,
+INSTANTIATE_TEST_SUITE_P(Tiles, LightLists,
                          testing::Values(ListCase{"tiles_8", "tiles", "8"}, ListCase{"tiles_32", "tiles", "32"}),
                          case_name);
-INSTANTIATE_TEST_SUITE_P(V7, LightLists,
+INSTANTIATE_TEST_SUITE_P(Clusters, LightLists,
                          testing::Values(ListCase{"clusters_8", "clusters", "8"},
                                          ListCase{"clusters_16", "clusters", "16"}),
                          case_name);
@@ -193,7 +193,7 @@ struct DepthEdge : TestWorld {
     PlacedCamera camera;
 };
 
-TEST(LightClusters, ADepthEdgeDoesNotPullInTheLightsBetween) { // [V7]
+TEST(LightClusters, ADepthEdgeDoesNotPullInTheLightsBetween) {
     DepthEdge world;
     Shot shot{.world = &world.world, .camera = world.camera};
     shot.settings = {{"tile-size", "16"}};
@@ -202,7 +202,7 @@ TEST(LightClusters, ADepthEdgeDoesNotPullInTheLightsBetween) { // [V7]
     EXPECT_LT(clusters * 2, tiles);
 }
 
-TEST(LightTiles, SixteenThousandLightsKeepTheBoundThatBlendingLoses) { // [V6]
+TEST(LightTiles, SixteenThousandLightsKeepTheBoundThatBlendingLoses) {
     const Scene scene = make_scene("lights", 16384, 1);
     const World world = resolve(scene);
     Shot shot{.world = &world, .camera = world.cameras.at(0)};
@@ -212,7 +212,7 @@ TEST(LightTiles, SixteenThousandLightsKeepTheBoundThatBlendingLoses) { // [V6]
     expect_agrees(shot);
 }
 
-TEST(LightTiles, LightsOffScreenOrDarkCostNothing) { // [L8]
+TEST(LightTiles, LightsOffScreenOrDarkCostNothing) {
     Garden garden;
     garden.add_light(garden.point(3, 10), {0, 2, 60});
     garden.add_light(garden.point(3, 0), {0, 2, 0});

@@ -1,4 +1,4 @@
-// [V2]: rectangles around the projected volumes find every pixel of their light once.
+// Rectangles around the projected volumes find every pixel of their light once.
 #include "found_pixels.hpp"
 #include <cmath>
 #include <numbers>
@@ -16,12 +16,12 @@ const SettingMap rectangles{{"light-culling", "rectangles"}};
 
 class Rectangles : public testing::TestWithParam<LightCase> {};
 
-TEST_P(Rectangles, V2_FindTheirPixelsOnceFromOutsideInsideAndCutByTheNearPlane) {
+TEST_P(Rectangles, FindTheirPixelsOnceFromOutsideInsideAndCutByTheNearPlane) {
     const LightFromEverywhere scene(GetParam().light, GetParam().direction);
     expect_same_as_fullscreen(scene.garden.world, scene.cameras, {{rectangles}});
 }
 
-TEST_P(Rectangles, V2_AgreeWithTheReferenceFromInside) {
+TEST_P(Rectangles, AgreeWithTheReferenceFromInside) {
     Garden garden;
     Light light = GetParam().light;
     light.range *= 3; // reaches floor and camera at once
@@ -31,15 +31,15 @@ TEST_P(Rectangles, V2_AgreeWithTheReferenceFromInside) {
     shot.settings = rectangles;
     expect_agrees(shot);
 }
-INSTANTIATE_TEST_SUITE_P(V2, Rectangles, testing::ValuesIn(light_cases()),
+INSTANTIATE_TEST_SUITE_P(All, Rectangles, testing::ValuesIn(light_cases()),
                          [](const auto& form) { return std::string(form.param.name); });
 
-TEST(RectangleCulling, V2_LightsEverywhereAndEveryProjection) {
+TEST(RectangleCulling, LightsEverywhereAndEveryProjection) {
     const LightsEverywhere scene;
     expect_same_as_fullscreen(scene.garden.world, scene.cameras, {{rectangles}});
 }
 
-TEST(RectangleCulling, V2_ManyLightsAgreeWithTheReference) {
+TEST(RectangleCulling, ManyLightsAgreeWithTheReference) {
     LightsEverywhere scene;
     scene.garden.add_light({.kind = LightKind::directional, .intensity = 0.3f}, {0, 0, 0}, {-0.3, -1, -0.5});
     Shot shot = scene.garden.shot();
@@ -47,7 +47,7 @@ TEST(RectangleCulling, V2_ManyLightsAgreeWithTheReference) {
     expect_agrees(shot);
 }
 
-TEST(RectangleCulling, V2_AConeThatPointsOutOfThePictureCostsNothing) {
+TEST(RectangleCulling, AConeThatPointsOutOfThePictureCostsNothing) {
     Garden garden; // its sphere reaches into the picture
     garden.add_light(garden.spot(0.3f, 6, 10), garden.camera.position + garden.camera.axes[0] * 3.0,
                      garden.camera.axes[0]);
@@ -55,7 +55,7 @@ TEST(RectangleCulling, V2_AConeThatPointsOutOfThePictureCostsNothing) {
     EXPECT_EQ(find_pixels(garden.world, cameras, rectangles)[0].evaluated, 0u);
 }
 
-TEST(DepthBounds, V2_TestNearAndFarSideWhereTheDeviceHasThem) {
+TEST(DepthBounds, TestNearAndFarSideWhereTheDeviceHasThem) {
     const auto device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
@@ -72,7 +72,7 @@ TEST(DepthBounds, V2_TestNearAndFarSideWhereTheDeviceHasThem) {
         EXPECT_LT(found[0][i].evaluated, found[1][i].evaluated) << "camera " << i;
 }
 
-TEST(DepthBounds, V2_ADeviceWithoutThemSaysSo) {
+TEST(DepthBounds, ADeviceWithoutThemSaysSo) {
     Garden garden;
     garden.add_lights(4, 2, 3);
     for (const char* value : {"on", "auto"}) {
@@ -140,7 +140,7 @@ bool holds(const Interval& outer, const Interval& inner, double slack) {
     return outer.low <= std::max(inner.low, -1.0) + slack && outer.high >= std::min(inner.high, 1.0) - slack;
 }
 
-TEST(ScreenBounds, V2_AreNeverTooSmallAndAtMostAPixelTooLarge) {
+TEST(ScreenBounds, AreNeverTooSmallAndAtMostAPixelTooLarge) {
     std::mt19937 random(7);
     const auto number = [&](double low, double high) { return low + (high - low) * random() / 4294967296.0; };
     const double pixel = 2.0 / 320;

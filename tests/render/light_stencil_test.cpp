@@ -1,4 +1,4 @@
-// [V4]: volumes mark in stencil the pixels they hold; and the forms of [V3] that the presets want.
+// Volumes mark in stencil the pixels they hold; and the forms of that the presets want.
 #include "found_pixels.hpp"
 #include <vulkan/vulkan_core.h>
 
@@ -17,7 +17,7 @@ bool is_spot_of_less_than_80_degrees(const Light& light) {
 
 class StencilMarks : public testing::TestWithParam<LightCase> {};
 
-TEST_P(StencilMarks, V4_FindTheirPixelsOnceFromOutsideInsideAndCutByTheNearPlane) {
+TEST_P(StencilMarks, FindTheirPixelsOnceFromOutsideInsideAndCutByTheNearPlane) {
     const LightFromEverywhere scene(GetParam().light, GetParam().direction);
     std::vector<SettingMap> settings{stencil};
     if (is_spot_of_less_than_80_degrees(GetParam().light))
@@ -25,7 +25,7 @@ TEST_P(StencilMarks, V4_FindTheirPixelsOnceFromOutsideInsideAndCutByTheNearPlane
     expect_same_as_fullscreen(scene.garden.world, scene.cameras, settings);
 }
 
-TEST_P(StencilMarks, V4_AgreeWithTheReferenceFromInside) {
+TEST_P(StencilMarks, AgreeWithTheReferenceFromInside) {
     Garden garden;
     Light light = GetParam().light;
     light.range *= 3; // reaches floor and camera at once
@@ -36,17 +36,17 @@ TEST_P(StencilMarks, V4_AgreeWithTheReferenceFromInside) {
     expect_agrees(shot);
 }
 
-TEST_P(StencilMarks, V3_BoxesAndVolumesWithoutDepthTestFindTheSamePixels) {
+TEST_P(StencilMarks, BoxesAndVolumesWithoutDepthTestFindTheSamePixels) {
     const LightFromEverywhere scene(GetParam().light, GetParam().direction);
     std::vector<SettingMap> settings{untested};
     if (is_spot_of_less_than_80_degrees(GetParam().light))
         settings.insert(settings.end(), {boxes, untested_boxes});
     expect_same_as_fullscreen(scene.garden.world, scene.cameras, settings);
 }
-INSTANTIATE_TEST_SUITE_P(V4, StencilMarks, testing::ValuesIn(light_cases()),
+INSTANTIATE_TEST_SUITE_P(All, StencilMarks, testing::ValuesIn(light_cases()),
                          [](const auto& form) { return std::string(form.param.name); });
 
-TEST(StencilCulling, V4_LightsEverywhereAndEveryProjection) {
+TEST(StencilCulling, LightsEverywhereAndEveryProjection) {
     const LightsEverywhere scene;
     const SettingMap volumes{{"light-culling", "volumes"}};
     const auto found = expect_same_as_fullscreen(scene.garden.world, scene.cameras,
@@ -56,7 +56,7 @@ TEST(StencilCulling, V4_LightsEverywhereAndEveryProjection) {
         EXPECT_LT(found[0][i].evaluated, found[1][i].evaluated) << "camera " << i;
 }
 
-TEST(StencilCulling, V4_MarksHoldThePixelsOfTheVolumeAndNoOthers) {
+TEST(StencilCulling, MarksHoldThePixelsOfTheVolumeAndNoOthers) {
     // On a floor below the light every pixel within its range is lit. The sphere's mesh lies between 1
     // and 1.08 ranges, so what is evaluated lies between what two lights of these ranges light.
     TestWorld small, large;
@@ -83,7 +83,7 @@ TEST(StencilCulling, V4_MarksHoldThePixelsOfTheVolumeAndNoOthers) {
     }
 }
 
-TEST(StencilCulling, V4_EachLightLeavesAnEmptyStencil) {
+TEST(StencilCulling, EachLightLeavesAnEmptyStencil) {
     // Lights that overlap evaluate together what they evaluate alone: no mark is left for the next.
     Garden both, one[2];
     const glm::dvec3 places[] = {{-0.5, 1.2, 0.5}, {0.4, 0.8, 0}};
@@ -99,7 +99,7 @@ TEST(StencilCulling, V4_EachLightLeavesAnEmptyStencil) {
     expect_validation_clean(test_device());
 }
 
-TEST(StencilCulling, V4_ManyLightsAgreeWithTheReference) {
+TEST(StencilCulling, ManyLightsAgreeWithTheReference) {
     LightsEverywhere scene;
     scene.garden.add_light({.kind = LightKind::directional, .intensity = 0.3f}, {0, 0, 0}, {-0.3, -1, -0.5});
     for (const SettingMap& settings : {stencil, untested_boxes}) {
@@ -109,7 +109,7 @@ TEST(StencilCulling, V4_ManyLightsAgreeWithTheReference) {
     }
 }
 
-TEST(StencilCulling, V4_SwiftShaderFindsTheSamePixels) {
+TEST(StencilCulling, SwiftShaderFindsTheSamePixels) {
     const auto device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
@@ -118,7 +118,7 @@ TEST(StencilCulling, V4_SwiftShaderFindsTheSamePixels) {
     expect_same_as_fullscreen(scene.garden.world, scene.cameras, {{stencil, untested_boxes}}, *device);
 }
 
-TEST(StencilFormat, V4_TheNextFormatIsTakenAndNamed) {
+TEST(StencilFormat, TheNextFormatIsTakenAndNamed) {
     const auto device =
         Device::create({.select = "cpu", .validate = true, .hidden_formats = {VK_FORMAT_D32_SFLOAT_S8_UINT}});
     Garden garden;
@@ -136,7 +136,7 @@ TEST(StencilFormat, V4_TheNextFormatIsTakenAndNamed) {
     expect_validation_clean(*device);
 }
 
-TEST(StencilFormat, V4_ADeviceWithoutStencilIsRefused) {
+TEST(StencilFormat, ADeviceWithoutStencilIsRefused) {
     const auto device = Device::create(
         {.select = "cpu", .hidden_formats = {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT}});
     Garden garden;

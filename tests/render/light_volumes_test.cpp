@@ -1,4 +1,4 @@
-// [V1] [V3] [V5]: volumes find every pixel of their light once, wherever the camera is.
+// Volumes find every pixel of their light once, wherever the camera is.
 #include "found_pixels.hpp"
 #include "vulkan_calls.hpp"
 #include <passes/volume_meshes.hpp>
@@ -64,7 +64,7 @@ TEST_P(Volumes, AgreeWithTheReferenceFromInside) {
     shot.settings["light-culling"] = "volumes";
     expect_agrees(shot);
 }
-INSTANTIATE_TEST_SUITE_P(V3, Volumes, testing::ValuesIn(light_cases()),
+INSTANTIATE_TEST_SUITE_P(All, Volumes, testing::ValuesIn(light_cases()),
                          [](const auto& form) { return std::string(form.param.name); });
 
 TEST(VolumeCulling, ManyLightsLightTheSamePixelsAsFullScreen) {
@@ -120,7 +120,7 @@ TEST(VolumeCulling, ARangeNearTheLargestFloatIsNone) {
     expect_agrees(shot);
 }
 
-TEST(VolumeCulling, LightsOffScreenOrDarkCostNothing) { // [L8]
+TEST(VolumeCulling, LightsOffScreenOrDarkCostNothing) {
     Garden garden;
     garden.add_light(garden.point(3, 10), {0, 2, 60});
     garden.add_light(garden.point(3, 0), {0, 2, 0});
@@ -161,7 +161,7 @@ std::pair<uint64_t, uint64_t> draws_and_instances(const char* renderer, const ch
     return {calls.draws, calls.instances};
 }
 
-TEST(InstancedVolumes, V5_AreOneDrawForAllLightsOfAKind) {
+TEST(InstancedVolumes, AreOneDrawForAllLightsOfAKind) {
     for (const char* renderer : {"light-prepass", "deferred"}) {
         const auto [none, surfaces] = draws_and_instances(renderer, "volumes", 0);
         const auto [few, one_each] = draws_and_instances(renderer, "volumes", 1);

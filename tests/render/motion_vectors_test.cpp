@@ -1,4 +1,4 @@
-// Motion vectors of the G-buffer [D1] [D2] against the reference, which follows each hit point back to
+// Motion vectors of the G-buffer against the reference, which follows each hit point back to
 // where it was.
 #include "filled_gbuffer.hpp"
 #include "garden.hpp"
@@ -100,7 +100,7 @@ PlacedCamera moved(PlacedCamera camera, glm::dvec3 offset, double turn) {
     return camera;
 }
 
-TEST(MotionVectors, D2_CameraAlone) {
+TEST(MotionVectors, CameraAlone) {
     Garden garden;
     garden.camera = moved(garden.camera, {0.3, -0.1, 0.4}, 0.02);
     expect_motion(garden.shot(), 5);
@@ -110,13 +110,13 @@ TEST(MotionVectors, D2_CameraAlone) {
     expect_motion(garden.shot(), 5);
 }
 
-TEST(MotionVectors, D2_CameraTenKilometresFromTheOrigin) {
+TEST(MotionVectors, CameraTenKilometresFromTheOrigin) {
     Garden garden(glm::dvec3(10000.03, -3.7, -10000.77));
     garden.camera = moved(garden.camera, {0.02, 0.01, 0}, 0);
     expect_motion(garden.shot(), 0.3);
 }
 
-TEST(MotionVectors, D2_ObjectsAlone) {
+TEST(MotionVectors, ObjectsAlone) {
     Garden garden;
     for (size_t i = 1; i < garden.world.instances.size(); ++i) { // spheres slide, turn and grow; the floor rests
         Instance& instance = garden.world.instances[i];
@@ -128,7 +128,7 @@ TEST(MotionVectors, D2_ObjectsAlone) {
 }
 
 /// What skins and morph targets leave to a renderer: vertices that were elsewhere in their object.
-TEST(MotionVectors, D2_DeformedMeshes) {
+TEST(MotionVectors, DeformedMeshes) {
     Garden garden;
     for (size_t i = 1; i < garden.world.instances.size(); i += 2) {
         Instance& instance = garden.world.instances[i];
@@ -147,7 +147,7 @@ TEST(MotionVectors, D2_DeformedMeshes) {
 }
 
 /// The built-in scene: nodes, a skin, morph targets and a camera that flies.
-TEST(MotionVectors, D2_SceneMotion) {
+TEST(MotionVectors, SceneMotion) {
     const Scene scene = make_scene("motion", 4, 1);
     const World world = resolve(scene, {}, Moment{.time = 1.3});
     for (const char* camera : {"front", "flight"}) {
@@ -156,7 +156,7 @@ TEST(MotionVectors, D2_SceneMotion) {
     }
 }
 
-TEST(MotionVectors, D2_WhatStandsStillHasNone) {
+TEST(MotionVectors, WhatStandsStillHasNone) {
     Garden garden;
     for (const passes::GBufferFormat& format : {passes::GBufferFormat{}, killzone2})
         for (const glm::dvec2& vector : vectors_of(garden.shot(), format).stored)
@@ -164,7 +164,7 @@ TEST(MotionVectors, D2_WhatStandsStillHasNone) {
 }
 
 // Signs, from one look: what moved right and down has positive X and Y.
-TEST(MotionVectors, D1_RightAndDownArePositive) {
+TEST(MotionVectors, RightAndDownArePositive) {
     TestWorld test;
     test.add(square(20));
     test.world.instances[0].previous_transform = glm::translate(glm::dmat4(1), {-0.5, 0.25, 0});
@@ -178,7 +178,7 @@ TEST(MotionVectors, D1_RightAndDownArePositive) {
 }
 
 // A point that passed the camera's plane, and one that is faster than 8 bits tell.
-TEST(MotionVectors, D1_FastOnesStayFiniteAndKeepTheirDirection) {
+TEST(MotionVectors, FastOnesStayFiniteAndKeepTheirDirection) {
     TestWorld test;
     test.add(square(20));
     const Shot shot{.world = &test.world, .camera = front_camera(5)};
@@ -194,7 +194,7 @@ TEST(MotionVectors, D1_FastOnesStayFiniteAndKeepTheirDirection) {
 }
 
 // The picture of it: hue is direction, black is rest.
-TEST(MotionVectors, D1_ViewIsAColourWheel) {
+TEST(MotionVectors, ViewIsAColourWheel) {
     struct Moved {
         glm::dvec2 pixels; ///< right, down
         glm::vec3 colour;

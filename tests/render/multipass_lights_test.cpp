@@ -1,4 +1,4 @@
-// [M4]: hundreds of lights on one mesh, few changes of state, and what a person varies.
+// Hundreds of lights on one mesh, few changes of state, and what a person varies.
 #include "garden.hpp"
 #include "random_scene.hpp"
 #include <passes/forward_plan.hpp>
@@ -8,7 +8,7 @@
 namespace prelight {
 namespace {
 
-TEST(Multipass, M4_HundredsOfLightsOnOneMesh) {
+TEST(Multipass, HundredsOfLightsOnOneMesh) {
     TestWorld test;
     test.add_material({.name = "wall", .base_colour = {0.8f, 0.75f, 0.7f, 1}, .metallic = 0, .roughness = 0.5f});
     test.add(square(12));
@@ -30,7 +30,7 @@ size_t material_changes(const passes::ForwardPlan& plan) {
     return changes;
 }
 
-TEST(Multipass, M4_MaterialsChangeAsLittleAsTheOrderAllows) {
+TEST(Multipass, MaterialsChangeAsLittleAsTheOrderAllows) {
     constexpr uint32_t draws = 12, lights = 10;
     resident::LightReach reach; // every light reaches every draw
     for (uint32_t d = 0; d <= draws; ++d)
@@ -82,7 +82,7 @@ TEST(Vary, RandomLightsFollowTheirSeedAndStayValid) {
     EXPECT_LT(spots, 140u);
 }
 
-TEST(Vary, M4_MaterialsCycleThroughAllAndComeBack) {
+TEST(Vary, MaterialsCycleThroughAllAndComeBack) {
     Scene scene = make_scene("city", 4, 1);
     std::vector<uint32_t> before;
     for (const Mesh& mesh : scene.meshes)

@@ -1,4 +1,4 @@
-// Multi-pass forward, rows [M1] [M2] [M3], against the reference.
+// Multi-pass forward against the reference.
 #include "garden.hpp"
 #include <cmath>
 #include <prelight/scene_io.hpp>
@@ -24,7 +24,7 @@ Stats stats_of(const Shot& shot) {
 class MultipassForms : public testing::TestWithParam<Form> {};
 
 // with every kind of light.
-TEST_P(MultipassForms, M1_AgreeWithTheReference) {
+TEST_P(MultipassForms, AgreeWithTheReference) {
     Garden garden;
     garden.add_lights(12, 4, 6);
     garden.add_light({.kind = LightKind::directional, .intensity = 0.6f}, {0, 0, 0}, {-0.3, -1, -0.5});
@@ -38,7 +38,7 @@ TEST_P(MultipassForms, M1_AgreeWithTheReference) {
 }
 
 // Low lights behind what is seen: V·H and N·V are far apart.
-TEST_P(MultipassForms, M1_BacklitAgreeWithTheReference) {
+TEST_P(MultipassForms, BacklitAgreeWithTheReference) {
     BacklitGarden garden;
     garden.world.lights[0].light.colour = {1, 0.2f, 0.1f};
     garden.world.lights[2].light.colour = {0.1f, 0.3f, 1};
@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Multipass, MultipassForms,
                          [](const auto& form) { return std::string(form.param.name); });
 
 // An alpha mask's holes have another's depth: LESS_OR_EQUAL must not light what is not there, EQUAL cannot.
-TEST(Multipass, M1_LessOrEqualAndEqualGiveTheSamePicture) {
+TEST(Multipass, LessOrEqualAndEqualGiveTheSamePicture) {
     MixedMaterials mixed;
     const Settings forms[] = {
         {{"ambient", "first"}}, {{"ambient", "per-object"}}, {{"ambient", "per-object"}, {"order", "objects"}}};
@@ -74,8 +74,8 @@ TEST(Multipass, M1_LessOrEqualAndEqualGiveTheSamePicture) {
     }
 }
 
-// [M2] 14 lights are no multiple of 3 or 8; most objects are reached by more than eight.
-TEST(Multipass, M2_EveryOrderAmbientAndBatchGivesTheSamePicture) {
+// 14 lights are no multiple of 3 or 8; most objects are reached by more than eight.
+TEST(Multipass, EveryOrderAmbientAndBatchGivesTheSamePicture) {
     Garden garden;
     garden.add_lights(14, 7, 5);
     const Image first = render_linear(test_device(), multipass(garden.shot()));
@@ -94,7 +94,7 @@ TEST(Multipass, M2_EveryOrderAmbientAndBatchGivesTheSamePicture) {
             }
 }
 
-TEST(Multipass, M1_MaskedMirroredDoubleSidedUnlit) {
+TEST(Multipass, MaskedMirroredDoubleSidedUnlit) {
     MixedMaterials mixed;
     for (const char* order : {"lights", "objects"})
         for (const char* ambient : {"first", "per-object"})
@@ -102,7 +102,7 @@ TEST(Multipass, M1_MaskedMirroredDoubleSidedUnlit) {
 }
 
 // A light costs one draw for each object that it reaches, and none where it reaches nothing.
-TEST(Multipass, M3_ALightThatReachesNothingCostsNoDraw) {
+TEST(Multipass, ALightThatReachesNothingCostsNoDraw) {
     TestWorld test;
     test.add_material();
     for (int i = 0; i < 4; ++i)
@@ -130,7 +130,7 @@ TEST(Multipass, M3_ALightThatReachesNothingCostsNoDraw) {
     }
 }
 
-TEST(Multipass, M3_ManyLightsOfTheYardstickSceneAgree) {
+TEST(Multipass, ManyLightsOfTheYardstickSceneAgree) {
     const Scene scene = make_scene("lights", 256, 1);
     const World world = resolve(scene);
     Shot shot =
@@ -142,7 +142,7 @@ TEST(Multipass, M3_ManyLightsOfTheYardstickSceneAgree) {
 
 // Two surfaces in exactly the same place: the one drawn last replaces the other, lights and all. With
 // ambient=first both are lit, as docs/multipass.md says.
-TEST(Multipass, M1_CoincidentSurfacesAreLitOnceWithAmbientPerObject) {
+TEST(Multipass, CoincidentSurfacesAreLitOnceWithAmbientPerObject) {
     TestWorld one, two;
     for (TestWorld* test : {&one, &two}) {
         test->add_material({.name = "wall", .base_colour = {0.8f, 0.7f, 0.6f, 1}, .metallic = 0, .roughness = 0.6f});
@@ -160,7 +160,7 @@ TEST(Multipass, M1_CoincidentSurfacesAreLitOnceWithAmbientPerObject) {
     EXPECT_TRUE(render_linear(test_device(), twice).pixels == render_linear(test_device(), single).pixels);
 }
 
-TEST(Multipass, M2_HalfFloatTargetHoldsNoInfinity) {
+TEST(Multipass, HalfFloatTargetHoldsNoInfinity) {
     Garden garden;
     for (int i = 0; i < 60; ++i)
         garden.add_light(garden.point(30, 1e6f), {0.1 * i - 3, 3, 2});

@@ -87,7 +87,7 @@ TEST_P(Presets, AreListedAndGiveWayToTheUser) {
     EXPECT_EQ(ours.stats.settings.at("light-culling"), GetParam().settings.at("light-culling"));
 }
 
-INSTANTIATE_TEST_SUITE_P(L4L5, Presets,
+INSTANTIATE_TEST_SUITE_P(All, Presets,
                          testing::Values(Preset{"engel",
                                                 {{"normals", "spherical"},
                                                  {"normal-space", "world"},
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(L4L5, Presets,
                                                 50}),
                          [](const auto& preset) { return std::string(preset.param.name); });
 
-TEST(L4L5Presets, EngelTakesEachOfItsThreeWays) {
+TEST(LightPrepassPresets, EngelTakesEachOfItsThreeWays) {
     PresetGarden garden;
     std::vector<Image> pictures;
     for (const char* way : {"fifth-channel", "luminance", "bent"}) {
@@ -134,7 +134,7 @@ TEST(L4L5Presets, EngelTakesEachOfItsThreeWays) {
     EXPECT_FALSE(pictures[1].pixels == pictures[2].pixels);
 }
 
-TEST(L4L5Presets, AWayOfPhongIsNotTakenInGgxAndThatIsSaid) {
+TEST(LightPrepassPresets, AWayOfPhongIsNotTakenInGgxAndThatIsSaid) {
     PresetGarden garden;
     const Rendered ours = render_with(garden.world, garden.camera, options_for("engel", Shading::ggx));
     EXPECT_EQ(ours.stats.settings.at("specular"), "stored");
@@ -142,7 +142,7 @@ TEST(L4L5Presets, AWayOfPhongIsNotTakenInGgxAndThatIsSaid) {
     EXPECT_THAT(ours.stats.notes[0], testing::HasSubstr("specular=luminance is for phong"));
 }
 
-TEST(L4L5Presets, PrelightingPutsNormalsIntoTheMemoryOfTheFrame) {
+TEST(LightPrepassPresets, PrelightingPutsNormalsIntoTheMemoryOfTheFrame) {
     PresetGarden garden;
     // The material pass holds depth, two light buffers (4 bytes each) and the frame (4, and 8 when it
     // is scene-linear): 16 or 20 bytes a pixel, all alive. The light pass holds the first three as
@@ -154,7 +154,7 @@ TEST(L4L5Presets, PrelightingPutsNormalsIntoTheMemoryOfTheFrame) {
 }
 
 // Lee: each light's maps in the memory of the light before. Lists read all maps at once: there the preset gives way.
-TEST(L4L5Presets, PrelightingReusesShadowMemoryLightByLight) {
+TEST(LightPrepassPresets, PrelightingReusesShadowMemoryLightByLight) {
     PresetGarden garden;
     RenderOptions options = options_for("prelighting", Shading::phong);
     options.settings.insert({{"shadows", "on"}, {"shadow-detail", "0.25"}}); // so that all of them fit
@@ -177,7 +177,7 @@ TEST(L4L5Presets, PrelightingReusesShadowMemoryLightByLight) {
     expect_validation_clean(test_device());
 }
 
-TEST(L4L5Presets, ADeviceWithoutTheFormatsTakesTheSourceTextsFallbacks) {
+TEST(LightPrepassPresets, ADeviceWithoutTheFormatsTakesTheSourceTextsFallbacks) {
     // Round 2: R32F, or R16F, or RGBA8; 10:10:10:2, or RGBA8.
     const auto device = Device::create({.select = "cpu",
                                         .validate = true,

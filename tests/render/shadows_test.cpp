@@ -1,4 +1,4 @@
-// Shadow maps against the reference's shadow rays [S1] [S2], in every architecture.
+// Shadow maps against the reference's shadow rays, in every architecture.
 #include "every_way.hpp"
 #include "garden.hpp"
 #include "shadow_measure.hpp"
@@ -30,7 +30,7 @@ struct ShadowGarden : Garden {
     }
 };
 
-TEST(Shadows, S1_EveryArchitectureAgreesWithShadowRays) {
+TEST(Shadows, EveryArchitectureAgreesWithShadowRays) {
     const ShadowGarden garden;
     Shot form = garden.shot();
     const ReferencePicture reference =
@@ -48,7 +48,7 @@ TEST(Shadows, S1_EveryArchitectureAgreesWithShadowRays) {
     expect_validation_clean(test_device());
 }
 
-TEST(Shadows, S1_EachKindOfLightAgreesWithShadowRays) {
+TEST(Shadows, EachKindOfLightAgreesWithShadowRays) {
     const ShadowGarden garden;
     for (const PlacedLight& light : garden.world.lights) {
         World world = garden.world;
@@ -60,7 +60,7 @@ TEST(Shadows, S1_EachKindOfLightAgreesWithShadowRays) {
 }
 
 // A light that casts none is as it was without shadows.
-TEST(Shadows, S1_ALightMayCastNone) {
+TEST(Shadows, ALightMayCastNone) {
     const ShadowGarden garden;
     World world = garden.world;
     for (PlacedLight& light : world.lights)
@@ -70,8 +70,8 @@ TEST(Shadows, S1_ALightMayCastNone) {
     expect_agrees(shot);
 }
 
-// [S1] Lee's way: each light's maps in the memory that the light before had.
-TEST(Shadows, S1_OneLightAfterTheOtherInTheSameMemory) {
+// Lee's way: each light's maps in the memory that the light before had.
+TEST(Shadows, OneLightAfterTheOtherInTheSameMemory) {
     const ShadowGarden garden;
     Shot shot = garden.shot();
     shot.settings["shadow-budget"] = "8388608"; // an eighth: for one light it is enough
@@ -110,7 +110,7 @@ ShadowStats shadows_of(Renderer& renderer, const PlacedCamera& camera) {
 
 class ShadowFilters : public testing::TestWithParam<const char*> {};
 
-TEST_P(ShadowFilters, S2_NoAcneAndNoGapInTheSceneOfShadows) {
+TEST_P(ShadowFilters, NoAcneAndNoGapInTheSceneOfShadows) {
     const Scene scene = make_scene("shadows", 4, 1);
     const World all = resolve(scene);
     const auto check = [&](const World& world, const PlacedCamera& camera) {
@@ -132,7 +132,7 @@ TEST_P(ShadowFilters, S2_NoAcneAndNoGapInTheSceneOfShadows) {
     check(all, all.cameras.at(1));
 }
 
-TEST_P(ShadowFilters, S2_NoAcneAndNoGapInSponza) {
+TEST_P(ShadowFilters, NoAcneAndNoGapInSponza) {
     const std::filesystem::path file = std::filesystem::path(PRELIGHT_SHARED_SCENES) / "sponza-512.glb";
     if (!std::filesystem::exists(file))
         GTEST_SKIP() << "no shared scenes beside the repository";
@@ -146,7 +146,7 @@ TEST_P(ShadowFilters, S2_NoAcneAndNoGapInSponza) {
                          6);
 }
 
-TEST(Shadows, S2_SponzaUnderASunAndSixtyFourSpots) {
+TEST(Shadows, SponzaUnderASunAndSixtyFourSpots) {
     const std::filesystem::path file = std::filesystem::path(PRELIGHT_SHARED_SCENES) / "sponza-512.glb";
     if (!std::filesystem::exists(file))
         GTEST_SKIP() << "no shared scenes beside the repository";
@@ -178,7 +178,7 @@ TEST(Shadows, S2_SponzaUnderASunAndSixtyFourSpots) {
 }
 INSTANTIATE_TEST_SUITE_P(All, ShadowFilters, testing::Values("pcf", "contact"));
 
-TEST(Shadows, S2_NoAcneAndNoGapInTheCity) {
+TEST(Shadows, NoAcneAndNoGapInTheCity) {
     const Scene scene = make_scene("city", 64, 1);
     const World lamps = resolve(scene);
     World world = lamps; // a sun would not come through the sky, which is an object
@@ -200,8 +200,8 @@ TEST(Shadows, S2_NoAcneAndNoGapInTheCity) {
     EXPECT_LE(errors.darkened, 0.0005);
 }
 
-// [S1] What did not change is not drawn again, and the picture is the same.
-TEST(Shadows, S1_TilesOfUnmovedLightsAreReused) {
+// What did not change is not drawn again, and the picture is the same.
+TEST(Shadows, TilesOfUnmovedLightsAreReused) {
     const ShadowGarden garden;
     Shot shot = garden.shot();
     shot.settings["shadow-budget"] = "4194304";
@@ -233,7 +233,7 @@ TEST(Shadows, S1_TilesOfUnmovedLightsAreReused) {
 }
 
 // Lights that come, go and stop casting: the same bytes as a renderer made for them, wherever their tiles lie.
-TEST(Shadows, S1_LightsComeAndGo) {
+TEST(Shadows, LightsComeAndGo) {
     const ShadowGarden garden;
     Garden crowd;
     crowd.add_lights(40, 3, 2);
@@ -265,8 +265,8 @@ TEST(Shadows, S1_LightsComeAndGo) {
     expect_validation_clean(test_device());
 }
 
-// [S1] When the budget is short, resolution drops before shadows do, and the figures say so.
-TEST(Shadows, S1_AShortBudgetLowersResolution) {
+// When the budget is short, resolution drops before shadows do, and the figures say so.
+TEST(Shadows, AShortBudgetLowersResolution) {
     const ShadowGarden garden;
     uint32_t largest = ~0u;
     std::vector<bool> told;
@@ -293,8 +293,8 @@ TEST(Shadows, S1_AShortBudgetLowersResolution) {
 }
 
 // One texel: one light with one tile may have it, all others go without and keep their light.
-// [S2] Penumbrae are as wide as the light's size makes them.
-TEST(Shadows, S2_ContactTakesALightForAsLargeAsItIs) {
+// Penumbrae are as wide as the light's size makes them.
+TEST(Shadows, ContactTakesALightForAsLargeAsItIs) {
     ShadowGarden garden;
     garden.world.lights = {garden.world.lights[1]};
     garden.world.ambient = glm::vec3(0);
@@ -317,7 +317,7 @@ TEST(Shadows, S2_ContactTakesALightForAsLargeAsItIs) {
     expect_validation_clean(test_device());
 }
 
-TEST(Shadows, S1_ABudgetOfOneTexel) {
+TEST(Shadows, ABudgetOfOneTexel) {
     const ShadowGarden garden;
     Shot shot = garden.shot();
     shot.settings["shadow-budget"] = "1";
@@ -337,7 +337,7 @@ TEST(Shadows, S1_ABudgetOfOneTexel) {
     expect_validation_clean(test_device());
 }
 
-TEST(Shadows, S1_AThousandShadowedLights) {
+TEST(Shadows, AThousandShadowedLights) {
     Garden garden;
     garden.add_lights(1000, 1.5f, 0.3f);
     Shot shot = garden.shot();

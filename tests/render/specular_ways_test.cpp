@@ -1,4 +1,4 @@
-// [L5] The five ways to a material's own shininess: each against the reference of its own form, and what
+// The five ways to a material's own shininess: each against the reference of its own form, and what
 // each of them approximates.
 #include "garden.hpp"
 #include <algorithm>
@@ -72,13 +72,13 @@ TEST_P(SpecularWays, AreNotAnyOther) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(L5, SpecularWays, testing::ValuesIn(later_ways), [](const auto& way) {
+INSTANTIATE_TEST_SUITE_P(All, SpecularWays, testing::ValuesIn(later_ways), [](const auto& way) {
     std::string name = way.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 });
 
-TEST(L5SpecularWays, LuvIsWrittenOnceByEveryWayThatCan) {
+TEST(OwnShininess, LuvIsWrittenOnceByEveryWayThatCan) {
     GlossyGarden garden;
     for (const char* culling : {"fullscreen", "tiles", "clusters"})
         for (const char* ambient : {"material", "light"}) {
@@ -92,7 +92,7 @@ TEST(L5SpecularWays, LuvIsWrittenOnceByEveryWayThatCan) {
 }
 
 /// Ambient light is on surfaces that no lamp reaches too.
-TEST(L5SpecularWays, AmbientLightIsWhereNoLampIs) {
+TEST(OwnShininess, AmbientLightIsWhereNoLampIs) {
     Garden garden;
     Light lamp = garden.point(1.5f, 6, {0.9f, 1, 0.6f});
     lamp.shininess = 2;
@@ -114,7 +114,7 @@ TEST(L5SpecularWays, AmbientLightIsWhereNoLampIs) {
 }
 
 /// One light on every pixel: ways 2, 3 and 4 then are exactly Σ N·L att (N·H)^(n·mn).
-TEST(L5SpecularWays, OfOneLightAreWhatTheyApproximate) {
+TEST(OwnShininess, OfOneLightAreWhatTheyApproximate) {
     Garden garden;
     Light light = garden.point(14, 16, {0.9f, 1, 0.6f});
     light.shininess = 2;
@@ -135,7 +135,7 @@ TEST(L5SpecularWays, OfOneLightAreWhatTheyApproximate) {
     expect_validation_clean(test_device());
 }
 
-TEST(L5SpecularWays, NothingIsDividedByZeroInTheDark) {
+TEST(OwnShininess, NothingIsDividedByZeroInTheDark) {
     Garden garden;
     Light light = garden.point(1.5f, 4);
     garden.add_light(light, {-4, 2.4, 0.8}); // most of the picture has no light at all
@@ -159,7 +159,7 @@ TEST(L5SpecularWays, NothingIsDividedByZeroInTheDark) {
     expect_validation_clean(test_device());
 }
 
-TEST(L5SpecularWays, SettingsTakeWhatTheyNeed) {
+TEST(OwnShininess, SettingsTakeWhatTheyNeed) {
     const auto in_force = [](std::map<std::string, std::string> settings) {
         RenderOptions options;
         options.width = options.height = 16;
@@ -183,7 +183,7 @@ TEST(L5SpecularWays, SettingsTakeWhatTheyNeed) {
     EXPECT_NE(settings["light-culling"], "volumes");
 }
 
-TEST(L5SpecularWays, WhatDoesNotGoTogetherIsRefused) {
+TEST(OwnShininess, WhatDoesNotGoTogetherIsRefused) {
     const auto refusal = [](Shading shading, std::map<std::string, std::string> settings) -> std::string {
         try {
             RenderOptions options;

@@ -25,7 +25,7 @@ struct SunnyGarden : Garden {
 };
 
 // A sun too weak to be seen takes the channel in the second picture: the first one is then filtered in the light pass.
-TEST(SunOcclusion, D1_ThePictureIsThatOfMapsReadInTheLightPass) {
+TEST(SunOcclusion, ThePictureIsThatOfMapsReadInTheLightPass) {
     const SunnyGarden garden;
     World without = garden.world;
     PlacedLight faint = garden.world.lights[0];
@@ -55,7 +55,7 @@ TEST(SunOcclusion, D1_ThePictureIsThatOfMapsReadInTheLightPass) {
 }
 
 // The channel holds what comes past casters: the sun's light with shadows is that without them, times the channel.
-TEST(SunOcclusion, D1_TheChannelIsTheShareThatComesThrough) {
+TEST(SunOcclusion, TheChannelIsTheShareThatComesThrough) {
     const SunnyGarden garden;
     World sun = garden.world;
     sun.lights.resize(1);
@@ -84,7 +84,7 @@ TEST(SunOcclusion, D1_TheChannelIsTheShareThatComesThrough) {
 }
 
 // Bytes hold it within their bound, as they do without shadows: Valient's own formats against shadow rays.
-TEST(SunOcclusion, D1_ThePresetAgreesWithShadowRays) {
+TEST(SunOcclusion, ThePresetAgreesWithShadowRays) {
     SunnyGarden garden;
     garden.world.lights.resize(1);
     Shot shot = garden.shot();

@@ -1,4 +1,4 @@
-// [L1] [L2] [L3] [L9]: every way to store depth and normals and to fill them, against the reference.
+// Every way to store depth and normals and to fill them, against the reference.
 #include "sensitivity.hpp"
 
 namespace prelight {
@@ -17,9 +17,9 @@ std::vector<const char*> encodings() {
 
 /// Encodings whose largest error is below 0.1° keep the half-float bound; the others what their error
 /// allows.
-class L1Normals : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+class NormalEncodings : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
-TEST_P(L1Normals, AgreeWithTheReference) {
+TEST_P(NormalEncodings, AgreeWithTheReference) {
     const auto& [normals, space] = GetParam();
     LitGarden garden;
     Shot shot = garden.shot();
@@ -32,13 +32,13 @@ TEST_P(L1Normals, AgreeWithTheReference) {
     EXPECT_GT(bound.psnr, 30) << "a bound that says nothing";
     expect_agrees(shot, bound);
 }
-INSTANTIATE_TEST_SUITE_P(L1, L1Normals,
+INSTANTIATE_TEST_SUITE_P(All, NormalEncodings,
                          testing::Combine(testing::ValuesIn(encodings()), testing::Values("world", "view")));
 
 // What the light pass reads, at every pixel, from behind the spheres and with a wide lens: normals with
 // negative Z are visible in world space, and at the picture's edges in view space too. None may be
 // flipped, at poles, seams and silhouettes.
-TEST_P(L1Normals, ViewShowsTheReferencesNormals) {
+TEST_P(NormalEncodings, ViewShowsTheReferencesNormals) {
     const auto& [normals, space] = GetParam();
     LitGarden garden;
     garden.camera.camera.yfov = 1.7;
@@ -84,9 +84,9 @@ struct LensGarden : LitGarden {
     }
 };
 
-class L2Depth : public testing::TestWithParam<std::tuple<const char*, const char*, Lens>> {};
+class DepthForms : public testing::TestWithParam<std::tuple<const char*, const char*, Lens>> {};
 
-TEST_P(L2Depth, AgreesWithTheReference) {
+TEST_P(DepthForms, AgreesWithTheReference) {
     const auto& [depth, position, lens] = GetParam();
     LensGarden garden(lens);
     Shot shot = garden.shot();
@@ -100,12 +100,12 @@ TEST_P(L2Depth, AgreesWithTheReference) {
     }
     expect_agrees(shot, bound);
 }
-INSTANTIATE_TEST_SUITE_P(L2L3, L2Depth,
+INSTANTIATE_TEST_SUITE_P(All, DepthForms,
                          testing::Combine(testing::Values("attachment", "r32f", "r16f", "rgba8"),
                                           testing::Values("ray", "matrix"),
                                           testing::Values(Lens::perspective, Lens::infinite_far, Lens::orthographic)));
 
-TEST(L2PackedDepth, LosesNothingAgainstR32F) {
+TEST(PackedDepth, LosesNothingAgainstR32F) {
     for (const Lens lens : {Lens::perspective, Lens::infinite_far, Lens::orthographic}) {
         LensGarden garden(lens);
         Shot shot = garden.shot();
@@ -118,7 +118,7 @@ TEST(L2PackedDepth, LosesNothingAgainstR32F) {
     }
 }
 
-TEST(L2HalfFloatDepth, BeyondTheLargestHalfIsStillFinite) {
+TEST(HalfFloatDepth, BeyondTheLargestHalfIsStillFinite) {
     Garden garden(glm::dvec3(0));
     garden.add_light({.kind = LightKind::directional, .intensity = 2}, {0, 0, 0}, {0.4, -1, -0.6});
     // A floor of 1,200 km seen from 100 km above it.
@@ -129,8 +129,8 @@ TEST(L2HalfFloatDepth, BeyondTheLargestHalfIsStillFinite) {
     expect_agrees(shot, {.psnr = 40, .off_share = 1, .block = 255});
 }
 
-// [L9] The same bytes, whatever is stored, with alpha masks and without.
-TEST(L9TwoPasses, EqualMrtByteForByte) {
+// The same bytes, whatever is stored, with alpha masks and without.
+TEST(TwoGeometryPasses, EqualMrtByteForByte) {
     const LitGarden garden;
     const MixedMaterials mixed;
     for (const Shot& whole : {garden.shot(), mixed.shot()})
@@ -163,7 +163,7 @@ TEST(L9TwoPasses, EqualMrtByteForByte) {
     expect_validation_clean(test_device());
 }
 
-TEST(L9TwoPasses, AgreeWithTheReference) {
+TEST(TwoGeometryPasses, AgreeWithTheReference) {
     const LitGarden garden;
     Shot shot = garden.shot();
     shot.settings = {{"geometry", "two-passes"}, {"depth", "r32f"}, {"normals", "oct32"}};

@@ -39,8 +39,8 @@ TEST_F(SwiftShader, EveryLightBufferAndEncodingAgreesWithTheReference) {
     }
 }
 
-// [S3] Cookies and profiles: bilinear filtering is coarser there (8 bits between texels).
-TEST_F(SwiftShader, S3_CookiesAndProfilesAgreeWithTheReference) {
+// Cookies and profiles: bilinear filtering is coarser there (8 bits between texels).
+TEST_F(SwiftShader, CookiesAndProfilesAgreeWithTheReference) {
     Garden garden;
     garden.scene.images = {window_cookie(), lantern_cookie(), dice_cookie()};
     Light window = garden.spot(0.6f, 14, 70), lantern = garden.point(9, 9), dice = garden.point(8, 8),
@@ -64,7 +64,7 @@ TEST_F(SwiftShader, S3_CookiesAndProfilesAgreeWithTheReference) {
 }
 
 // It divides by w less exactly than others: faces of cubes that look straight at a surface showed it.
-TEST_F(SwiftShader, S1_ShadowsAgreeWithShadowRays) {
+TEST_F(SwiftShader, ShadowsAgreeWithShadowRays) {
     Garden garden;
     garden.add_light(garden.point(9, 7), {-1, 2.6, 2.2}, {0, -1, 0});
     garden.add_light(garden.spot(0.6f, 12, 40), {4, 5, 3}, glm::normalize(glm::dvec3(-0.7, -1, -0.6)));

@@ -1,4 +1,4 @@
-// [G2] [G3]: what is not drawn never had a pixel, and how much that is.
+// What is not drawn never had a pixel, and how much that is.
 #include "found_pixels.hpp"
 #include "garden.hpp"
 #include "random_scene.hpp"
@@ -72,7 +72,7 @@ PlacedCamera orthographic(const PlacedCamera& from) {
     return camera;
 }
 
-TEST(VisibleDraws, G3_CamerasOutsideInsideAndOrthographic) {
+TEST(VisibleDraws, CamerasOutsideInsideAndOrthographic) {
     Garden garden;
     garden.add_lights(4, 6, 8);
     uint64_t triangles = 0;
@@ -87,7 +87,7 @@ TEST(VisibleDraws, G3_CamerasOutsideInsideAndOrthographic) {
         expect_same_bytes(garden.world, camera);
 }
 
-TEST(VisibleDraws, G3_MaskedMirroredDoubleSidedUnlit) {
+TEST(VisibleDraws, MaskedMirroredDoubleSidedUnlit) {
     MixedMaterials mixed;
     mixed.world.triangles = 2 * mixed.world.instances.size();
     const Shot shot = mixed.shot();
@@ -96,7 +96,7 @@ TEST(VisibleDraws, G3_MaskedMirroredDoubleSidedUnlit) {
 }
 
 /// Small triangles everywhere: 96 × 48 of them on each sphere, some pixels wide in the picture.
-TEST(VisibleDraws, G2_TrianglesBelowAPixel) {
+TEST(VisibleDraws, TrianglesBelowAPixel) {
     TestWorld test;
     test.add_material({.name = "clay", .base_colour = {0.8f, 0.3f, 0.2f, 1}, .metallic = 0, .roughness = 0.9f});
     test.add(sphere(96));
@@ -115,7 +115,7 @@ TEST(VisibleDraws, G2_TrianglesBelowAPixel) {
     }
 }
 
-TEST(VisibleDraws, G2_RandomScenes) {
+TEST(VisibleDraws, RandomScenes) {
     for (const uint64_t seed : {3u, 11u, 29u, 41u}) {
         SCOPED_TRACE(seed);
         RandomScene scene(seed);
@@ -126,7 +126,7 @@ TEST(VisibleDraws, G2_RandomScenes) {
     }
 }
 
-TEST(VisibleDraws, G2_OnSwiftShadersCoarserGridOfPixels) {
+TEST(VisibleDraws, OnSwiftShadersCoarserGridOfPixels) {
     const auto device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed";
@@ -150,7 +150,7 @@ TEST(VisibleDraws, G2_OnSwiftShadersCoarserGridOfPixels) {
 }
 
 /// 266 objects of three meshes; 50 of them are behind the camera or beside the picture.
-TEST(VisibleDraws, G3_CountsOfTheYardstickScene) {
+TEST(VisibleDraws, CountsOfTheYardstickScene) {
     const Scene scene = make_scene("lights", 4, 1);
     const World world = resolve(scene);
     const auto stats = [&](SettingMap settings) { return drawn_with(world, world.cameras.at(0), settings).stats; };
@@ -169,7 +169,7 @@ TEST(VisibleDraws, G3_CountsOfTheYardstickScene) {
 }
 
 /// The device trims as the host does, but for what their rounding leaves open.
-TEST(VisibleDraws, G2_TheDeviceLeavesOutWhatTheHostDoes) {
+TEST(VisibleDraws, TheDeviceLeavesOutWhatTheHostDoes) {
     const Scene scene = make_scene("lights", 4, 1);
     const World world = resolve(scene);
     const auto triangles = [&](const char* way) {
@@ -196,7 +196,7 @@ struct Hidden : TestWorld {
     }
 };
 
-TEST(VisibleDraws, G1_HiddenObjectsAreNotDrawnAgain) {
+TEST(VisibleDraws, HiddenObjectsAreNotDrawnAgain) {
     Hidden hidden;
     const PlacedCamera camera = front_camera(9);
     expect_same_bytes(hidden.world, camera);
@@ -211,7 +211,7 @@ TEST(VisibleDraws, G1_HiddenObjectsAreNotDrawnAgain) {
         << "from behind all can be seen";
 }
 
-TEST(VisibleDraws, G2_HiddenTrianglesAreNotDrawnAgain) {
+TEST(VisibleDraws, HiddenTrianglesAreNotDrawnAgain) {
     Hidden hidden;
     const PlacedCamera camera = front_camera(9);
     for (const char* renderer : {"light-prepass", "z-prepass"})
@@ -226,7 +226,7 @@ TEST(VisibleDraws, G2_HiddenTrianglesAreNotDrawnAgain) {
 }
 
 /// Where triangles of one object coincide, the order of its indices shows: more of them than a workgroup has.
-TEST(VisibleDraws, G2_TheDeviceKeepsTheOrder) {
+TEST(VisibleDraws, TheDeviceKeepsTheOrder) {
     TestWorld test;
     test.add_material({.name = "paint", .base_colour = {1, 1, 1, 1}, .metallic = 0, .roughness = 0.9f, .unlit = true});
     Primitive pile;
@@ -251,7 +251,7 @@ TEST(VisibleDraws, G2_TheDeviceKeepsTheOrder) {
 }
 
 /// Frames on their way at once, and a camera that moves: nothing of the frame before shows.
-TEST(VisibleDraws, G1_G2_MovingCamera) {
+TEST(VisibleDraws, MovingCamera) {
     Hidden hidden;
     const RenderOptions options{.width = 160, .height = 90, .settings = all_at_once, .views = {}};
     const auto moving = create_renderer("light-prepass", &test_device(), options);

@@ -1,4 +1,4 @@
-// Z pre-pass forward, rows [Z1] [Z2], against the reference; SwiftShader's smoke of both forward
+// Z pre-pass forward against the reference; SwiftShader's smoke of both forward
 // renderers.
 #include "garden.hpp"
 #include <prelight/scene_io.hpp>
@@ -13,8 +13,8 @@ Shot z_prepass(Shot shot, std::map<std::string, std::string> settings = {}) {
     return shot;
 }
 
-// [Z2] More than eight lights reach most objects: 15, and two that reach everything.
-TEST(ZPrepass, Z2_EveryFormAgreesWithTheReference) {
+// More than eight lights reach most objects: 15, and two that reach everything.
+TEST(ZPrepass, EveryFormAgreesWithTheReference) {
     Garden garden;
     garden.add_lights(15, 7, 4);
     garden.add_light({.kind = LightKind::directional, .intensity = 0.4f}, {0, 0, 0}, {-0.3, -1, -0.5});
@@ -30,7 +30,7 @@ TEST(ZPrepass, Z2_EveryFormAgreesWithTheReference) {
     expect_agrees(phong);
 }
 
-TEST(ZPrepass, Z2_SeedFalloffsAndOrthographicCameraAgree) {
+TEST(ZPrepass, SeedFalloffsAndOrthographicCameraAgree) {
     Garden garden;
     for (const Falloff falloff : {Falloff::linear, Falloff::quadratic, Falloff::gltf}) {
         Light light = garden.point(5, falloff == Falloff::gltf ? 5.0f : 1.5f);
@@ -44,14 +44,14 @@ TEST(ZPrepass, Z2_SeedFalloffsAndOrthographicCameraAgree) {
     expect_agrees(z_prepass(garden.shot()));
 }
 
-// [Z1] The depth pass obeys the mask, and EQUAL finds each of its surfaces again.
-TEST(ZPrepass, Z1_MaskedMirroredDoubleSidedUnlit) {
+// The depth pass obeys the mask, and EQUAL finds each of its surfaces again.
+TEST(ZPrepass, MaskedMirroredDoubleSidedUnlit) {
     MixedMaterials mixed;
     expect_agrees(z_prepass(mixed.shot()));
 }
 
-// [Z1] Three walls behind each other fill the picture: one light is evaluated once for each pixel.
-TEST(ZPrepass, Z1_EachVisiblePixelIsShadedOnce) {
+// Three walls behind each other fill the picture: one light is evaluated once for each pixel.
+TEST(ZPrepass, EachVisiblePixelIsShadedOnce) {
     TestWorld test;
     for (int wall = 0; wall < 3; ++wall) {
         test.add_material({.name = "wall", .base_colour = {0.3f * static_cast<float>(wall), 0.5f, 0.5f, 1}});
@@ -66,8 +66,8 @@ TEST(ZPrepass, Z1_EachVisiblePixelIsShadedOnce) {
     expect_agrees(shot);
 }
 
-// [Z2] 8 lights are one draw, 9 two, 19 three; a light that reaches nothing adds none.
-TEST(ZPrepass, Z2_ObjectIsDrawnAgainForEachEightLights) {
+// 8 lights are one draw, 9 two, 19 three; a light that reaches nothing adds none.
+TEST(ZPrepass, ObjectIsDrawnAgainForEachEightLights) {
     TestWorld test;
     test.add_material({.name = "wall", .base_colour = {0.8f, 0.7f, 0.6f, 1}, .metallic = 0, .roughness = 0.6f});
     test.add(square(2));
@@ -87,8 +87,8 @@ TEST(ZPrepass, Z2_ObjectIsDrawnAgainForEachEightLights) {
     EXPECT_EQ(render_counting_pairs(shot).stats.draws, 4u);
 }
 
-// [Z2] Strongest first, at the point of the object's box that is nearest to the light.
-TEST(ZPrepass, Z2_ListsGoByStrength) {
+// Strongest first, at the point of the object's box that is nearest to the light.
+TEST(ZPrepass, ListsGoByStrength) {
     const auto light = [](float intensity, double z, float range = 10) {
         return PlacedLight{{.kind = LightKind::point, .intensity = intensity, .range = range}, {0, 0, z}};
     };
@@ -112,7 +112,7 @@ TEST(ZPrepass, Z2_ListsGoByStrength) {
     EXPECT_THAT(list(ObjectLights::none), testing::IsEmpty());
 }
 
-TEST(ZPrepass, Z2_ManyLightsOfTheYardstickSceneAgree) {
+TEST(ZPrepass, ManyLightsOfTheYardstickSceneAgree) {
     const Scene scene = make_scene("lights", 256, 1);
     const World world = resolve(scene);
     Shot shot = z_prepass({.world = &world, .camera = world.cameras.at(0)});
@@ -121,7 +121,7 @@ TEST(ZPrepass, Z2_ManyLightsOfTheYardstickSceneAgree) {
     expect_agrees(shot);
 }
 
-TEST(ForwardOnSwiftShader, M1_M2_Z1_Z2_AgreeWithTheReference) {
+TEST(ForwardOnSwiftShader, AgreeWithTheReference) {
     const auto device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
