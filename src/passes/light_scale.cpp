@@ -163,15 +163,13 @@ void LightScale::tell(Stats& stats) const {
     }
     stats.light_buffer = figures;
     const double share = static_cast<double>(figures.clipped_pixels) / static_cast<double>(shared_->pixels);
+    // What is brighter than the largest scale is not lost to the picture.
     const bool at_most = std::max(figures.diffuse_scale, figures.specular_scale) >= double(form_.most);
-    if (share > (measured_ ? clipped_share : 0))
-        stats.notes.push_back(
-            fmt::format("light-scale: {} pixels, {:.2g} % of the picture, hold the largest light that the light buffer "
-                        "can: theirs may be more{}",
-                        figures.clipped_pixels, share * 100,
-                        !measured_ ? " (light-scale=auto finds a scale that fits)"
-                        : at_most ? " (auto is at its largest scale: a larger one would cost dark surfaces their steps)"
-                                  : ""));
+    if (measured_ ? share > clipped_share && !at_most : figures.clipped_pixels > 0)
+        stats.notes.push_back(fmt::format(
+            "light-scale: {} pixels, {:.2g} % of the picture, hold the largest light that the light buffer "
+            "can: theirs may be more{}",
+            figures.clipped_pixels, share * 100, measured_ ? "" : " (light-scale=auto finds a scale that fits)"));
 }
 
 } // namespace prelight::passes
