@@ -34,17 +34,33 @@ Lamp shuffled(Lamp mine, uint lane) {
     );
 }
 
-// One light from each invocation that wants one and has it before its surfaces; of none, nothing comes.
-//
-// Loops here are left at their end: a software device runs the rest of a body once more for no invocation when
-// the condition stands before it, and both sides of an `if`.
-void add_lights(LightData own, bool wanted) {
-    wanted = wanted && may_be_before(front, own);
+// One light from each invocation that has one, and the lanes of those that have.
+struct Taken {
+    Lamp mine;
+    uvec2 lanes;
+};
+
+bool none(uvec2 lanes) { return (lanes.x | lanes.y) == 0u; }
+
+// The invocation's own light, if it is wanted and before the surfaces; of none, nothing comes. `shadowed`: those with
+// shadow maps, else those without.
+Taken take(LightData own, bool wanted, const bool shadowed) {
     Lamp mine = lamp_of(own);
+#ifdef SHADOWS
+    wanted = wanted && (mine.shadow > 0u) == shadowed;
+    mine.shadow = shadowed && wanted ? mine.shadow : 0u;
+#endif
+    wanted = wanted && may_be_before(front, own);
     mine.colour = wanted ? mine.colour : vec3(0.0);
     mine.luminance = wanted ? mine.luminance : 0.0;
     uint me = gl_SubgroupInvocationID;
-    uvec2 lanes = shared_or(wanted ? uvec2(me < 32u ? 1u << me : 0u, me < 32u ? 0u : 1u << (me & 31u)) : uvec2(0u));
+    return Taken(mine, shared_or(wanted ? uvec2(me < 32u ? 1u << me : 0u, me < 32u ? 0u : 1u << (me & 31u)) : uvec2(0u)));
+}
+
+// Loops here are left at their end: a software device runs the rest of a body once more for no invocation when
+// the condition stands before it, and both sides of an `if`.
+void add_lights(Taken taken, const bool shadowed) {
+    uvec2 lanes = taken.lanes;
     evaluated += uint(bitCount(lanes.x) + bitCount(lanes.y));
     do {
         bool lower = lanes.x != 0u, real = lower || lanes.y != 0u;
@@ -54,41 +70,52 @@ void add_lights(LightData own, bool wanted) {
         if (!real)
             break; // counts know no colour that is 0
 #endif
-        Lamp lamp = shuffled(mine, lane);
+        Lamp lamp = shuffled(taken.mine, lane);
+#ifdef SHADOWS
+        lamp.shadow = shadowed ? lamp.shadow : 0u; // then nothing of shadow maps is compiled
+#endif
         for (int row = 0; row < rows; ++row)
             contributing[row] += add_light(sums[row], pixels[row], lamp) && real ? 1u : 0u;
-    } while ((lanes.x | lanes.y) != 0u);
+    } while (!none(lanes));
 }
 
-void walk(LightList list) {
+void walk(LightList list, const bool shadowed) {
     uint begin = 0u;
     do {
-        uint index = begin + gl_SubgroupInvocationID;
-        uint light = listed_light(list, index);
-        add_lights(lights[index < list.count ? light : 0u], index < list.count);
-        begin += gl_SubgroupSize;
+        Taken taken;
+        do { // past lights of the other kind
+            uint index = begin + gl_SubgroupInvocationID;
+            uint light = listed_light(list, index);
+            taken = take(lights[index < list.count ? light : 0u], index < list.count, shadowed);
+            begin += gl_SubgroupSize;
+        } while (shadowed && none(taken.lanes) && begin < list.count);
+        add_lights(taken, shadowed);
     } while (begin < list.count);
 }
 
-void walk_masked(MaskedList list) {
+void walk_masked(MaskedList list, const bool shadowed) {
     uint chunk = 0u;
     do {
         uint own_bits = mask_word(list, chunk + gl_SubgroupInvocationID);
         uint last = min(gl_SubgroupSize, list.words - chunk), word = 0u;
         uint bits = subgroupShuffle(own_bits, 0u);
         do {
-            uint index = 0u, count = 0u; // of the lights that the invocations take
-            do {
-                bool found = bits != 0u;
-                uint next = (chunk + word) * 32u + uint(max(findLSB(bits), 0));
-                index = found && gl_SubgroupInvocationID == count ? next : index;
-                count += found ? 1u : 0u;
-                word += found ? 0u : 1u;
-                bits = found ? bits & (bits - 1u) : subgroupShuffle(own_bits, min(word, gl_SubgroupSize - 1u));
-            } while (word < last && count < gl_SubgroupSize);
-            uint light = masked_light(list, index);
-            bool takes = gl_SubgroupInvocationID < count;
-            add_lights(lights[takes ? light : 0u], takes);
+            Taken taken;
+            do { // past lights of the other kind
+                uint index = 0u, count = 0u; // of the lights that the invocations take
+                do {
+                    bool found = bits != 0u;
+                    uint next = (chunk + word) * 32u + uint(max(findLSB(bits), 0));
+                    index = found && gl_SubgroupInvocationID == count ? next : index;
+                    count += found ? 1u : 0u;
+                    word += found ? 0u : 1u;
+                    bits = found ? bits & (bits - 1u) : subgroupShuffle(own_bits, min(word, gl_SubgroupSize - 1u));
+                } while (word < last && count < gl_SubgroupSize);
+                uint light = masked_light(list, index);
+                bool takes = gl_SubgroupInvocationID < count;
+                taken = take(lights[takes ? light : 0u], takes, shadowed);
+            } while (shadowed && none(taken.lanes) && word < last);
+            add_lights(taken, shadowed);
         } while (word < last);
         chunk += gl_SubgroupSize;
     } while (chunk < list.words);
@@ -129,9 +156,16 @@ void main() {
     front = front_of_pixels();
     uvec2 tile = block / uint(tile_size / LIT_BLOCK);
     if (masked)
-        walk_masked(masked_list_of(tile));
+        walk_masked(masked_list_of(tile), false);
     else
-        walk(list_of(tile.y * lists.cells.x + tile.x, 0u));
+        walk(list_of(tile.y * lists.cells.x + tile.x, 0u), false);
+#ifdef SHADOWS
+    // Those with shadow maps in a walk of their own: a software device would look into the maps for every other light too.
+    if (masked)
+        walk_masked(masked_list_of(tile), true);
+    else
+        walk(list_of(tile.y * lists.cells.x + tile.x, 0u), true);
+#endif
     for (int row = 0; row < rows; ++row) {
         ivec2 pixel = first + ivec2(0, row);
         if (number >= lit_count || any(greaterThan(pixel, last)))

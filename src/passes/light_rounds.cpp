@@ -30,7 +30,8 @@ LightRounds light_rounds(const resident::Frame& frame, LightWalk walk, bool coun
     // A turn or two a light to find it and one to add it; in a compute pass then eight pixels, whose loop may be
     // unrolled.
     const uint32_t pixel = turns_on_a_pixel(frame, counts);
-    const uint32_t each = walk == LightWalk::fragment ? 2 + pixel : pixel == 0 ? 3 : 3 + LIT_BLOCK * (pixel + 1);
+    const uint32_t find = frame.shadows() && !counts ? 5 : 3; // light_list.comp finds those with shadows once more
+    const uint32_t each = walk == LightWalk::fragment ? 2 + pixel : pixel == 0 ? find : find + LIT_BLOCK * (pixel + 1);
     const uint32_t turns = limit - limit / 12; // the rest is for what does not grow with the lights
     const uint32_t lights = std::max(turns / each, 1u);
     const auto all = static_cast<uint32_t>(std::max<size_t>(frame.light_capacity(), 1));
