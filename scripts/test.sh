@@ -94,22 +94,11 @@ run_fuzz() {
     echo "$passed $failed 0" >"$logs/fuzz.count"
 }
 
-# README and docs against the program: one test.
-run_docs() {
-    if scripts/check-docs.sh >"$logs/docs.log" 2>&1; then
-        echo "1 0 0" >"$logs/docs.count"
-    else
-        echo "0 1 0" >"$logs/docs.count"
-    fi
-}
-
-# All C++ as .clang-format says: one test.
-run_format() {
-    if scripts/format.sh --check >"$logs/format.log" 2>&1; then
-        echo "1 0 0" >"$logs/format.count"
-    else
-        echo "0 1 0" >"$logs/format.count"
-    fi
+# A command that passes or fails: one test.
+run_command() { # NAME COMMAND…
+    local counts="1 0 0"
+    "${@:2}" >"$logs/$1.log" 2>&1 || counts="0 1 0"
+    echo "$counts" >"$logs/$1.count"
 }
 
 # What the failed tests wrote, and the end of the log when that says nothing (a crash, the fuzzer).
@@ -128,10 +117,10 @@ run_one() { # NAME: runs it, then prints its line
     local began=$SECONDS passed failed skipped
     if [ "$1" = fuzz ]; then
         run_fuzz
-    elif [ "$1" = docs ]; then
-        run_docs
-    elif [ "$1" = format ]; then
-        run_format
+    elif [ "$1" = docs ]; then # README and docs against the program
+        run_command docs scripts/check-docs.sh
+    elif [ "$1" = format ]; then # all C++ as .clang-format says
+        run_command format scripts/format.sh --check
     else
         run_gtest "$1"
     fi
