@@ -20,6 +20,9 @@ shrink() { # NAME: half the size
 keep() { # NAME
     convert "$work/$1.png" -strip -define png:compression-level=9 "$out/$1.png"
 }
+few_colours() { # NAME [WHAT BEFORE …]: with 256 of them, for pictures of textures
+    convert "$work/$1.png" "${@:2}" -strip -dither FloydSteinberg -colors 256 -define png:compression-level=9 "PNG8:$out/$1.png"
+}
 
 # The city and all its buffers.
 views=(depth normal roughness diffuse-light specular-light albedo light-count)
@@ -84,6 +87,8 @@ for filter in pcf contact; do
 done
 keep shadows
 keep shadows-reference
+"$prelight" render city --set shadows=on --size 640x360 -o "$work/city-shadows.png"
+few_colours city-shadows
 
 # Cookies and profiles of lights.
 "$prelight" render cookies --size 640x360 -o "$work/cookies.png"
@@ -153,6 +158,11 @@ if [ -d "$shared" ]; then
         fi
         tiles+=(-label "$label" "$work/$name.png")
     done
+    hall=$(dirname "$prelight")/examples/example_shadowed_hall
+    "$hall" "$shared/sponza-512.glb" "$work/sponza-shadows.png"
+    "$hall" "$shared/sponza-512.glb" "$work/sponza-shadows-reference.png" reference
+    few_colours sponza-shadows -filter box -resize 50%
+    few_colours sponza-shadows-reference -filter box -resize 50%
     montage "${tiles[@]}" -resize 240x135 -geometry +4+4 -tile 6x -background '#202020' -fill '#c8c8c8' -pointsize 11 "$work/sheet.png"
     convert "$work/sheet.png" -strip -dither FloydSteinberg -define dither:diffusion-amount=40% -colors 256 \
         -define png:compression-level=9 "PNG8:$out/contact-sheet.png"
