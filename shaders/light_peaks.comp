@@ -40,7 +40,7 @@ ivec2 sampled_pixel() {
 bool reaches(LightData light, vec3 box_low, vec3 box_high) {
     LightBounds b = bounds_of(light);
     vec3 gap = max(max(box_low - b.centre, b.centre - box_high), vec3(0.0));
-    return light.colour.w <= 0.0 || light.position.w < 0.5 || !(dot(gap, gap) > b.radius * b.radius);
+    return light.inverse_range <= 0.0 || (light.kind & LIGHT_DIRECTIONAL) != 0u || !(dot(gap, gap) > b.radius * b.radius);
 }
 
 uint bin_of(float value) {

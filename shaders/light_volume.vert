@@ -14,11 +14,11 @@ layout(location = 0) flat out uint out_light;
 invariant gl_Position;
 
 vec3 spot_point(LightData light, float range) {
-    vec3 axis = light.axis.xyz;
+    vec3 axis = light.axis;
     vec3 helper = abs(axis.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0);
     vec3 side = normalize(cross(axis, helper));
     vec3 across = side * in_point.x + cross(axis, side) * in_point.y;
-    float angle = light.cone.w;
+    float angle = light.outer_angle;
     if (volume == VOLUME_BOX)
         return (axis * in_point.z + across * sin(angle)) * range;
     // The rim lies where the cone meets the sphere of the range; the cap is the sphere's tangent
@@ -31,10 +31,10 @@ vec3 spot_point(LightData light, float range) {
 void main() {
     out_light = light_order[gl_InstanceIndex];
     LightData light = lights[out_light];
-    float range = 1.001 / light.colour.w;
+    float range = 1.001 / light.inverse_range;
     vec3 offset = volume == VOLUME_SPHERE ? in_point * range : spot_point(light, range);
     // The apex moves back a little, so that rounding never cuts the volume's tip off.
     if (volume != VOLUME_SPHERE)
-        offset -= light.axis.xyz * (0.0005 * range);
-    gl_Position = frame.clip_from_world * vec4(light.position.xyz + offset, 1.0);
+        offset -= light.axis * (0.0005 * range);
+    gl_Position = frame.clip_from_world * vec4(light.position + offset, 1.0);
 }

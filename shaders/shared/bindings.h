@@ -172,9 +172,17 @@
 // Kinds of lights that a frame may hold; shaders leave out what the others need.
 #define LIGHT_KIND_SPOT 1u
 #define LIGHT_KIND_DIRECTIONAL 2u
-#define LIGHT_KIND_SEED_FALLOFF 4u
+#define LIGHT_KIND_OTHER_FALLOFF 4u
 #define LIGHT_KIND_DISTRIBUTION 8u
 #define LIGHT_KINDS_ALL 15u
+
+// LightData::kind: which falloff, whether its position is a direction, and from the shift on a number.
+#define LIGHT_FALLOFF_MASK 3u
+#define LIGHT_FALLOFF_GLTF 0u
+#define LIGHT_FALLOFF_LINEAR 1u
+#define LIGHT_FALLOFF_QUADRATIC 2u
+#define LIGHT_DIRECTIONAL 4u
+#define LIGHT_DISTRIBUTION_SHIFT 3
 
 // What a cookie is.
 #define COOKIE_NONE 0

@@ -26,12 +26,16 @@ struct FrameConstants {
 
 // One light; directional ones are point lights whose vector to the light is constant.
 struct LightData {
-    vec4 position;  // xyz: world position, or the unit vector to a directional light; w: 0 of a directional one,
-                    // else 1, and 1 + the number of its DistributionData, counted from 1, where it has one
-    vec4 colour;    // rgb: colour · intensity · exposure; w: 1 / range, 0 when infinite
-    vec4 axis;      // xyz: unit vector the light shines along (spot); w: shininess
-    vec4 cone;      // x, y: scale and offset of the cone's falloff; z: falloff kind, and 4 ×
-                    // (number of its first shadow tile + 1) where it has one; w: outer angle
+    vec3 position;        // world position, or the unit vector to a directional light
+    uint kind;            // LIGHT_FALLOFF_… | LIGHT_DIRECTIONAL | number of its DistributionData, counted from 1,
+                          // << LIGHT_DISTRIBUTION_SHIFT
+    vec3 colour;          // colour · intensity · exposure
+    float inverse_range;  // 0 when infinite
+    vec3 axis;            // unit vector the light shines along (spot)
+    float shininess;
+    vec2 cone;            // scale and offset of the cone's falloff; scale 0 where there is no cone
+    float outer_angle;    // radians
+    uint shadow;          // number of its first shadow tile + 1; 0 without a shadow
 };
 
 // What a light sends in which direction: a cookie, a measured profile, or both. Maps lie in one image, level by level

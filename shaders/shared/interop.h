@@ -1,5 +1,5 @@
-// What C++ and GLSL both read. Only 16-byte members stand in constant blocks, so that std140, std430
-// and C++ lay them out alike.
+// What C++ and GLSL both read. Members fill 16 bytes each, or a vec3 and the scalar after it do, so that std140,
+// std430 and C++ lay them out alike.
 #ifndef PRELIGHT_INTEROP_H
 #define PRELIGHT_INTEROP_H
 #ifdef __cplusplus

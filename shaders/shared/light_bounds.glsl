@@ -24,9 +24,9 @@ struct LightBounds {
 
 LightBounds bounds_of(LightData light) {
     // Positions that pixels reconstruct are off by a few units in the last place of their distance.
-    float range = 1.0 / light.colour.w;
-    LightBounds b = LightBounds(light.position.xyz, range * 1.0005, light.axis.xyz, vec2(-2.0, 0.0));
-    b.radius += 1e-5 * (range + length(light.position.xyz));
+    float range = 1.0 / light.inverse_range;
+    LightBounds b = LightBounds(light.position, range * 1.0005, light.axis, vec2(-2.0, 0.0));
+    b.radius += 1e-5 * (range + length(light.position));
     if (may_be(LIGHT_KIND_SPOT) && light.cone.x > 0.0) {
         float cosine = clamp(-light.cone.y / light.cone.x, -1.0, 1.0);
         b.cone = vec2(cosine, sqrt(max(1.0 - cosine * cosine, 0.0)));

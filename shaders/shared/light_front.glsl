@@ -30,6 +30,6 @@ bool may_be_before(LightFront front, LightData light) {
     float before = dot(b.centre, front.normal) + b.radius * front.spread + slack - front.behind;
     vec3 gap = max(max(front.low - b.centre, b.centre - front.high), vec3(0.0));
     bool reaches = !(dot(gap, gap) > b.radius * b.radius);
-    return light.colour.w <= 0.0 || (reaches && (front.spread > 1.5 || !(before <= 0.0)));
+    return light.inverse_range <= 0.0 || (reaches && (front.spread > 1.5 || !(before <= 0.0)));
 }
 #endif

@@ -58,34 +58,29 @@ LitPoint lit_point(bool surface, vec3 world, vec3 n, vec3 v, float roughness, ve
 
 // A light as points are lit by it, with everything that no point changes.
 struct Lamp {
-    vec4 position;         // as in LightData; w: 1 or 0
+    vec4 position;         // xyz: as in LightData; w: 0 of a directional light, else 1
     vec3 colour;
     float luminance;       // of colour
     float inverse_range2;  // 1 / range², 0 when infinite
     vec3 axis;             // of a spot
     vec2 cone;
-    float shininess, falloff;
+    float shininess;
+    uint falloff;          // LIGHT_FALLOFF_…
     uint distribution;     // number of its DistributionData from 1, 0 without one
 #ifdef SHADOWS
-    uint shadow;           // number of its first tile plus 1, 0 without a shadow
+    uint shadow;           // as in LightData
 #endif
 };
 
 Lamp lamp_of(LightData light) {
-    vec4 position = light.position;
-    uint distribution = 0u;
-    if (may_be(LIGHT_KIND_DISTRIBUTION)) {
-        distribution = uint(max(position.w - 1.0, 0.0));
-        position.w = min(position.w, 1.0);
-    }
+    float at_a_point = (light.kind & LIGHT_DIRECTIONAL) == 0u ? 1.0 : 0.0;
+    return Lamp(vec4(light.position, at_a_point), light.colour, luminance(light.colour),
+                light.inverse_range * light.inverse_range, light.axis, light.cone, light.shininess,
+                light.kind & LIGHT_FALLOFF_MASK, light.kind >> LIGHT_DISTRIBUTION_SHIFT
 #ifdef SHADOWS
-    uint code = uint(light.cone.z);
-    return Lamp(position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
-                light.axis.xyz, light.cone.xy, light.axis.w, float(code & 3u), distribution, code >> 2);
-#else
-    return Lamp(position, light.colour.rgb, luminance(light.colour.rgb), light.colour.w * light.colour.w,
-                light.axis.xyz, light.cone.xy, light.axis.w, light.cone.z, distribution);
+                , light.shadow
 #endif
+    );
 }
 
 // KHR_lights_punctual: clamp(1 − (d/range)⁴, 0, 1) / max(d, 0.01 m)², times the cone. `d2` is the squared
@@ -93,10 +88,12 @@ Lamp lamp_of(LightData light) {
 float attenuation(Lamp lamp, float d2, float inverse, vec3 l) {
     float x2 = d2 * lamp.inverse_range2;
     float falloff = max(1.0 - x2 * x2, 0.0) * min(inverse * inverse, 1e4);
-    if (may_be(LIGHT_KIND_SEED_FALLOFF)) {
+    if (may_be(LIGHT_KIND_OTHER_FALLOFF)) {
         float linear = clamp(1.0 - sqrt(x2), 0.0, 1.0);
         float quadratic = clamp(1.0 - x2, 0.0, 1.0);
-        falloff = lamp.falloff < 0.5 ? falloff : lamp.falloff < 1.5 ? linear : quadratic;
+        falloff = lamp.falloff == LIGHT_FALLOFF_LINEAR      ? linear
+                  : lamp.falloff == LIGHT_FALLOFF_QUADRATIC ? quadratic
+                                                            : falloff;
     }
     if (may_be(LIGHT_KIND_SPOT)) {
         float cone = clamp(-dot(lamp.axis, l) * lamp.cone.x + lamp.cone.y, 0.0, 1.0);

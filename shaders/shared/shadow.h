@@ -9,7 +9,7 @@ SHARED_BEGIN
 #define SHADOW_CASCADES 1
 #define SHADOW_FACES 2
 
-// What lighting knows of one tile. LightData::cone.z says which is a light's first.
+// What lighting knows of one tile. LightData::shadow says which is a light's first.
 struct ShadowData {
     mat4 texel_from_world; // camera-relative world → texels of the tile × w, depth × w, w
     vec4 place;  // xy: the tile's corner in the atlas, texels; z: its side; w: largest radius of the filter, texels

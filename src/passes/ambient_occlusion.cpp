@@ -7,9 +7,9 @@ namespace {
 
 class Occlusion {
 public:
-    Occlusion(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceBuffers& surface,
+    Occlusion(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
               const OcclusionOptions& options)
-        : graph_(graph), frame_(frame), surface_(surface), extent_(frame.extent()),
+        : graph_(graph), view_(view), surface_(surface), extent_(view.extent()),
           constants_(surface.format.constants()) {
         if (options.half)
             extent_ = {(extent_.width + 1) / 2, (extent_.height + 1) / 2};
@@ -24,7 +24,7 @@ public:
         pass.colour(out, graph::Load::discard)
             .sample(INPUT_DEPTH, surface_.depth_source)
             .sample(INPUT_NORMAL, surface_.normal);
-        draw_fullscreen(pass, frame_, "occlusion_search.frag", constants_);
+        draw_fullscreen(pass, view_, "occlusion_search.frag", constants_);
         return out;
     }
 
@@ -34,18 +34,18 @@ public:
         pass.colour(out, graph::Load::discard).sample(INPUT_OCCLUSION, noisy);
         gpu::Constants constants = constants_;
         constants.emplace_back(CONSTANT_OCCLUSION_AXIS, axis);
-        draw_fullscreen(pass, frame_, "occlusion_blur.frag", constants);
+        draw_fullscreen(pass, view_, "occlusion_blur.frag", constants);
         return out;
     }
 
     graph::ImageId upsample(graph::ImageId half) {
-        const graph::ImageId out = graph_.image("visibility", {VK_FORMAT_R8_UNORM, frame_.extent()});
+        const graph::ImageId out = graph_.image("visibility", {VK_FORMAT_R8_UNORM, view_.extent()});
         graph::Pass& pass = graph_.pass("occlusion upsample");
         pass.colour(out, graph::Load::discard)
             .sample(INPUT_DEPTH, surface_.depth_source)
             .sample(INPUT_NORMAL, surface_.normal)
             .sample(INPUT_OCCLUSION, half);
-        draw_fullscreen(pass, frame_, "occlusion_upsample.frag", constants_);
+        draw_fullscreen(pass, view_, "occlusion_upsample.frag", constants_);
         return out;
     }
 
@@ -53,7 +53,7 @@ private:
     /// Depth needs more than half floats: a plane's slope is a difference of it.
     graph::ImageId image(const char* name) { return graph_.image(name, {VK_FORMAT_R32G32_SFLOAT, extent_}); }
     graph::FrameGraph& graph_;
-    const resident::Frame& frame_;
+    const resident::View& view_;
     const SurfaceBuffers& surface_;
     VkExtent2D extent_;
     gpu::Constants constants_;
@@ -61,9 +61,9 @@ private:
 
 } // namespace
 
-graph::ImageId ambient_occlusion_passes(graph::FrameGraph& graph, const resident::Frame& frame,
+graph::ImageId ambient_occlusion_passes(graph::FrameGraph& graph, const resident::View& view,
                                         const SurfaceBuffers& surface, const OcclusionOptions& options) {
-    Occlusion occlusion(graph, frame, surface, options);
+    Occlusion occlusion(graph, view, surface, options);
     const graph::ImageId visibility = occlusion.blur(occlusion.blur(occlusion.search(), 0), 1);
     return options.half ? occlusion.upsample(visibility) : visibility;
 }

@@ -12,7 +12,7 @@ struct OcclusionOptions {
 
 /// Visibility, 1 where all is open and where nothing is, for each pixel: an image that shaders fetch from, its first
 /// channel. From the depth and normals of `surface`: `options.on` is the caller's to ask.
-graph::ImageId ambient_occlusion_passes(graph::FrameGraph& graph, const resident::Frame& frame,
+graph::ImageId ambient_occlusion_passes(graph::FrameGraph& graph, const resident::View& view,
                                         const SurfaceBuffers& surface, const OcclusionOptions& options);
 
 } // namespace prelight::passes

@@ -16,18 +16,18 @@ using resident::DecalView;
 
 class DecalDraws {
 public:
-    DecalDraws(const resident::Frame& frame, const graph::PassInterface& interface, const SurfaceBuffers& surface)
-        : frame_(frame) {
+    DecalDraws(const resident::View& view, const graph::PassInterface& interface, const SurfaceBuffers& surface)
+        : view_(view) {
         gpu::GraphicsPipelineDesc desc;
         desc.vertex = "decals.vert";
         desc.fragment = "decals.frag";
         desc.colour_formats = interface.colour_formats;
         desc.depth_format = interface.depth_format;
         desc.blend = gpu::Blend::over;
-        desc.sets = {frame.layout(), interface.inputs, frame.materials().layout};
+        desc.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
         desc.push_bytes = sizeof(shared::DecalConstants);
         desc.push_stage = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-        for (const DecalBox& box : frame.decals())
+        for (const DecalBox& box : view.scene().decals())
             for (const bool inside : {false, true}) {
                 if (pipelines_.contains(key(box, inside)))
                     continue;
@@ -36,16 +36,16 @@ public:
                 desc.depth = inside ? gpu::DepthTest::none : gpu::DepthTest::behind_or_at;
                 desc.constants = surface.format.constants();
                 desc.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, box.features);
-                pipelines_.emplace(key(box, inside), gpu::GraphicsPipeline(frame.context(), desc));
+                pipelines_.emplace(key(box, inside), gpu::GraphicsPipeline(view.context(), desc));
             }
     }
 
     void record(const graph::PassContext& pass) const {
-        for (const DecalBox& box : frame_.decals()) {
-            const DecalView view = view_of(box, frame_.eye(), frame_.clip_from_world());
-            if (pass.one_pixel || view == DecalView::from_outside)
+        for (const DecalBox& box : view_.scene().decals()) {
+            const DecalView seen = view_of(box, view_.eye(), view_.clip_from_world());
+            if (pass.one_pixel || seen == DecalView::from_outside)
                 draw(pass, box, false);
-            if (pass.one_pixel || view == DecalView::from_inside)
+            if (pass.one_pixel || seen == DecalView::from_inside)
                 draw(pass, box, true);
         }
     }
@@ -59,26 +59,27 @@ private:
     void draw(const graph::PassContext& pass, const DecalBox& box, bool inside) const {
         const gpu::GraphicsPipeline& pipeline = pipelines_.at(key(box, inside));
         pipeline.bind(pass.commands);
-        pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
+        pipeline.bind_set(pass.commands, SET_FRAME, view_.set());
         pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-        pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets_for_gradients()[box.decal->material]);
+        pipeline.bind_set(pass.commands, SET_MATERIAL,
+                          view_.scene().materials().sets_for_gradients()[box.decal->material]);
         vkCmdSetCullMode(pass.commands, inside ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT);
         vkCmdSetFrontFace(pass.commands, box.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-        const shared::DecalConstants constants = decal_constants(box, frame_.eye(), inside);
+        const shared::DecalConstants constants = decal_constants(box, view_.eye(), inside);
         pipeline.push(pass.commands, std::as_bytes(std::span(&constants, 1)));
         vkCmdDraw(pass.commands, 36, 1, 0, 0);
     }
 
-    const resident::Frame& frame_;
+    const resident::View& view_;
     std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };
 
 } // namespace
 
-DecalBuffer decal_pass(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceBuffers& surface) {
-    if (frame.decals().empty())
+DecalBuffer decal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface) {
+    if (view.scene().decals().empty())
         return {};
-    const auto target = [&](const char* name, VkFormat format) { return graph.image(name, {format, frame.extent()}); };
+    const auto target = [&](const char* name, VkFormat format) { return graph.image(name, {format, view.extent()}); };
     const DecalBuffer out{
         target("decal colour", VK_FORMAT_R16G16B16A16_SFLOAT), target("decal normal", VK_FORMAT_R16G16B16A16_SFLOAT),
         target("decal roughness", VK_FORMAT_R16G16_SFLOAT), target("decal metallic", VK_FORMAT_R16_SFLOAT)};
@@ -93,7 +94,7 @@ DecalBuffer decal_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
         .sample(INPUT_NORMAL, surface.normal)
         .sample(INPUT_ROUGHNESS, surface.roughness);
     auto draws = std::make_shared<std::optional<DecalDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, surface); });
+    pass.prepare([=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface, surface); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
     return out;
 }
@@ -107,7 +108,7 @@ void declare_decals(graph::Pass& pass, const DecalBuffer& decals) {
         .sample(INPUT_DECAL_METALLIC, decals.metallic);
 }
 
-void decal_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceBuffers& surface,
+void decal_normal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
                        const DecalBuffer& decals) {
     if (!decals)
         return;
@@ -122,7 +123,7 @@ void decal_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
     if (apart)
         pass.colour(surface.roughness, graph::Load::keep);
     declare_decals(pass, decals);
-    draw_surfaces(graph, pass, frame,
+    draw_surfaces(graph, pass, view,
                   {.name = pass.name(),
                    .fragment = stencil ? "depth_normal+stencil.frag"
                                : apart ? "depth_normal+roughness.frag"
@@ -135,7 +136,7 @@ void decal_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, c
                    .only_decals = true});
 }
 
-void decal_geometry_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+void decal_geometry_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                          const DecalBuffer& decals) {
     if (!decals)
         return;
@@ -144,7 +145,7 @@ void decal_geometry_pass(graph::FrameGraph& graph, const resident::Frame& frame,
     for (const graph::ImageId target : gbuffer.targets())
         pass.colour(target, graph::Load::keep);
     declare_decals(pass, decals);
-    draw_surfaces(graph, pass, frame,
+    draw_surfaces(graph, pass, view,
                   {.name = pass.name(),
                    .fragment = gbuffer.fragment(),
                    .constants = gbuffer.surface.format.constants(),
@@ -155,8 +156,8 @@ void decal_geometry_pass(graph::FrameGraph& graph, const resident::Frame& frame,
                    .only_decals = true});
 }
 
-DecalBuffer decals_of_own(graph::FrameGraph& graph, const resident::Frame& frame) {
-    return frame.decals().empty() ? DecalBuffer{} : decal_pass(graph, frame, depth_normal_pass(graph, frame, {}));
+DecalBuffer decals_of_own(graph::FrameGraph& graph, const resident::View& view) {
+    return view.scene().decals().empty() ? DecalBuffer{} : decal_pass(graph, view, depth_normal_pass(graph, view, {}));
 }
 
 } // namespace prelight::passes

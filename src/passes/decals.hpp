@@ -14,22 +14,22 @@ struct DecalBuffer {
 };
 
 /// A pass "decals": every decal's box over the surfaces that lie in it, lowest first. It reads depth and normals.
-DecalBuffer decal_pass(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceBuffers& surface);
+DecalBuffer decal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface);
 
 /// Makes `pass` read the buffer; nothing without one. Its draws are SurfaceDraws with Desc::decals.
 void declare_decals(graph::Pass& pass, const DecalBuffer& decals);
 
 /// A pass "decal-normal": objects that decals reach once more into the targets of normals and roughness.
 /// Nothing without a buffer.
-void decal_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceBuffers& surface,
+void decal_normal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
                        const DecalBuffer& decals);
 
 /// A pass "decal-geometry": those objects once more into a G-buffer, before lights are added. Nothing without a buffer.
-void decal_geometry_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+void decal_geometry_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                          const DecalBuffer& decals);
 
 /// For architectures without a buffer of normals: depth and normals by a pass of their own, and the decals on them;
 /// nothing where the world has none.
-DecalBuffer decals_of_own(graph::FrameGraph& graph, const resident::Frame& frame);
+DecalBuffer decals_of_own(graph::FrameGraph& graph, const resident::View& view);
 
 } // namespace prelight::passes

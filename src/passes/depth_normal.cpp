@@ -41,19 +41,19 @@ graph::ImageId linear_depth_target(graph::FrameGraph& graph, VkExtent2D extent, 
 }
 
 /// The first of two geometry passes: depth, and linear depth when a colour target holds it.
-void depth_pass(graph::FrameGraph& graph, const resident::Frame& frame, SurfaceBuffers& out) {
+void depth_pass(graph::FrameGraph& graph, const resident::View& view, SurfaceBuffers& out) {
     if (out.format.depth == DepthSource::attachment) {
-        out.depth = out.depth_source = depth_only_pass(graph, frame, out.format.stencil);
+        out.depth = out.depth_source = depth_only_pass(graph, view, out.format.stencil);
         return;
     }
-    out.depth = make_depth(graph, frame.extent(), out.format.stencil);
-    out.depth_source = linear_depth_target(graph, frame.extent(), out.format.depth);
+    out.depth = make_depth(graph, view.extent(), out.format.stencil);
+    out.depth_source = linear_depth_target(graph, view.extent(), out.format.depth);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(out.depth).colour(out.depth_source, graph::Load::clear);
     draw_surfaces(
-        graph, pass, frame,
+        graph, pass, view,
         {.name = "depth", .fragment = "linear_depth.frag", .constants = out.format.constants(), .normal = false});
-    hidden_geometry_passes(graph, frame, out.depth);
+    hidden_geometry_passes(graph, view, out.depth);
 }
 
 } // namespace
@@ -100,11 +100,11 @@ graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool sten
                    : graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
 }
 
-SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceFormat& format) {
-    const VkExtent2D extent = frame.extent();
+SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceFormat& format) {
+    const VkExtent2D extent = view.extent();
     SurfaceBuffers out{format};
     if (format.two_passes)
-        depth_pass(graph, frame, out);
+        depth_pass(graph, view, out);
     else
         out.depth = out.depth_source = make_depth(graph, extent, format.stencil);
 
@@ -131,7 +131,7 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
         pass.colour(out.depth_source, graph::Load::clear);
         shader += "+depth";
     }
-    draw_surfaces(graph, pass, frame,
+    draw_surfaces(graph, pass, view,
                   {.name = pass.name(),
                    .fragment = shader + ".frag",
                    .constants = out.format.constants(),
@@ -140,7 +140,7 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame
                    .world = !format.two_passes && format.depth != DepthSource::attachment,
                    .untextured_variant = true});
     if (!format.two_passes)
-        hidden_geometry_passes(graph, frame, out.depth);
+        hidden_geometry_passes(graph, view, out.depth);
     return out;
 }
 

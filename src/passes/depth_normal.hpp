@@ -1,7 +1,7 @@
 #pragma once
 #include <gpu/pipeline.hpp>
 #include <graph/frame_graph.hpp>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 #include <shared/bindings.h>
 #include <span>
 #include <string_view>
@@ -83,6 +83,6 @@ graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool sten
 /// Depth, shading normals and roughness of the nearest surface. At once, with MRT; or depth [and
 /// linear depth] first, then normals [and roughness, where the encoding has no room for it] with depth
 /// test EQUAL. Both give the same bytes.
-SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::Frame& frame, const SurfaceFormat& format);
+SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceFormat& format);
 
 } // namespace prelight::passes

@@ -5,13 +5,13 @@
 
 namespace prelight::passes {
 
-graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::Frame& frame, bool stencil) {
-    const graph::ImageId depth = make_depth(graph, frame.extent(), stencil);
+graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::View& view, bool stencil) {
+    const graph::ImageId depth = make_depth(graph, view.extent(), stencil);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(depth);
-    draw_surfaces(graph, pass, frame,
+    draw_surfaces(graph, pass, view,
                   {.name = "depth", .fragment = "depth_mask.frag", .constants = {}, .depth_only = true});
-    hidden_geometry_passes(graph, frame, depth);
+    hidden_geometry_passes(graph, view, depth);
     return depth;
 }
 

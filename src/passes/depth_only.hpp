@@ -1,11 +1,11 @@
 #pragma once
 #include <graph/frame_graph.hpp>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 
 namespace prelight::passes {
 
 /// Depth of the nearest surface and nothing else; the alpha mask is honoured. Reversed; D32F, or with
 /// `stencil` beside it as make_depth() has it.
-graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::Frame& frame, bool stencil = false);
+graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::View& view, bool stencil = false);
 
 } // namespace prelight::passes

@@ -11,9 +11,9 @@ DeviceVolumes::Mesh::Mesh(const gpu::Context& context, const char* name, const V
                                       VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
       count(static_cast<uint32_t>(mesh.indices.size())) {}
 
-DeviceVolumes::DeviceVolumes(const resident::Frame& frame)
-    : boxes_(frame.volumes().spot_boxes), sphere_(frame.context(), "sphere volume", sphere_volume()),
-      spot_(frame.context(), boxes_ ? "box volume" : "cone volume",
+DeviceVolumes::DeviceVolumes(const resident::View& view)
+    : boxes_(view.volumes().spot_boxes), sphere_(view.context(), "sphere volume", sphere_volume()),
+      spot_(view.context(), boxes_ ? "box volume" : "cone volume",
             boxes_ ? box_volume() : cone_volume(resident::cone_sides)) {}
 
 void DeviceVolumes::describe(gpu::GraphicsPipelineDesc& desc, bool spot) const {

@@ -1,7 +1,7 @@
 #pragma once
 #include <gpu/buffer.hpp>
 #include <gpu/pipeline.hpp>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 
 namespace prelight::passes {
 
@@ -10,7 +10,7 @@ struct VolumeMesh;
 /// The volumes' meshes on the device: a sphere, and a spot's cone or box.
 class DeviceVolumes {
 public:
-    explicit DeviceVolumes(const resident::Frame& frame);
+    explicit DeviceVolumes(const resident::View& view);
     /// Vertex stage and its inputs.
     void describe(gpu::GraphicsPipelineDesc& desc, bool spot) const;
     /// One instance for each of `count` lights from place `first` of the frame's order.

@@ -16,7 +16,7 @@ SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth, const DecalB
             .decals = bool(decals)};
 }
 
-SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs& inputs, StepKind kind) {
+SurfaceDraws::Desc lights_desc(const resident::View& view, const ForwardInputs& inputs, StepKind kind) {
     SurfaceDraws::Desc desc{.name = "forward " + inputs.name,
                             .fragment = "forward" + shadow_variant(inputs.shadows) + ".frag",
                             .constants = inputs.model.constants(),
@@ -26,10 +26,10 @@ SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
-                           {CONSTANT_LIGHT_KINDS, frame.light_kinds()},
+                           {CONSTANT_LIGHT_KINDS, view.lights().kinds()},
                            {CONSTANT_SPECULAR_ANTIALIASING, inputs.model.specular_antialiasing},
                            {CONSTANT_FORWARD_BASE, kind == StepKind::base_and_lights}});
-    add_shadow_constants(desc.constants, frame);
+    add_shadow_constants(desc.constants, view);
     desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;
     desc.push_bytes = sizeof(shared::ForwardBatch);
     desc.decals = bool(inputs.decals);
@@ -39,17 +39,17 @@ SurfaceDraws::Desc lights_desc(const resident::Frame& frame, const ForwardInputs
 /// The pipelines of each kind of step, and the draws of one frame.
 class ForwardDraws {
 public:
-    ForwardDraws(const resident::Frame& frame, const graph::PassInterface& interface, const ForwardInputs& inputs)
-        : frame_(frame), inputs_(inputs) {
+    ForwardDraws(const resident::View& view, const graph::PassInterface& interface, const ForwardInputs& inputs)
+        : view_(view), inputs_(inputs) {
         for (const StepKind kind : inputs.kinds)
-            of(kind).emplace(frame, interface,
+            of(kind).emplace(view, interface,
                              kind == StepKind::base
                                  ? base_desc(MATERIAL_OUTPUT_SHADED, gpu::DepthTest::write_nearer, inputs.decals)
-                                 : lights_desc(frame, inputs, kind));
+                                 : lights_desc(view, inputs, kind));
     }
 
     void record(const graph::PassContext& pass) {
-        const ForwardPlan plan = inputs_.plan(frame_.reach());
+        const ForwardPlan plan = inputs_.plan(view_.reach());
         SurfaceDraws::Bound bound;
         uint64_t drawn = 0;
         if (!plan.empty())
@@ -65,14 +65,14 @@ public:
 
 private:
     std::optional<SurfaceDraws>& of(StepKind kind) { return draws_[static_cast<size_t>(kind)]; }
-    const resident::Frame& frame_;
+    const resident::View& view_;
     ForwardInputs inputs_;
     std::array<std::optional<SurfaceDraws>, 3> draws_;
 };
 
 } // namespace
 
-void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs) {
+void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs) {
     graph::Pass& pass = graph.pass(inputs.name);
     pass.colour(inputs.colour, inputs.load);
     const bool base = std::count(inputs.kinds.begin(), inputs.kinds.end(), StepKind::base) > 0;
@@ -84,21 +84,21 @@ void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const 
         pass.blends();
     if (!base || inputs.kinds.size() > 1)
         pass.storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
-    declare_surfaces(graph, pass, frame, base ? gpu::DepthTest::write_nearer : gpu::DepthTest::equal);
+    declare_surfaces(graph, pass, view, base ? gpu::DepthTest::write_nearer : gpu::DepthTest::equal);
     declare_shadows(pass, inputs.shadows);
     declare_decals(pass, inputs.decals);
     auto draws = std::make_shared<std::optional<ForwardDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
+    pass.prepare([=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface, inputs); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
 }
 
-graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
+graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
                                    const DecalBuffer& decals) {
-    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.extent()});
     graph::Pass& pass = graph.pass("albedo");
     pass.colour(target, graph::Load::clear).depth_test(depth);
     declare_decals(pass, decals);
-    draw_surfaces(graph, pass, frame, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal, decals));
+    draw_surfaces(graph, pass, view, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal, decals));
     return target;
 }
 

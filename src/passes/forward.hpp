@@ -1,12 +1,13 @@
 #pragma once
 #include "decals.hpp"
 #include "forward_plan.hpp"
+#include "light_lists.hpp"
 #include "light_model.hpp"
 #include "shadow_maps.hpp"
 #include "tonemap.hpp"
 #include <functional>
 #include <graph/frame_graph.hpp>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 
 namespace prelight::passes {
 
@@ -30,17 +31,18 @@ struct ForwardInputs {
     bool counts_lights = false; ///< instead of light: 1 for each in R, and in G where it contributes
     uint64_t* draws = nullptr;  ///< gets the number of draws at each recording
 };
-void forward_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);
+void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs);
 
-/// Every object once, with the lights that a grid over the world's bounds lists for the pixel's
-/// place; replaces, depth test EQUAL. `kinds` and `plan` are not used.
-/// Where forward_grid_adds(), in several draws that add up: `colour` must be linear.
-void forward_grid_pass(graph::FrameGraph& graph, const resident::Frame& frame, const ForwardInputs& inputs);
+/// Lists for the cells of a grid over the world's bounds.
+LightLists grid_light_lists(graph::FrameGraph& graph, const resident::View& view, const std::string& name);
 
-bool forward_grid_adds(const resident::Frame& frame);
+/// Every object once, with the lights that `lists` has for the pixel's place; replaces, depth test EQUAL. `kinds` and
+/// `plan` are not used. With several rounds, in several draws that add up: `colour` must be linear.
+void forward_grid_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
+                       const LightLists& lists);
 
 /// The base colour of what is seen, for --view albedo.
-graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
+graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
                                    const DecalBuffer& decals);
 
 } // namespace prelight::passes

@@ -3,10 +3,10 @@
 
 namespace prelight::passes {
 
-void draw_fullscreen(graph::Pass& pass, const resident::Frame& frame, const std::string& fragment,
+void draw_fullscreen(graph::Pass& pass, const resident::View& view, const std::string& fragment,
                      const gpu::Constants& constants, gpu::Blend blend) {
     auto pipeline = std::make_shared<gpu::GraphicsPipeline>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) {
+    pass.prepare([=, &view](const graph::PassInterface& interface) {
         gpu::GraphicsPipelineDesc desc;
         desc.name = fragment;
         desc.vertex = "fullscreen.vert";
@@ -14,12 +14,12 @@ void draw_fullscreen(graph::Pass& pass, const resident::Frame& frame, const std:
         desc.constants = constants;
         desc.blend = blend;
         desc.colour_formats = interface.colour_formats;
-        desc.sets = {frame.layout(), interface.inputs};
-        *pipeline = gpu::GraphicsPipeline(frame.context(), desc);
+        desc.sets = {view.layout(), interface.inputs};
+        *pipeline = gpu::GraphicsPipeline(view.context(), desc);
     });
-    pass.record([=, &frame](const graph::PassContext& context) {
+    pass.record([=, &view](const graph::PassContext& context) {
         pipeline->bind(context.commands);
-        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+        pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
         vkCmdDraw(context.commands, 3, 1, 0, 0);
     });

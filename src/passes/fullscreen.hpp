@@ -1,12 +1,12 @@
 #pragma once
 #include <gpu/pipeline.hpp>
 #include <graph/frame_graph.hpp>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 
 namespace prelight::passes {
 
 /// Gives `pass` a full-screen triangle with this fragment shader.
-void draw_fullscreen(graph::Pass& pass, const resident::Frame& frame, const std::string& fragment,
+void draw_fullscreen(graph::Pass& pass, const resident::View& view, const std::string& fragment,
                      const gpu::Constants& constants, gpu::Blend blend = gpu::Blend::none);
 
 } // namespace prelight::passes

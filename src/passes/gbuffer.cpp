@@ -47,15 +47,15 @@ std::vector<graph::ImageId> GBuffer::targets() const {
     return all;
 }
 
-GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBufferFormat& format) {
+GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::View& view, const GBufferFormat& format) {
     GBuffer out{};
     out.surface.format.gbuffer = format.layout;
     out.surface.format.position_from_ray = format.position_from_ray;
     out.surface.format.specular_antialiasing = format.specular_antialiasing;
     const auto reduced = [&](uint32_t size) { return (size + format.reduction - 1) / format.reduction; };
-    const VkExtent2D extent{reduced(frame.extent().width), reduced(frame.extent().height)};
+    const VkExtent2D extent{reduced(view.extent().width), reduced(view.extent().height)};
     const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
-    make(graph, extent, format.stencil, has_gloss(*frame.world().scene), out);
+    make(graph, extent, format.stencil, has_gloss(*view.scene().world().scene), out);
     out.surface.depth_source = out.surface.depth;
     const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM
                            : format.wide_light   ? VK_FORMAT_R32G32B32A32_SFLOAT
@@ -64,9 +64,9 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
 
     out.ambient_apart = format.ambient_apart;
     if (format.ambient_apart) {
-        if (frame.context().limits().maxColorAttachments < 6)
+        if (view.context().limits().maxColorAttachments < 6)
             throw Error(fmt::format("{}: ambient light apart needs 6 colour attachments, and the device has {}",
-                                    frame.context().name(), frame.context().limits().maxColorAttachments));
+                                    view.context().name(), view.context().limits().maxColorAttachments));
         out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
         out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
     }
@@ -75,12 +75,12 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, con
     for (const graph::ImageId target : out.targets())
         pass.colour(target, graph::Load::clear);
     draw_surfaces(
-        graph, pass, frame,
+        graph, pass, view,
         {.name = pass.name(), .fragment = out.fragment(), .constants = out.surface.format.constants(), .motion = true});
     return out;
 }
 
-void ambient_light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+void ambient_light_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                         graph::ImageId visibility) {
     graph::Pass& pass = graph.pass("ambient light");
     pass.colour(gbuffer.light, graph::Load::keep)
@@ -90,18 +90,18 @@ void ambient_light_pass(graph::FrameGraph& graph, const resident::Frame& frame, 
         .sample(INPUT_OCCLUSION, visibility)
         .sample(INPUT_AMBIENT_LIGHT, gbuffer.ambient)
         .sample(INPUT_MIRRORED_LIGHT, gbuffer.mirrored);
-    draw_fullscreen(pass, frame, "ambient_light.frag", gbuffer.surface.format.constants(), gpu::Blend::add);
+    draw_fullscreen(pass, view, "ambient_light.frag", gbuffer.surface.format.constants(), gpu::Blend::add);
 }
 
-graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                                   Display display) {
-    const graph::ImageId target = picture_image(graph, frame, display);
+    const graph::ImageId target = picture_image(graph, view, display);
     graph::Pass& pass = graph.pass("resolve");
     pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, gbuffer.light);
     const bool bytes = graph.desc(gbuffer.light).format == VK_FORMAT_R8G8B8A8_UNORM;
     gpu::Constants constants = display_constants(display, graph.desc(target).format);
     constants.emplace_back(CONSTANT_CLIPPED_LIGHT, bytes);
-    draw_fullscreen(pass, frame, "light_resolve.frag", constants);
+    draw_fullscreen(pass, view, "light_resolve.frag", constants);
     return target;
 }
 

@@ -7,7 +7,7 @@ namespace prelight::passes {
 /// Deferred shading's buffers. What each channel holds: shaders/shared/gbuffer_layout.glsl.
 struct GBuffer {
     SurfaceBuffers surface;               ///< depth, and RT1
-    graph::ImageId light;                 ///< RT0: light so far, divided by FrameSettings::light_scale
+    graph::ImageId light;                 ///< RT0: light so far, divided by ViewSettings::light_scale
     graph::ImageId motion;                ///< RT2; shaders/shared/motion_encoding.h
     graph::ImageId albedo;                ///< RT3
     bool ambient_apart = false;           ///< as in GBufferFormat
@@ -32,17 +32,17 @@ struct GBufferFormat {
 
 /// The geometry pass: every object once, into four targets and depth. Ambient and emissive light, and
 /// the colour of unlit surfaces, stand in RT0 afterwards; lights are added to it. Motion needs
-/// FrameSettings::motion.
-GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBufferFormat& format);
+/// ViewSettings::motion.
+GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::View& view, const GBufferFormat& format);
 
 /// Adds to RT0 the ambient light that the geometry pass laid aside, where `visibility` (ambient_occlusion_passes())
 /// lets it through.
-void ambient_light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+void ambient_light_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                         graph::ImageId visibility);
 
 /// RT0 → scene-linear and exposed, or with `display` the finished picture. Where bytes have clipped RGB, its intensity
 /// channel gives back the luminance, up to eight times as much.
-graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                                   Display display = {});
 
 } // namespace prelight::passes

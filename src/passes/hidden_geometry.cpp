@@ -3,16 +3,16 @@
 
 namespace prelight::passes {
 
-void hidden_geometry_passes(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
-    if (const resident::VisiblePixels* pixels = frame.visible_pixels()) {
+void hidden_geometry_passes(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) {
+    if (const resident::VisiblePixels* pixels = view.visible_pixels()) {
         graph.pass("geometry visible-pixels")
             .copy_to(graph.buffer("draw conditions", pixels->conditions()))
             .copy_to(graph.buffer("visible pixels", pixels->host_counts()))
-            .record([pixels, &frame](const graph::PassContext& context) {
-                pixels->copy(context.commands, context.slot, static_cast<uint32_t>(frame.visible().batches.size()));
+            .record([pixels, &view](const graph::PassContext& context) {
+                pixels->copy(context.commands, context.slot, static_cast<uint32_t>(view.visible().batches.size()));
             });
     }
-    depth_trimming_passes(graph, frame, depth);
+    depth_trimming_passes(graph, view, depth);
 }
 
 } // namespace prelight::passes

@@ -9,23 +9,23 @@ namespace prelight::passes {
 namespace {
 
 /// Makes the pass run a shader with a workgroup for each group of triangles.
-void dispatch_groups(graph::Pass& pass, const resident::Frame& frame, const std::string& shader,
+void dispatch_groups(graph::Pass& pass, const resident::View& view, const std::string& shader,
                      const gpu::Constants& constants) {
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
-    pass.prepare([=, &frame, name = pass.name()](const graph::PassInterface& interface) {
-        *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
-                                                           .shader = shader,
-                                                           .constants = constants,
-                                                           .sets = {frame.layout(), interface.inputs},
-                                                           .push_bytes = sizeof(uint32_t)});
+    pass.prepare([=, &view, name = pass.name()](const graph::PassInterface& interface) {
+        *pipeline = gpu::ComputePipeline(view.context(), {.name = name,
+                                                          .shader = shader,
+                                                          .constants = constants,
+                                                          .sets = {view.layout(), interface.inputs},
+                                                          .push_bytes = sizeof(uint32_t)});
     });
-    pass.record([=, &frame](const graph::PassContext& context) {
+    pass.record([=, &view](const graph::PassContext& context) {
         // Rows of workgroups, for a device may have no more than 65,535 in one.
-        const uint32_t groups = frame.device_trimming()->groups(), rows = (groups + TRIM_ROW - 1) / TRIM_ROW;
+        const uint32_t groups = view.device_trimming()->groups(), rows = (groups + TRIM_ROW - 1) / TRIM_ROW;
         if (groups == 0)
             return;
         pipeline->bind(context.commands);
-        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+        pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
         pipeline->push(context.commands, std::as_bytes(std::span(&groups, 1)));
         vkCmdDispatch(context.commands, std::min(groups, uint32_t(TRIM_ROW)), rows, 1);
@@ -38,9 +38,9 @@ struct Source {
 };
 
 /// One trimming: which triangles stay, and then their indices and commands.
-void trim(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name, const Source& source,
+void trim(graph::FrameGraph& graph, const resident::View& view, const std::string& name, const Source& source,
           const resident::DeviceTrimming::Output& output, std::optional<graph::ImageId> depth) {
-    const resident::DeviceTrimming& trimming = *frame.device_trimming();
+    const resident::DeviceTrimming& trimming = *view.device_trimming();
     const graph::BufferId draws = graph.buffer("draws to trim", trimming.draws());
     const graph::BufferId groups = graph.buffer("groups to trim", trimming.group_list());
     const graph::BufferId masks = graph.buffer("trimming masks", trimming.masks());
@@ -52,48 +52,46 @@ void trim(graph::FrameGraph& graph, const resident::Frame& frame, const std::str
             .storage(INPUT_TRIM_SOURCE_COMMANDS, source.commands.value_or(draws), false) // else not read
             .storage(INPUT_TRIM_MASKS, masks, writes_masks);
     };
-    const gpu::Constants constants{{CONSTANT_TRIM_SUBPIXEL_BITS, frame.context().limits().subPixelPrecisionBits},
+    const gpu::Constants constants{{CONSTANT_TRIM_SUBPIXEL_BITS, view.context().limits().subPixelPrecisionBits},
                                    {CONSTANT_TRIM_BY_DEPTH, depth.has_value()},
                                    {CONSTANT_TRIM_AGAIN, source.commands.has_value()}};
     graph::Pass& test = graph.pass(name + " test");
     declare(test, true);
-    test.storage(INPUT_TRIM_OBJECTS, graph.buffer("objects", frame.object_buffers()), false)
-        .storage(INPUT_TRIM_POSITIONS, graph.buffer("positions", frame.geometry().positions), false);
+    test.storage(INPUT_TRIM_OBJECTS, graph.buffer("objects", view.object_buffers()), false)
+        .storage(INPUT_TRIM_POSITIONS, graph.buffer("positions", view.scene().geometry().positions), false);
     if (depth)
         test.sample(INPUT_DEPTH, *depth);
-    dispatch_groups(test, frame, depth ? "trim_test+depth.comp" : "trim_test.comp", constants);
+    dispatch_groups(test, view, depth ? "trim_test+depth.comp" : "trim_test.comp", constants);
 
     graph::Pass& write = graph.pass(name + " write");
     declare(write, false);
     write.storage(INPUT_TRIM_INDICES, graph.buffer("kept indices", output.indices), true)
         .storage(INPUT_TRIM_COMMANDS, commands, true)
         .storage(INPUT_TRIM_COUNTS, graph.buffer("kept index counts", output.host_counts), true);
-    dispatch_groups(write, frame, "trim_write.comp", constants);
+    dispatch_groups(write, view, "trim_write.comp", constants);
 }
 
 } // namespace
 
-void index_trimming_passes(graph::FrameGraph& graph, const resident::Frame& frame) {
-    if (frame.draw_options().trimming == resident::IndexTrimming::device)
-        trim(graph, frame, "geometry trimming", {graph.buffer("indices", frame.geometry().indices), {}},
-             frame.device_trimming()->first(), {});
+void index_trimming_passes(graph::FrameGraph& graph, const resident::View& view) {
+    if (view.draw_options().trimming == resident::IndexTrimming::device)
+        trim(graph, view, "geometry trimming", {graph.buffer("indices", view.scene().geometry().indices), {}},
+             view.device_trimming()->first(), {});
 }
 
-void depth_trimming_passes(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
-    if (!frame.draw_options().trims_by_depth)
+void depth_trimming_passes(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) {
+    if (!view.draw_options().trims_by_depth)
         return;
-    const resident::DeviceTrimming& trimming = *frame.device_trimming();
+    const resident::DeviceTrimming& trimming = *view.device_trimming();
     Source source;
-    switch (frame.draw_options().trimming) {
-    case resident::IndexTrimming::off: source.indices = graph.buffer("indices", frame.geometry().indices); break;
-    case resident::IndexTrimming::host:
-        source.indices = graph.buffer("trimmed indices", frame.trimmed_buffers());
-        break;
+    switch (view.draw_options().trimming) {
+    case resident::IndexTrimming::off: source.indices = graph.buffer("indices", view.scene().geometry().indices); break;
+    case resident::IndexTrimming::host: source.indices = graph.buffer("trimmed indices", view.trimmed_buffers()); break;
     case resident::IndexTrimming::device:
         source = {graph.buffer("kept indices", trimming.first().indices),
                   graph.buffer("trimmed draw commands", trimming.first().commands)};
     }
-    trim(graph, frame, "material trimming", source, trimming.later(), depth);
+    trim(graph, view, "material trimming", source, trimming.later(), depth);
 }
 
 } // namespace prelight::passes

@@ -3,10 +3,9 @@
 
 namespace prelight::passes {
 
-void bind_lighting(const graph::PassContext& pass, const resident::Frame& frame,
-                   const gpu::GraphicsPipeline& pipeline) {
+void bind_lighting(const graph::PassContext& pass, const resident::View& view, const gpu::GraphicsPipeline& pipeline) {
     pipeline.bind(pass.commands);
-    pipeline.bind_set(pass.commands, SET_FRAME, frame.set());
+    pipeline.bind_set(pass.commands, SET_FRAME, view.set());
     pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
 }
 
@@ -14,36 +13,35 @@ bool AmbientDraw::needed(const LightingInputs& inputs) {
     return inputs.model.ambient_blended() && inputs.target.variant != "+count";
 }
 
-AmbientDraw::AmbientDraw(const resident::Frame& frame, const graph::PassInterface& interface,
+AmbientDraw::AmbientDraw(const resident::View& view, const graph::PassInterface& interface,
                          const LightingInputs& inputs)
-    : frame_(frame) {
+    : view_(view) {
     if (!needed(inputs))
         return;
-    gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light_ambient");
+    gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_ambient");
     desc.name = "ambient light";
     desc.vertex = "light_fullscreen.vert";
     desc.depth = gpu::DepthTest::surface_only;
     desc.blend = gpu::Blend::add;
-    pipeline_.emplace(frame.context(), desc);
+    pipeline_.emplace(view.context(), desc);
 }
 
 void AmbientDraw::record(const graph::PassContext& pass) const {
     if (!pipeline_)
         return;
-    bind_lighting(pass, frame_, *pipeline_);
+    bind_lighting(pass, view_, *pipeline_);
     vkCmdDraw(pass.commands, 3, 1, 0, 0);
 }
 
-LightDraws::LightDraws(const resident::Frame& frame, const graph::PassInterface& interface,
-                       const LightingInputs& inputs)
-    : frame_(frame), light_(lighting_pipeline(frame, interface, inputs, "light")), ambient_(frame, interface, inputs) {
+LightDraws::LightDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs)
+    : view_(view), light_(lighting_pipeline(view, interface, inputs, "light")), ambient_(view, interface, inputs) {
     light_.blend = gpu::Blend::add;
     gpu::GraphicsPipelineDesc desc = pipeline("full-screen lights", "light_fullscreen.vert");
     desc.depth = gpu::DepthTest::surface_only;
     desc.depth_clamp = true;
-    fullscreen_ = gpu::GraphicsPipeline(frame.context(), desc);
+    fullscreen_ = gpu::GraphicsPipeline(view.context(), desc);
     if (inputs.shadows.reused && inputs.target.variant != "+count")
-        maps_ = std::make_unique<ShadowDraws>(frame, interface.inputs, inputs.shadows);
+        maps_ = std::make_unique<ShadowDraws>(view, interface.inputs, inputs.shadows);
     sun_stored_ = inputs.shadows.sun_stored;
 }
 

@@ -23,18 +23,18 @@ inline constexpr std::array<VolumeGroup, 4> volume_groups{{
 }};
 
 /// Binds a pipeline of a light pass, with the frame's set and the pass's inputs.
-void bind_lighting(const graph::PassContext& pass, const resident::Frame& frame, const gpu::GraphicsPipeline& pipeline);
+void bind_lighting(const graph::PassContext& pass, const resident::View& view, const gpu::GraphicsPipeline& pipeline);
 
 /// Ambient light as a light of its own, added to the target by a full-screen triangle; draws nothing where
 /// ambient light is a term of the material, or is summed with the others.
 class AmbientDraw {
 public:
-    AmbientDraw(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs);
+    AmbientDraw(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs);
     static bool needed(const LightingInputs& inputs);
     void record(const graph::PassContext& pass) const;
 
 private:
-    const resident::Frame& frame_;
+    const resident::View& view_;
     std::optional<gpu::GraphicsPipeline> pipeline_;
 };
 
@@ -42,12 +42,12 @@ private:
 /// the lights that are drawn full screen.
 class LightDraws {
 public:
-    LightDraws(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs);
+    LightDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs);
     void record_fullscreen(const graph::PassContext& pass) const;
     /// A pipeline of light.frag that blends ONE/ONE.
     gpu::GraphicsPipelineDesc pipeline(const char* name, const char* vertex) const;
     void bind(const graph::PassContext& pass, const gpu::GraphicsPipeline& pipeline) const {
-        bind_lighting(pass, frame_, pipeline);
+        bind_lighting(pass, view_, pipeline);
     }
     /// Calls draw(first, count) for lights of the frame's order: all at once, or one by one, each after its shadow
     /// maps. `draw` binds all that it needs.
@@ -63,16 +63,16 @@ public:
             draw(i, 1u);
         }
     }
-    const resident::Frame& frame() const { return frame_; }
-    const resident::LightGroups& lights() const { return frame_.lights(); }
+    const resident::View& view() const { return view_; }
+    const resident::LightGroups& lights() const { return view_.light_groups(); }
 
 private:
     /// The light's shadow waits there: nobody looks at its maps.
     bool in_gbuffer(uint32_t light) const {
-        const auto sun = frame_.shadows()->sun();
-        return sun_stored_ && sun && sun->first == light;
+        const auto sun = view_.shadows()->sun();
+        return sun_stored_ && sun && sun->light == light;
     }
-    const resident::Frame& frame_;
+    const resident::View& view_;
     gpu::GraphicsPipelineDesc light_;
     AmbientDraw ambient_;
     bool sun_stored_ = false;
@@ -82,9 +82,9 @@ private:
 
 /// Makes `pass` draw with a Draws(frame, interface, inputs) that has a record().
 template <class Draws>
-void draw_lights(graph::Pass& pass, const resident::Frame& frame, const LightingInputs& inputs) {
+void draw_lights(graph::Pass& pass, const resident::View& view, const LightingInputs& inputs) {
     auto draws = std::make_shared<std::optional<Draws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, inputs); });
+    pass.prepare([=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface, inputs); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
 }
 

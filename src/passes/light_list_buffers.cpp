@@ -7,28 +7,28 @@
 namespace prelight::passes {
 namespace {
 
-gpu::Buffer make_storage(const resident::Frame& frame, const char* name, uint64_t size,
+gpu::Buffer make_storage(const resident::View& view, const char* name, uint64_t size,
                          gpu::BufferPlace place = gpu::BufferPlace::device) {
-    const uint64_t limit = frame.context().limits().maxStorageBufferRange;
+    const uint64_t limit = view.context().limits().maxStorageBufferRange;
     if (size > limit)
         throw Error(fmt::format("{}: {} for {} lights and {}x{} pixels need {} bytes, and the device's limit is {}",
-                                frame.context().name(), name, frame.light_capacity(), frame.extent().width,
-                                frame.extent().height, size, limit));
-    return gpu::Buffer(frame.context(), name, size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, place);
+                                view.context().name(), name, view.lights().capacity(), view.extent().width,
+                                view.extent().height, size, limit));
+    return gpu::Buffer(view.context(), name, size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, place);
 }
 
 } // namespace
 
-ListBuffers::ListBuffers(const resident::Frame& frame, const shared::LightListConstants& layout, const LightGrid& grid,
+ListBuffers::ListBuffers(const resident::View& view, const shared::LightListConstants& layout, const LightGrid& grid,
                          uint64_t first_room, const LightRounds& rounds, uint32_t round)
-    : frame_(frame), grid_(grid), rounds_(rounds), round_(round), guesses_(first_room == 0),
+    : view_(view), grid_(grid), rounds_(rounds), round_(round), guesses_(first_room == 0),
       constants_(std::make_shared<shared::LightListConstants>(layout)),
-      cells(make_storage(frame, "light cells", uint64_t(layout.cells.w) * sizeof(shared::LightCell))),
-      coarse(make_storage(frame, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::LightCell))),
-      masks(make_storage(frame, "light masks", uint64_t(layout.coarse.w) * layout.lights.w * sizeof(uint32_t))),
-      slices(make_storage(frame, "depth slices", (LIST_SLICES + 1) * sizeof(float))) {
+      cells(make_storage(view, "light cells", uint64_t(layout.cells.w) * sizeof(shared::LightCell))),
+      coarse(make_storage(view, "coarse light cells", uint64_t(layout.coarse.w) * sizeof(shared::LightCell))),
+      masks(make_storage(view, "light masks", uint64_t(layout.coarse.w) * layout.lights.w * sizeof(uint32_t))),
+      slices(make_storage(view, "depth slices", (LIST_SLICES + 1) * sizeof(float))) {
     for (gpu::Buffer& one : total) {
-        one = make_storage(frame, "light list total", sizeof(uint32_t), gpu::BufferPlace::readback);
+        one = make_storage(view, "light list total", sizeof(uint32_t), gpu::BufferPlace::readback);
         *one.mapped<uint32_t>() = 0;
     }
     make_entries(all_lights() + first_room);
@@ -40,13 +40,13 @@ std::optional<gpu::Buffer> ListBuffers::update(const gpu::FrameTurn& turn) {
         if (turn.alone || slot == turn.slot)
             needed = std::max<uint64_t>(needed, *total[slot].mapped<uint32_t>());
     // The first frame has no other to learn from, and neither has one with other lights.
-    const RoundLights lights = lights_of_round(frame_, rounds_, round_);
+    const RoundLights lights = lights_of_round(view_, rounds_, round_);
     if (guesses_ && std::exchange(listed_, lights.listed) != lights.listed)
         needed = std::max(needed, std::min<uint64_t>(first_guess(), most_entries()));
     const bool grows = needed > constants_->lights.z && constants_->lights.z < most_entries();
     if (grows && !full_)
         grow(needed + needed / 4);
-    const glm::dvec3 origin = grid_.low - frame_.eye();
+    const glm::dvec3 origin = grid_.low - view_.eye();
     constants_->grid_origin = glm::vec4(origin, 0);
     constants_->lights.x = lights.everywhere;
     constants_->lights.y = lights.listed;
@@ -56,8 +56,8 @@ std::optional<gpu::Buffer> ListBuffers::update(const gpu::FrameTurn& turn) {
 }
 
 uint64_t ListBuffers::first_guess() const {
-    const double overlap = grid_.cells.x > 0 ? grid_overlap(grid_, frame_.placed_lights())
-                                             : 1.5 * frame_.lights().listed_pictures * constants_->cells.w;
+    const double overlap = grid_.cells.x > 0 ? grid_overlap(grid_, view_.lights().placed())
+                                             : 1.5 * view_.light_groups().listed_pictures * constants_->cells.w;
     constexpr double most_guessed = 1 << 24; // 64 MiB; what is really needed is known a frame later
     return static_cast<uint64_t>(std::min(overlap, most_guessed)) + 2 * uint64_t(constants_->cells.w) +
            16 * all_lights();
@@ -65,7 +65,7 @@ uint64_t ListBuffers::first_guess() const {
 
 void ListBuffers::make_entries(uint64_t count) {
     const uint64_t size = std::clamp<uint64_t>(count, all_lights() + 1, std::max(most_entries(), all_lights() + 1));
-    entries = make_storage(frame_, "light lists", size * sizeof(uint32_t));
+    entries = make_storage(view_, "light lists", size * sizeof(uint32_t));
     constants_->lights.z = static_cast<uint32_t>(std::min<uint64_t>(size, 0xffffffffu));
 }
 

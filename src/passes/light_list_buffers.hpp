@@ -6,7 +6,7 @@
 #include <gpu/frames_in_flight.hpp>
 #include <memory>
 #include <optional>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 #include <shared/light_lists.h>
 
 namespace prelight::passes {
@@ -17,7 +17,7 @@ class ListBuffers {
 public:
     /// `first_room`: room for lists in the first frame, in lights; 0: a guess. Throws Error when a buffer of a
     /// fixed size would be larger than the device allows.
-    ListBuffers(const resident::Frame& frame, const shared::LightListConstants& layout, const LightGrid& grid,
+    ListBuffers(const resident::View& view, const shared::LightListConstants& layout, const LightGrid& grid,
                 uint64_t first_room, const LightRounds& rounds, uint32_t round);
 
     /// Before each frame: the buffer whose place another one took as `entries`, if so.
@@ -26,12 +26,12 @@ public:
 
 private:
     uint64_t first_guess() const;
-    uint64_t all_lights() const { return std::min<uint64_t>(frame_.light_capacity(), rounds_.lights); }
-    uint64_t most_entries() const { return frame_.context().limits().maxStorageBufferRange / sizeof(uint32_t); }
+    uint64_t all_lights() const { return std::min<uint64_t>(view_.lights().capacity(), rounds_.lights); }
+    uint64_t most_entries() const { return view_.context().limits().maxStorageBufferRange / sizeof(uint32_t); }
     void make_entries(uint64_t count);
     void grow(uint64_t count);
 
-    const resident::Frame& frame_;
+    const resident::View& view_;
     LightGrid grid_;
     LightRounds rounds_;
     uint32_t round_;

@@ -3,9 +3,9 @@
 
 namespace prelight::passes {
 
-/// All lights into the target by lists for tiles of the screen, or for depth slices of tiles:
+/// All lights into the target by `inputs.lists`, of tiles of the screen or of depth slices of tiles:
 /// each pixel sums its lights in registers and is written once.
-void light_list_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+void light_list_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                      const LightingInputs& inputs);
 
 } // namespace prelight::passes

@@ -18,11 +18,11 @@ uint32_t groups_of(uint64_t count, uint32_t size) { return static_cast<uint32_t>
 /// All compute passes of one kind of list.
 class Builder {
 public:
-    Builder(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
-            const LightListInputs& inputs, const LightListConstants& layout, const LightGrid& grid)
-        : graph_(graph), frame_(frame), name_(name), inputs_(inputs),
-          buffers_(
-              std::make_shared<ListBuffers>(frame, layout, grid, inputs.first_room, *inputs.rounds, inputs.round)) {
+    Builder(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+            const LightListInputs& inputs, uint32_t round, const LightListConstants& layout, const LightGrid& grid)
+        : graph_(graph), view_(view), name_(name), inputs_(inputs),
+          everywhere_(round == 0 && (inputs.everywhere || inputs.rounds.count > 1)), ending_(round_name(round)),
+          buffers_(std::make_shared<ListBuffers>(view, layout, grid, inputs.first_room, inputs.rounds, round)) {
         cells_ = graph.buffer("light cells", buffers_->cells);
         coarse_ = graph.buffer("coarse light cells", buffers_->coarse);
         masks_ = graph.buffer("light masks", buffers_->masks);
@@ -39,10 +39,10 @@ public:
             constants_ = inputs.surface->format.constants();
         constants_.insert(constants_.end(), {{CONSTANT_LIST_TILE_SIZE, inputs.tile_size},
                                              {CONSTANT_LIST_SLICED, inputs.sliced},
-                                             {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
+                                             {CONSTANT_LIGHT_KINDS, view.lights().kinds()}});
     }
 
-    LightLists build() {
+    LightListRound build() {
         const auto whole = [](const LightListConstants& c) { return VkExtent3D{c.coarse.x, c.coarse.y, c.coarse.z}; };
         const auto each_coarse = [](const LightListConstants& c) {
             return VkExtent3D{groups_of(c.coarse.w, LIST_GROUP), 1, 1};
@@ -52,8 +52,7 @@ public:
         };
         const std::string kind = inputs_.surface ? ".comp" : "+grid.comp";
         if (inputs_.surface) {
-            graph::Pass& range =
-                add("depth-range", "depth_range.comp", whole, {{CONSTANT_AMBIENT_TOO, inputs_.ambient}});
+            graph::Pass& range = add("depth-range", "depth_range.comp", whole, {{CONSTANT_AMBIENT_TOO, everywhere_}});
             range.storage(INPUT_LIGHT_CELLS, cells_, true);
             read_depth(range);
         }
@@ -79,17 +78,16 @@ public:
             .storage(INPUT_LIGHT_MASKS, masks_, false)
             .storage(INPUT_LIGHT_ENTRIES, entries_, true);
 
-        LightLists lists{.cells = coarse_,
-                         .tiles = cells_,
-                         .entries = entries_,
-                         .slices = slices_,
-                         .constants = buffers_->constants(),
-                         .tile_size = inputs_.tile_size,
-                         .sliced = inputs_.sliced,
-                         .masked = inputs_.masked};
-        if (lists.masked) {
+        LightListRound lists{.cells = coarse_,
+                             .tiles = cells_,
+                             .entries = entries_,
+                             .slices = slices_,
+                             .constants = buffers_->constants(),
+                             .everywhere = everywhere_,
+                             .ending = ending_};
+        if (inputs_.masked) {
             add(name_ + "-lists masks", "light_lists_masks.comp", whole,
-                {{CONSTANT_LIST_LANES, frame_.context().features().shuffle_lanes}})
+                {{CONSTANT_LIST_LANES, view_.context().features().shuffle_lanes}})
                 .storage(INPUT_LIGHT_CELLS, cells_, true)
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
                 .storage(INPUT_LIGHT_ENTRIES, entries_, true)
@@ -117,9 +115,9 @@ private:
     using Groups = VkExtent3D (*)(const LightListConstants&);
 
     graph::Pass& add(const std::string& name, const std::string& shader, Groups groups, gpu::Constants own = {}) {
-        graph::Pass& pass = graph_.pass(name + round_name(inputs_.round));
+        graph::Pass& pass = graph_.pass(name + ending_);
         own.insert(own.end(), constants_.begin(), constants_.end());
-        dispatch_lists(pass, frame_, buffers_->constants(), shader, own,
+        dispatch_lists(pass, view_, buffers_->constants(), shader, own,
                        [groups, constants = buffers_->constants()](const graph::PassContext& context) {
                            const VkExtent3D count = groups(*constants);
                            vkCmdDispatch(context.commands, count.width, count.height, count.depth);
@@ -136,9 +134,11 @@ private:
     void read_depth(graph::Pass& pass) const { pass.sample(INPUT_DEPTH, inputs_.surface->depth_source); }
 
     graph::FrameGraph& graph_;
-    const resident::Frame& frame_;
+    const resident::View& view_;
     std::string name_;
     LightListInputs inputs_;
+    bool everywhere_ = false;
+    std::string ending_;
     gpu::Constants constants_;
     std::shared_ptr<ListBuffers> buffers_;
     graph::BufferId cells_, coarse_, masks_, entries_, slices_, total_;
@@ -152,74 +152,69 @@ uint32_t mask_words(uint64_t lights) {
 
 } // namespace
 
-LightLists light_list_passes(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+LightLists build_light_lists(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                              const LightListInputs& inputs) {
-    if (frame.context().features().shuffle_lanes == 0)
-        throw Error(frame.context().name() +
+    if (view.context().features().shuffle_lanes == 0)
+        throw Error(view.context().name() +
                     ": light lists need compute shaders that shuffle within subgroups of at most 64");
     LightListConstants layout{};
-    layout.lights.w = mask_words(std::min<uint64_t>(frame.light_capacity(), inputs.rounds->lights));
+    layout.lights.w = mask_words(std::min<uint64_t>(view.lights().capacity(), inputs.rounds.lights));
     LightGrid grid;
     if (inputs.surface) {
-        const uint32_t across = groups_of(frame.extent().width, inputs.tile_size);
-        const uint32_t down = groups_of(frame.extent().height, inputs.tile_size);
+        const uint32_t across = groups_of(view.extent().width, inputs.tile_size);
+        const uint32_t down = groups_of(view.extent().height, inputs.tile_size);
         layout.cells = {across, down, 1, 0};
-        layout.blocks = {groups_of(frame.extent().width, LIT_BLOCK), groups_of(frame.extent().height, LIT_BLOCK), 1, 0};
+        layout.blocks = {groups_of(view.extent().width, LIT_BLOCK), groups_of(view.extent().height, LIT_BLOCK), 1, 0};
         layout.coarse = {groups_of(across, LIST_COARSE_TILES), groups_of(down, LIST_COARSE_TILES), 1, 0};
     } else {
-        grid = light_grid(frame.geometry().draws);
+        grid = light_grid(view.scene().geometry().draws);
         layout.cells = glm::uvec4(grid.cells, 0);
         layout.coarse = glm::uvec4((grid.cells + glm::uvec3(LIST_COARSE_CELLS - 1)) / glm::uvec3(LIST_COARSE_CELLS), 0);
         layout.grid_cell = glm::vec4(grid.cell, 0);
     }
     layout.cells.w = layout.cells.x * layout.cells.y * layout.cells.z;
     layout.coarse.w = layout.coarse.x * layout.coarse.y * layout.coarse.z;
-    return Builder(graph, frame, name, inputs, layout, grid).build();
+    LightLists lists{
+        .tile_size = inputs.tile_size, .sliced = inputs.sliced, .masked = inputs.masked, .walk = inputs.walk};
+    for (uint32_t round = 0; round < inputs.rounds.count; ++round)
+        lists.rounds.push_back(Builder(graph, view, name, inputs, round, layout, grid).build());
+    return lists;
 }
 
 bool is_idle(const LightListConstants& constants, const graph::PassContext& pass) {
     return constants.round.z > 0 && constants.lights.x + constants.lights.y == 0 && !pass.one_pixel;
 }
 
-void dispatch_lists(graph::Pass& pass, const resident::Frame& frame,
+void dispatch_lists(graph::Pass& pass, const resident::View& view,
                     std::shared_ptr<const shared::LightListConstants> push, const std::string& shader,
                     const gpu::Constants& constants, std::function<void(const graph::PassContext&)> dispatch) {
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
-    pass.prepare([=, &frame, name = pass.name()](const graph::PassInterface& interface) {
-        *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
-                                                           .shader = shader,
-                                                           .constants = constants,
-                                                           .sets = {frame.layout(), interface.inputs},
-                                                           .push_bytes = sizeof(LightListConstants)});
+    pass.prepare([=, &view, name = pass.name()](const graph::PassInterface& interface) {
+        *pipeline = gpu::ComputePipeline(view.context(), {.name = name,
+                                                          .shader = shader,
+                                                          .constants = constants,
+                                                          .sets = {view.layout(), interface.inputs},
+                                                          .push_bytes = sizeof(LightListConstants)});
     });
     pass.record(
-        [pipeline, dispatch = std::move(dispatch), push = std::move(push), &frame](const graph::PassContext& context) {
+        [pipeline, dispatch = std::move(dispatch), push = std::move(push), &view](const graph::PassContext& context) {
             if (is_idle(*push, context))
                 return;
             pipeline->bind(context.commands);
-            pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+            pipeline->bind_set(context.commands, SET_FRAME, view.set());
             pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
             pipeline->push(context.commands, std::as_bytes(std::span(push.get(), 1)));
             dispatch(context);
         });
 }
 
-void declare_light_lists(graph::Pass& pass, const LightLists& lists, bool writes) {
-    pass.storage(INPUT_LIGHT_CELLS, lists.cells, writes).storage(INPUT_LIGHT_ENTRIES, lists.entries, writes);
-    if (lists.tile_size > 0)
-        pass.storage(INPUT_DEPTH_SLICES, lists.slices, false);
+void declare_light_lists(graph::Pass& pass, const LightListRound& round, bool writes) {
+    pass.storage(INPUT_LIGHT_CELLS, round.cells, writes).storage(INPUT_LIGHT_ENTRIES, round.entries, writes);
+    pass.storage(INPUT_DEPTH_SLICES, round.slices, false);
 }
 
 gpu::Constants light_list_constants(const LightLists& lists) {
     return {{CONSTANT_LIST_TILE_SIZE, lists.tile_size}, {CONSTANT_LIST_SLICED, lists.sliced}};
-}
-
-gpu::Constants list_lighting_constants(const resident::Frame& frame, const LightingInputs& inputs,
-                                       const LightLists& lists) {
-    gpu::Constants constants = lighting_constants(frame, inputs);
-    const gpu::Constants own = light_list_constants(lists);
-    constants.insert(constants.end(), own.begin(), own.end());
-    return constants;
 }
 
 } // namespace prelight::passes

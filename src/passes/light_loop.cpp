@@ -7,39 +7,39 @@
 
 namespace prelight::passes {
 
-void light_loop_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+void light_loop_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                      const LightingInputs& inputs) {
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
     pass.depth_test(inputs.surface.depth);
-    const LightRounds rounds = light_rounds(frame, LightWalk::fragment, inputs.target.variant == "+count");
+    const LightRounds rounds = light_rounds(view, LightWalk::fragment);
     const bool adds = rounds.count > 1;
     if (inputs.model.specular == SpecularWay::luv && inputs.target.variant == "+packed")
-        expect_one_round(frame, rounds,
+        expect_one_round(view, rounds,
                          "specular=luv in a draw (light-culling=tiles with list-shading=compute has no such limit)");
     if (adds)
         pass.blends();
     auto pipelines =
         std::make_shared<std::array<gpu::GraphicsPipeline, 2>>(); // the first round replaces, the others add
-    pass.prepare([=, &frame](const graph::PassInterface& interface) {
-        gpu::GraphicsPipelineDesc desc = lighting_pipeline(frame, interface, inputs, "light_loop");
+    pass.prepare([=, &view](const graph::PassInterface& interface) {
+        gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_loop");
         desc.name = "all lights";
         desc.vertex = "light_fullscreen.vert";
         desc.depth = gpu::DepthTest::surface_only;
         desc.push_bytes = sizeof(shared::LightLoop);
-        (*pipelines)[0] = gpu::GraphicsPipeline(frame.context(), desc);
+        (*pipelines)[0] = gpu::GraphicsPipeline(view.context(), desc);
         desc.blend = gpu::Blend::add;
         if (adds)
-            (*pipelines)[1] = gpu::GraphicsPipeline(frame.context(), desc);
+            (*pipelines)[1] = gpu::GraphicsPipeline(view.context(), desc);
     });
-    pass.record([=, &frame](const graph::PassContext& context) {
+    pass.record([=, &view](const graph::PassContext& context) {
         for (uint32_t round = 0; round < rounds.count; ++round) {
-            const RoundLights lights = lights_of_round(frame, rounds, round);
+            const RoundLights lights = lights_of_round(view, rounds, round);
             const uint32_t end = lights.first + lights.everywhere + lights.listed;
             if (round > 0 && lights.first == end && !context.one_pixel)
                 break;
             const gpu::GraphicsPipeline& pipeline = (*pipelines)[round > 0];
-            bind_lighting(context, frame, pipeline);
+            bind_lighting(context, view, pipeline);
             const shared::LightLoop loop{lights.first, end, round == 0 && inputs.model.ambient_blended()};
             pipeline.push(context.commands, std::as_bytes(std::span(&loop, 1)));
             vkCmdDraw(context.commands, 3, 1, 0, 0);

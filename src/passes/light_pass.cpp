@@ -9,33 +9,33 @@
 
 namespace prelight::passes {
 
-void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+void light_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                 const LightingInputs& inputs) {
-    if (inputs.write_once && frame.culling() == resident::LightCulling::fullscreen)
-        return light_loop_pass(graph, frame, name, inputs);
-    switch (frame.culling()) {
+    if (inputs.write_once && view.culling() == resident::LightCulling::fullscreen)
+        return light_loop_pass(graph, view, name, inputs);
+    switch (view.culling()) {
     case resident::LightCulling::fullscreen:
-    case resident::LightCulling::volumes: return light_volume_pass(graph, frame, name, inputs);
-    case resident::LightCulling::rectangles: return light_rectangle_pass(graph, frame, name, inputs);
-    case resident::LightCulling::stencil: return light_stencil_pass(graph, frame, name, inputs);
+    case resident::LightCulling::volumes: return light_volume_pass(graph, view, name, inputs);
+    case resident::LightCulling::rectangles: return light_rectangle_pass(graph, view, name, inputs);
+    case resident::LightCulling::stencil: return light_stencil_pass(graph, view, name, inputs);
     case resident::LightCulling::tiles:
-    case resident::LightCulling::clusters: return light_list_pass(graph, frame, name, inputs);
+    case resident::LightCulling::clusters: return light_list_pass(graph, view, name, inputs);
     case resident::LightCulling::grid: break; // forward only
     }
 }
 
-graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame, LightingInputs inputs) {
-    inputs.target = make_light_counts(graph, frame);
+graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::View& view, LightingInputs inputs) {
+    inputs.target = make_light_counts(graph, view, inputs.lists && inputs.lists->walk == LightWalk::compute);
     inputs.count_pairs = false;
-    light_pass(graph, frame, "light-count", inputs);
+    light_pass(graph, view, "light-count", inputs);
     return inputs.target.images[0];
 }
 
-uint32_t light_adds(const resident::Frame& frame, bool one_by_one) {
-    if (!resident::builds_lists(frame.culling()) && one_by_one)
-        return light_overlap(frame.geometry().draws, frame.placed_lights());
-    const LightWalk walk = frame.culling() == resident::LightCulling::tiles ? LightWalk::compute : LightWalk::fragment;
-    const uint32_t rounds = light_rounds(frame, walk, false).count;
+uint32_t light_adds(const resident::View& view, bool one_by_one) {
+    if (!resident::builds_lists(view.culling()) && one_by_one)
+        return light_overlap(view.scene().geometry().draws, view.lights().placed());
+    const LightWalk walk = view.culling() == resident::LightCulling::tiles ? LightWalk::compute : LightWalk::fragment;
+    const uint32_t rounds = light_rounds(view, walk).count;
     return rounds > 1 ? rounds : 0;
 }
 
@@ -67,12 +67,6 @@ SettingInfo list_shading_setting() {
             "tiles: walk lists in a full-screen draw, or in a compute pass; auto: compute on software devices"};
 }
 
-ListShading list_shading(const std::string& value) {
-    return value == "fragment"  ? ListShading::fragment
-           : value == "compute" ? ListShading::compute
-                                : ListShading::automatic;
-}
-
 SettingInfo list_contents_setting() {
     return {"light-lists",
             {"built", "perfect", "empty"},
@@ -80,8 +74,15 @@ SettingInfo list_contents_setting() {
             "tiles, for measuring only: lists of contributing lights alone (a slow pass makes them), or no lights"};
 }
 
-ListContents list_contents(const std::string& value) {
-    return value == "perfect" ? ListContents::perfect : value == "empty" ? ListContents::empty : ListContents::built;
+ScreenListOptions screen_list_options(const std::map<std::string, std::string>& settings) {
+    const std::string &shading = settings.at("list-shading"), &contents = settings.at("light-lists");
+    return {.tile_size = static_cast<uint32_t>(std::stoul(settings.at("tile-size"))),
+            .shading = shading == "fragment"  ? ListShading::fragment
+                       : shading == "compute" ? ListShading::compute
+                                              : ListShading::automatic,
+            .contents = contents == "perfect" ? ListContents::perfect
+                        : contents == "empty" ? ListContents::empty
+                                              : ListContents::built};
 }
 
 std::vector<SettingInfo> volume_settings() {

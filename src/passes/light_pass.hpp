@@ -1,21 +1,21 @@
 #pragma once
-#include "lighting.hpp"
+#include "screen_lists.hpp"
 #include <map>
 
 namespace prelight::passes {
 
-/// All lights of a frame into the target, in the way that resident::FrameSettings::culling says
+/// All lights of a frame into the target, in the way that resident::ViewSettings::culling says
 /// (`light-culling=`). `name` is the pass's name in figures and labels.
-void light_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+void light_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                 const LightingInputs& inputs);
 
 /// The same, but instead of light an image of the lights that each pixel evaluates in R and those that
 /// contribute in G, for --view light-count.
-graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame, LightingInputs inputs);
+graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::View& view, LightingInputs inputs);
 
 /// How often a light pass may add to one pixel by blending. `one_by_one`: where lights are drawn light by light, they
 /// are blended.
-uint32_t light_adds(const resident::Frame& frame, bool one_by_one);
+uint32_t light_adds(const resident::View& view, bool one_by_one);
 
 /// The setting `light-culling` of every architecture with light passes.
 SettingInfo light_culling_setting();
@@ -23,8 +23,7 @@ SettingInfo tile_size_setting();
 /// Of light lists: who walks them.
 SettingInfo list_shading_setting();
 SettingInfo list_contents_setting();
-ListContents list_contents(const std::string& value);
-ListShading list_shading(const std::string& value);
+ScreenListOptions screen_list_options(const std::map<std::string, std::string>& settings);
 resident::LightCulling light_culling(const std::string& value);
 
 /// The settings of rectangles, volumes and stencil, and what they say: keys and values of every one.

@@ -10,17 +10,17 @@ namespace {
 
 /// `auto` leaves software devices out: on SwiftShader the test and a draw for each light cost
 /// more than the pixels that they save (docs/light-culling.md).
-bool uses_depth_bounds(const resident::Frame& frame) {
-    const gpu::Context& context = frame.context();
-    const resident::DepthBounds asked = frame.volumes().depth_bounds;
+bool uses_depth_bounds(const resident::View& view) {
+    const gpu::Context& context = view.context();
+    const resident::DepthBounds asked = view.volumes().depth_bounds;
     return context.features().depth_bounds && (asked == resident::DepthBounds::on ||
                                                (asked == resident::DepthBounds::automatic && !context.is_software()));
 }
 
 class RectangleDraws {
 public:
-    RectangleDraws(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs)
-        : draws_(frame, interface, inputs), bounds_(uses_depth_bounds(frame)) {
+    RectangleDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs)
+        : draws_(view, interface, inputs), bounds_(uses_depth_bounds(view)) {
         for (const bool inside : {false, true}) {
             gpu::GraphicsPipelineDesc desc =
                 draws_.pipeline(inside ? "rectangles from inside" : "rectangles from outside", "light_rectangle.vert");
@@ -29,7 +29,7 @@ public:
             desc.depth = bounds_  ? gpu::DepthTest::none
                          : inside ? gpu::DepthTest::before_or_at
                                   : gpu::DepthTest::behind_or_at;
-            pipelines_[inside] = gpu::GraphicsPipeline(frame.context(), desc);
+            pipelines_[inside] = gpu::GraphicsPipeline(view.context(), desc);
             if (bounds_)
                 break; // both sides are in the bounds
         }
@@ -69,15 +69,15 @@ private:
 
 } // namespace
 
-void light_rectangle_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+void light_rectangle_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                           const LightingInputs& inputs) {
-    if (frame.volumes().depth_bounds == resident::DepthBounds::on && !uses_depth_bounds(frame))
+    if (view.volumes().depth_bounds == resident::DepthBounds::on && !uses_depth_bounds(view))
         graph.note(fmt::format("{}: {} has no depth bounds test, one side of each light is tested", name,
-                               frame.context().name()));
+                               view.context().name()));
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
     pass.blends().depth_test(inputs.surface.depth);
-    draw_lights<RectangleDraws>(pass, frame, inputs);
+    draw_lights<RectangleDraws>(pass, view, inputs);
 }
 
 } // namespace prelight::passes

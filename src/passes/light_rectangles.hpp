@@ -7,7 +7,7 @@ namespace prelight::passes {
 /// rectangle lies at the volume's near side and finds surfaces behind it, or, when the camera is inside,
 /// at its far side and finds surfaces before it: one draw for all lights of a kind. With the depth
 /// bounds test both sides count, at one draw a light.
-void light_rectangle_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+void light_rectangle_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                           const LightingInputs& inputs);
 
 } // namespace prelight::passes

@@ -1,5 +1,5 @@
 #pragma once
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 #include <string>
 
 namespace prelight::passes {
@@ -16,8 +16,7 @@ struct LightRounds {
 /// Who walks the lights: an invocation a pixel, or light_list.comp's with its many pixels.
 enum class LightWalk { fragment, compute };
 
-/// `counts`: the pass counts lights and knows no shadow.
-LightRounds light_rounds(const resident::Frame& frame, LightWalk walk, bool counts);
+LightRounds light_rounds(const resident::View& view, LightWalk walk);
 
 /// Where the frame's lights of the round lie in its order.
 struct RoundLights {
@@ -25,12 +24,12 @@ struct RoundLights {
     uint32_t everywhere = 0; ///< of them, first: those that are in every list
     uint32_t listed = 0;     ///< then those with a volume
 };
-RoundLights lights_of_round(const resident::Frame& frame, const LightRounds& rounds, uint32_t round);
+RoundLights lights_of_round(const resident::View& view, const LightRounds& rounds, uint32_t round);
 
 /// " 2" of the second round: what its passes' names end with.
 std::string round_name(uint32_t round);
 
 /// What cannot be added up in rounds: throws Error when it takes more than one.
-void expect_one_round(const resident::Frame& frame, const LightRounds& rounds, const std::string& what);
+void expect_one_round(const resident::View& view, const LightRounds& rounds, const std::string& what);
 
 } // namespace prelight::passes

@@ -15,21 +15,21 @@ constexpr double clipped_share = 0.001;
 uint32_t groups_of(uint32_t count, uint32_t size) { return (count + size - 1) / size; }
 
 /// A compute pass whose shader may be given one number; `dispatch` comes when all is bound.
-void dispatches(graph::Pass& pass, const resident::Frame& frame, const std::string& shader,
+void dispatches(graph::Pass& pass, const resident::View& view, const std::string& shader,
                 const gpu::Constants& constants,
                 std::function<void(const graph::PassContext&, const gpu::ComputePipeline&)> dispatch,
                 uint32_t push_bytes = 0) {
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
-    pass.prepare([=, &frame, name = pass.name()](const graph::PassInterface& interface) {
-        *pipeline = gpu::ComputePipeline(frame.context(), {.name = name,
-                                                           .shader = shader,
-                                                           .constants = constants,
-                                                           .sets = {frame.layout(), interface.inputs},
-                                                           .push_bytes = push_bytes});
+    pass.prepare([=, &view, name = pass.name()](const graph::PassInterface& interface) {
+        *pipeline = gpu::ComputePipeline(view.context(), {.name = name,
+                                                          .shader = shader,
+                                                          .constants = constants,
+                                                          .sets = {view.layout(), interface.inputs},
+                                                          .push_bytes = push_bytes});
     });
-    pass.record([pipeline, dispatch = std::move(dispatch), &frame](const graph::PassContext& context) {
+    pass.record([pipeline, dispatch = std::move(dispatch), &view](const graph::PassContext& context) {
         pipeline->bind(context.commands);
-        pipeline->bind_set(context.commands, SET_FRAME, frame.set());
+        pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
         dispatch(context, *pipeline);
     });
@@ -72,20 +72,20 @@ struct LightScale::Shared {
     uint64_t pixels = 0;
 };
 
-LightScale::LightScale(const resident::Frame& frame, const FixedPoint& form, bool measured)
-    : form_(form), fixed_scale_(frame.light_scale()), measured_(measured), shared_(std::make_shared<Shared>()) {
+LightScale::LightScale(const resident::View& view, const FixedPoint& form, bool measured)
+    : form_(form), fixed_scale_(view.light_scale()), measured_(measured), shared_(std::make_shared<Shared>()) {
     for (gpu::Buffer& result : shared_->results)
-        result = gpu::Buffer(frame.context(), "light scale", sizeof(shared::LightScaleResult),
+        result = gpu::Buffer(view.context(), "light scale", sizeof(shared::LightScaleResult),
                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::readback);
-    shared_->pixels = uint64_t(frame.extent().width) * frame.extent().height;
+    shared_->pixels = uint64_t(view.extent().width) * view.extent().height;
     if (measured)
         shared_->histogram = gpu::make_device_buffer(
-            frame.context(), "light histogram",
+            view.context(), "light histogram",
             std::vector<std::byte>(sizeof(shared::LightHistogram) + 2 * LIGHT_BINS * sizeof(uint32_t)),
             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-void LightScale::measure(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& lighting) const {
+void LightScale::measure(graph::FrameGraph& graph, const resident::View& view, const LightingInputs& lighting) const {
     if (!measured_)
         return;
     const bool deferred = lighting.target.variant == "+deferred";
@@ -101,16 +101,16 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::Frame& frame,
     if (deferred)
         peaks.sample(INPUT_COLOUR_BEFORE, lighting.target.images[0]);
     peaks.storage(INPUT_LIGHT_HISTOGRAM, histogram, true);
-    const uint32_t step = shared::light_sample_step(frame.extent().width, frame.extent().height);
-    gpu::Constants constants = lighting_constants(frame, inputs);
+    const uint32_t step = shared::light_sample_step(view.extent().width, view.extent().height);
+    gpu::Constants constants = lighting_constants(view, inputs);
     constants.emplace_back(CONSTANT_LIGHT_SAMPLE_STEP, step);
     dispatches(
-        peaks, frame, lighting_shader(inputs, "light_peaks", ".comp"), constants,
-        [&frame, side = step * LIGHT_SAMPLE_GROUP](const graph::PassContext& context,
-                                                   const gpu::ComputePipeline& pipeline) {
-            const auto lights = static_cast<uint32_t>(frame.lights().order.size());
+        peaks, view, lighting_shader(inputs, "light_peaks", ".comp"), constants,
+        [&view, side = step * LIGHT_SAMPLE_GROUP](const graph::PassContext& context,
+                                                  const gpu::ComputePipeline& pipeline) {
+            const auto lights = static_cast<uint32_t>(view.light_groups().order.size());
             pipeline.push(context.commands, std::as_bytes(std::span(&lights, 1)));
-            const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : frame.extent();
+            const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : view.extent();
             vkCmdDispatch(context.commands, groups_of(all.width, side), groups_of(all.height, side), 1);
         },
         sizeof(uint32_t));
@@ -118,11 +118,11 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::Frame& frame,
     graph::Pass& scale = graph.pass("light-scale");
     scale.storage(INPUT_LIGHT_HISTOGRAM, histogram, true)
         .storage(INPUT_LIGHT_SCALE, graph.buffer("light scale", shared_->results), true)
-        .storage(INPUT_FRAME_CONSTANTS, graph.buffer("frame constants", frame.constant_buffers()), true);
-    dispatches(scale, frame, "light_scale.comp",
+        .storage(INPUT_FRAME_CONSTANTS, graph.buffer("frame constants", view.constant_buffers()), true);
+    dispatches(scale, view, "light_scale.comp",
                {{CONSTANT_LIGHT_CODES, std::bit_cast<uint32_t>(form_.codes)},
                 {CONSTANT_LIGHT_MOST, std::bit_cast<uint32_t>(form_.most)},
-                {CONSTANT_LIGHTS_BLENDED, !lighting.write_once && !resident::builds_lists(frame.culling())}},
+                {CONSTANT_LIGHTS_BLENDED, !lighting.write_once && !resident::builds_lists(view.culling())}},
                [](const graph::PassContext& context, const gpu::ComputePipeline&) {
                    constexpr VkPipelineStageFlags2 all = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                                    compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
@@ -134,7 +134,7 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::Frame& frame,
                });
 }
 
-void LightScale::count_clipped(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId first,
+void LightScale::count_clipped(graph::FrameGraph& graph, const resident::View& view, graph::ImageId first,
                                graph::ImageId second) const {
     graph.before_frame([shared = shared_](const gpu::FrameTurn& turn) {
         shared->slot = turn.slot;
@@ -144,10 +144,10 @@ void LightScale::count_clipped(graph::FrameGraph& graph, const resident::Frame& 
     pass.sample(INPUT_DIFFUSE_LIGHT, first)
         .sample(INPUT_SPECULAR_LIGHT, second)
         .storage(INPUT_LIGHT_SCALE, graph.buffer("light scale", shared_->results), true);
-    dispatches(pass, frame, "light_clipping.comp",
+    dispatches(pass, view, "light_clipping.comp",
                {{CONSTANT_CLIPPING_FIRST, form_.first}, {CONSTANT_CLIPPING_SECOND, form_.second}},
-               [&frame](const graph::PassContext& context, const gpu::ComputePipeline&) {
-                   const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : frame.extent();
+               [&view](const graph::PassContext& context, const gpu::ComputePipeline&) {
+                   const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : view.extent();
                    vkCmdDispatch(context.commands, groups_of(all.width, LIGHT_CLIP_GROUP),
                                  groups_of(all.height, LIGHT_CLIP_GROUP), 1);
                });

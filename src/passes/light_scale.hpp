@@ -18,13 +18,13 @@ FixedPoint fixed_point_of_deferred();
 /// get, and a count of the pixels that the target does not hold. Alive as long as the frame graph.
 class LightScale {
 public:
-    /// `measured`: FrameSettings::measures_light.
-    LightScale(const resident::Frame& frame, const FixedPoint& form, bool measured);
+    /// `measured`: ViewSettings::measures_light.
+    LightScale(const resident::View& view, const FixedPoint& form, bool measured);
     /// Before anything is stored by the scale: sums all lights on some of the pixels, and chooses from their histogram.
     /// Deferred shading: `lighting` has buffers that gbuffer_pass() drew small, by light_sample_step().
-    void measure(graph::FrameGraph& graph, const resident::Frame& frame, const LightingInputs& lighting) const;
+    void measure(graph::FrameGraph& graph, const resident::View& view, const LightingInputs& lighting) const;
     /// After the light pass; the same image twice where there is one.
-    void count_clipped(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId first,
+    void count_clipped(graph::FrameGraph& graph, const resident::View& view, graph::ImageId first,
                        graph::ImageId second) const;
     /// Of the last frame that was recorded, which must be done; adds the line that says what was lost.
     void tell(Stats& stats) const;

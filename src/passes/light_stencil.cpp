@@ -7,8 +7,8 @@ namespace {
 
 class StencilDraws {
 public:
-    StencilDraws(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs)
-        : draws_(frame, interface, inputs), volumes_(frame) {
+    StencilDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs)
+        : draws_(view, interface, inputs), volumes_(view) {
         for (const VolumeGroup& group : volume_groups) {
             gpu::GraphicsPipelineDesc light = draws_.pipeline(group.name, "");
             volumes_.describe(light, group.spot);
@@ -20,8 +20,8 @@ public:
             mark.fragment.clear();
             mark.depth = gpu::DepthTest::behind_or_at;
             mark.stencil = group.inside ? gpu::Stencil::mark_failing : gpu::Stencil::mark_passing;
-            pipelines_[group.index()] = {gpu::GraphicsPipeline(frame.context(), mark),
-                                         gpu::GraphicsPipeline(frame.context(), light)};
+            pipelines_[group.index()] = {gpu::GraphicsPipeline(view.context(), mark),
+                                         gpu::GraphicsPipeline(view.context(), light)};
         }
     }
 
@@ -58,12 +58,12 @@ private:
 
 } // namespace
 
-void light_stencil_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+void light_stencil_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                         const LightingInputs& inputs) {
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
     pass.blends().stencil(inputs.surface.depth);
-    draw_lights<StencilDraws>(pass, frame, inputs);
+    draw_lights<StencilDraws>(pass, view, inputs);
 }
 
 } // namespace prelight::passes

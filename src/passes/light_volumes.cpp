@@ -7,17 +7,17 @@ namespace {
 
 class VolumeDraws {
 public:
-    VolumeDraws(const resident::Frame& frame, const graph::PassInterface& interface, const LightingInputs& inputs)
-        : draws_(frame, interface, inputs), volumes_(frame) {
+    VolumeDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs)
+        : draws_(view, interface, inputs), volumes_(view) {
         for (const VolumeGroup& group : volume_groups) {
             gpu::GraphicsPipelineDesc desc = draws_.pipeline(group.name, "");
             volumes_.describe(desc, group.spot);
             // From outside the front faces find surfaces behind them; from inside, or when the near
             // plane cuts the volume, the back faces find surfaces before them: each pixel once, no hole.
-            desc.depth = !frame.volumes().depth_test ? gpu::DepthTest::none
-                         : group.inside              ? gpu::DepthTest::before_or_at
-                                                     : gpu::DepthTest::behind_or_at;
-            pipelines_[group.index()] = gpu::GraphicsPipeline(frame.context(), desc);
+            desc.depth = !view.volumes().depth_test ? gpu::DepthTest::none
+                         : group.inside             ? gpu::DepthTest::before_or_at
+                                                    : gpu::DepthTest::behind_or_at;
+            pipelines_[group.index()] = gpu::GraphicsPipeline(view.context(), desc);
         }
     }
 
@@ -42,12 +42,12 @@ private:
 
 } // namespace
 
-void light_volume_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name,
+void light_volume_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                        const LightingInputs& inputs) {
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
     pass.blends().depth_test(inputs.surface.depth);
-    draw_lights<VolumeDraws>(pass, frame, inputs);
+    draw_lights<VolumeDraws>(pass, view, inputs);
 }
 
 } // namespace prelight::passes

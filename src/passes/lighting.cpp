@@ -7,24 +7,24 @@ namespace prelight::passes {
 namespace {
 
 /// The next format is taken where the device cannot draw into one, or not blend in it.
-graph::ImageId target(graph::FrameGraph& graph, const resident::Frame& frame, const char* name,
-                      LightBufferFormat format, bool wide) {
+graph::ImageId target(graph::FrameGraph& graph, const resident::View& view, const char* name, LightBufferFormat format,
+                      bool wide) {
     if (wide)
-        return graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, frame.extent()});
+        return graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.extent()});
     switch (format) {
     case LightBufferFormat::r11g11b10f:
-        if (frame.context().supports(VK_FORMAT_B10G11R11_UFLOAT_PACK32, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
-            return graph.image(name, {VK_FORMAT_B10G11R11_UFLOAT_PACK32, frame.extent()});
-        graph.note(fmt::format("{}: R11G11B10F does not blend on {}, RGBA16F is taken", name, frame.context().name()));
+        if (view.context().supports(VK_FORMAT_B10G11R11_UFLOAT_PACK32, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
+            return graph.image(name, {VK_FORMAT_B10G11R11_UFLOAT_PACK32, view.extent()});
+        graph.note(fmt::format("{}: R11G11B10F does not blend on {}, RGBA16F is taken", name, view.context().name()));
         break;
     case LightBufferFormat::rgb10a2:
-        return graph.image(name, frame.extent(), {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM});
+        return graph.image(name, view.extent(), {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM});
     case LightBufferFormat::rgba8:
-    case LightBufferFormat::packed_rgba8: return graph.image(name, {VK_FORMAT_R8G8B8A8_UNORM, frame.extent()});
+    case LightBufferFormat::packed_rgba8: return graph.image(name, {VK_FORMAT_R8G8B8A8_UNORM, view.extent()});
     case LightBufferFormat::rgba16f:
     case LightBufferFormat::packed_rgba16f: break;
     }
-    return graph.image(name, {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+    return graph.image(name, {VK_FORMAT_R16G16B16A16_SFLOAT, view.extent()});
 }
 
 /// What the shader rounds to.
@@ -39,45 +39,52 @@ uint32_t storage_of(VkFormat format) {
 
 } // namespace
 
+bool is_pair_of_halves(const LightModel& model) {
+    return model.buffer == LightBufferFormat::rgba16f && model.specular != SpecularWay::fifth_channel;
+}
+
 bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R32G32B32A32_UINT;
 }
 
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model,
-                              bool pair, bool wide) {
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model, bool pair,
+                              bool wide) {
     LightBuffer out;
     if (pair) {
-        out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, frame.extent()});
+        out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, view.extent()});
         out.target = {
             .variant = "+pair", .images = {out.diffuse}, .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
         return out;
     }
     wide = wide && !model.fixed_point();
-    out.diffuse = out.specular = target(graph, frame, "diffuse light", model.buffer, wide);
+    out.diffuse = out.specular = target(graph, view, "diffuse light", model.buffer, wide);
     out.target.images = {out.diffuse};
     out.target.constants = {{CONSTANT_LIGHT_STORAGE, storage_of(graph.desc(out.diffuse).format)}};
     if (model.specular == SpecularWay::fifth_channel)
         out.specular = graph.image("fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM
                                                      : wide              ? VK_FORMAT_R32_SFLOAT
                                                                          : VK_FORMAT_R16_SFLOAT,
-                                                     frame.extent()});
+                                                     view.extent()});
     else if (model.packed())
         out.target.variant = "+packed";
     else
-        out.specular = target(graph, frame, "specular light", model.buffer, wide);
+        out.specular = target(graph, view, "specular light", model.buffer, wide);
     if (out.specular != out.diffuse)
         out.target.images.push_back(out.specular);
     return out;
 }
 
-graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::Frame& frame) {
-    const bool blends = frame.context().supports(VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT);
-    return graph.image("light count",
-                       {blends ? VK_FORMAT_R32G32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
+graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::View& view, bool stored) {
+    const auto can = [&](VkFormat format) {
+        return view.context().supports(format, stored ? VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT
+                                                      : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT);
+    };
+    const VkFormat wider = stored ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
+    return graph.image("light count", {can(VK_FORMAT_R32G32_SFLOAT) ? VK_FORMAT_R32G32_SFLOAT : wider, view.extent()});
 }
 
-LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& frame) {
-    return {.variant = "+count", .images = {light_count_image(graph, frame)}};
+LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& view, bool stored) {
+    return {.variant = "+count", .images = {light_count_image(graph, view, stored)}};
 }
 
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
@@ -108,25 +115,28 @@ std::string lighting_shader(const LightingInputs& inputs, const std::string& sha
            ending;
 }
 
-gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs) {
+gpu::Constants lighting_constants(const resident::View& view, const LightingInputs& inputs) {
     gpu::Constants constants = inputs.surface.format.constants();
     for (const gpu::Constants& more : {inputs.model.constants(), inputs.target.constants})
         constants.insert(constants.end(), more.begin(), more.end());
     constants.insert(constants.end(),
-                     {{CONSTANT_COUNT_PAIRS, inputs.count_pairs}, {CONSTANT_LIGHT_KINDS, frame.light_kinds()}});
-    add_shadow_constants(constants, frame);
+                     {{CONSTANT_COUNT_PAIRS, inputs.count_pairs}, {CONSTANT_LIGHT_KINDS, view.lights().kinds()}});
+    add_shadow_constants(constants, view);
+    if (inputs.lists)
+        for (const auto& constant : light_list_constants(*inputs.lists))
+            constants.push_back(constant);
     return constants;
 }
 
-gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const graph::PassInterface& interface,
+gpu::GraphicsPipelineDesc lighting_pipeline(const resident::View& view, const graph::PassInterface& interface,
                                             const LightingInputs& inputs, const std::string& shader) {
     gpu::GraphicsPipelineDesc desc;
     desc.fragment = lighting_shader(inputs, shader, ".frag");
-    desc.constants = lighting_constants(frame, inputs);
+    desc.constants = lighting_constants(view, inputs);
     desc.colour_formats = interface.colour_formats;
     desc.depth_format = interface.depth_format;
     desc.stencil_format = interface.stencil_format;
-    desc.sets = {frame.layout(), interface.inputs};
+    desc.sets = {view.layout(), interface.inputs};
     return desc;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "depth_normal.hpp"
+#include "light_lists.hpp"
 #include "light_model.hpp"
 #include "shadow_maps.hpp"
 
@@ -15,14 +16,6 @@ struct LightTarget {
     bool added = false;       ///< a compute pass adds to what stands there, where it would replace it
 };
 
-/// How light lists are walked: by a full-screen draw, or (tiles only) by a compute pass whose subgroups share what
-/// they load. Automatic: compute on software devices, which load slowly.
-enum class ListShading { automatic, fragment, compute };
-
-/// Light lists as they are built; or, for measuring and for tiles only, without the lights that contribute to
-/// no pixel of their tile (the limit of what lists can be), or without any.
-enum class ListContents { built, perfect, empty };
-
 /// What every light pass gets, however it finds its pixels.
 struct LightingInputs {
     SurfaceBuffers surface;
@@ -32,11 +25,8 @@ struct LightingInputs {
     Shadows shadows;
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound
     bool count_pairs = false;
-    uint32_t tile_size = 8; ///< light lists: pixels of a tile's side, 8, 16 or 32
-    ListShading list_shading = ListShading::automatic;
-    ListContents list_contents = ListContents::built;
-    uint64_t list_room = 0;  ///< light lists: LightListInputs::first_room
-    bool write_once = false; ///< all of a pixel's lights in one loop, instead of blended one by one
+    std::optional<LightLists> lists; ///< tiles and clusters
+    bool write_once = false;         ///< all of a pixel's lights in one loop, instead of blended one by one
 };
 
 /// The light buffer; `specular` is the diffuse image itself when packed, or the fifth channel.
@@ -45,17 +35,20 @@ struct LightBuffer {
     graph::ImageId specular;
     LightTarget target;
 };
-/// `pair`: as light_pair_pays() says. `wide`: full floats in the place of half floats and smaller ones, for sums of
-/// many lights.
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::Frame& frame, const LightModel& model,
+/// Whether one image of pairs can hold the light buffer: it is two images of RGBA16F.
+bool is_pair_of_halves(const LightModel& model);
+/// `pair`: one image of pairs (is_light_pair()), where is_pair_of_halves() and compute_walks(). `wide`: full floats in
+/// the place of half floats and smaller ones, for sums of many lights.
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model,
                               bool pair = false, bool wide = false);
 /// An image of pairs: four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel
 /// (shaders/shared/light_pair.glsl), which only a light pass that writes each pixel once can fill.
 bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image);
 
 /// Lights evaluated in R, contributing in G, for --view light-count: full floats, for half floats count to 2,048.
-graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::Frame& frame);
-LightTarget make_light_counts(graph::FrameGraph& graph, const resident::Frame& frame);
+/// `stored`: a compute pass writes them; else they are blended.
+graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::View& view, bool stored = false);
+LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& view, bool stored);
 
 /// The inputs as the pass's attachments and bindings.
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
@@ -63,11 +56,11 @@ void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const Lightin
 void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
 /// The shader's name with its variant for the target, and for shadows where there are any: counts know none.
 std::string lighting_shader(const LightingInputs& inputs, const std::string& shader, const char* ending);
-/// Specialisation constants of every shader that evaluates lights.
-gpu::Constants lighting_constants(const resident::Frame& frame, const LightingInputs& inputs);
+/// Specialisation constants of every shader that evaluates lights, and of its lists where it walks some.
+gpu::Constants lighting_constants(const resident::View& view, const LightingInputs& inputs);
 /// A pipeline with `shader`'s variant for the target, drawn over the pass's attachments; the caller
 /// adds vertex shader, depth test and blending.
-gpu::GraphicsPipelineDesc lighting_pipeline(const resident::Frame& frame, const graph::PassInterface& interface,
+gpu::GraphicsPipelineDesc lighting_pipeline(const resident::View& view, const graph::PassInterface& interface,
                                             const LightingInputs& inputs, const std::string& shader);
 
 } // namespace prelight::passes

@@ -9,12 +9,12 @@ bool is_half(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
-void draw(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs, const std::string& name,
+void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs, const std::string& name,
           graph::ImageId target, uint32_t output, Display display = {}) {
     graph::Pass& pass = graph.pass(name);
     pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f}).depth_test(inputs.depth);
     const bool bits =
-        frame.context().is_software() && is_half(graph, inputs.light.diffuse) && is_half(graph, inputs.light.specular);
+        view.context().is_software() && is_half(graph, inputs.light.diffuse) && is_half(graph, inputs.light.specular);
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
     (pass.*sample)(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse);
     (pass.*sample)(INPUT_SPECULAR_LIGHT, inputs.light.specular);
@@ -28,14 +28,14 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
     const bool occluded = inputs.visibility.has_value();
     if (occluded)
         pass.sample(INPUT_OCCLUSION, *inputs.visibility);
-    const bool all_of_a_point = frame.environment() || occluded; // normal and viewer
+    const bool all_of_a_point = view.scene().environment() || occluded; // normal and viewer
     const std::string texels = is_light_pair(graph, inputs.light.diffuse) ? "+pair" : bits ? "+bits" : "";
     const std::string own = "material" + texels + (occluded ? "+occlusion" : "") + ".frag";
     const std::string shader = !ggx    ? "material_blinn_phong"
                                : at_nv ? "material_metallic_roughness"
                                        : "material_metallic_roughness+weighted";
     draw_surfaces(
-        graph, pass, frame,
+        graph, pass, view,
         {.name = "material",
          .fragment = all_of_a_point ? (ggx ? "metallic_roughness/" : "blinn_phong/") + own : shader + texels + ".frag",
          .own_fragment = own,
@@ -50,24 +50,24 @@ void draw(graph::FrameGraph& graph, const resident::Frame& frame, const Material
 
 } // namespace
 
-graph::ImageId material_pass(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
+graph::ImageId material_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                              Display display) {
-    const graph::ImageId target = picture_image(graph, frame, display);
-    draw(graph, frame, inputs, "material", target, MATERIAL_OUTPUT_SHADED, display);
+    const graph::ImageId target = picture_image(graph, view, display);
+    draw(graph, view, inputs, "material", target, MATERIAL_OUTPUT_SHADED, display);
     return target;
 }
 
-graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs,
+graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                               bool specular) {
     const char* name = specular ? "specular-sum" : "diffuse-sum";
-    const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, frame.extent()});
-    draw(graph, frame, inputs, name, target, specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM);
+    const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.extent()});
+    draw(graph, view, inputs, name, target, specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM);
     return target;
 }
 
-graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::Frame& frame, const MaterialInputs& inputs) {
-    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, frame.extent()});
-    draw(graph, frame, inputs, "albedo", target, MATERIAL_OUTPUT_ALBEDO);
+graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs) {
+    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.extent()});
+    draw(graph, view, inputs, "albedo", target, MATERIAL_OUTPUT_ALBEDO);
     return target;
 }
 

@@ -28,7 +28,7 @@ bool overlap(const resident::ShadowTilePlace& a, const resident::ShadowTilePlace
 /// The pipelines of casters: of those without mask, and of each set of features that masks have.
 class ShadowDraws::Casters {
 public:
-    Casters(const resident::Frame& frame, VkDescriptorSetLayout inputs) : frame_(frame) {
+    Casters(const resident::View& view, VkDescriptorSetLayout inputs) : view_(view) {
         gpu::GraphicsPipelineDesc desc;
         desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), 3 * sizeof(glm::vec4)};
         desc.instance_binding = caster_rows;
@@ -37,12 +37,12 @@ public:
         desc.push_bytes = sizeof(shared::ShadowTileConstants);
         desc.push_stage = VK_SHADER_STAGE_VERTEX_BIT;
         desc.slope_bias = slope_bias;
-        desc.sets = {frame.layout(), inputs, frame.materials().layout};
-        clear_ = gpu::GraphicsPipeline(frame.context(), {.name = "shadow tile clear",
-                                                         .vertex = "fullscreen.vert",
-                                                         .depth_format = shadow_format,
-                                                         .depth = gpu::DepthTest::overwrite});
-        for (const Draw& draw : frame.geometry().draws) {
+        desc.sets = {view.layout(), inputs, view.scene().materials().layout};
+        clear_ = gpu::GraphicsPipeline(view.context(), {.name = "shadow tile clear",
+                                                        .vertex = "fullscreen.vert",
+                                                        .depth_format = shadow_format,
+                                                        .depth = gpu::DepthTest::overwrite});
+        for (const Draw& draw : view.scene().geometry().draws) {
             const uint32_t features = key(draw);
             if (pipelines_.contains(features))
                 continue;
@@ -51,13 +51,14 @@ public:
             desc.fragment = features ? "shadow_mask.frag" : "";
             desc.constants = {{CONSTANT_MATERIAL_FEATURES, features}};
             desc.attributes = attributes_of(features != 0);
-            pipelines_.emplace(features, gpu::GraphicsPipeline(frame.context(), desc));
+            pipelines_.emplace(features, gpu::GraphicsPipeline(view.context(), desc));
         }
     }
 
     void bind_geometry(const graph::PassContext& pass) const {
-        const resident::Geometry& geometry = frame_.geometry();
-        const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), frame_.caster_rows()};
+        const resident::Geometry& geometry = view_.scene().geometry();
+        const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(),
+                                    view_.scene().caster_rows()};
         const VkDeviceSize offsets[] = {0, 0, 0};
         vkCmdBindVertexBuffers(pass.commands, 0, 3, buffers, offsets);
         vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
@@ -72,7 +73,7 @@ public:
 
     /// Neighbours of the same mesh are one call.
     void draw(const graph::PassContext& pass, const ShadowMap& map) const {
-        const std::vector<Draw>& all = frame_.geometry().draws;
+        const std::vector<Draw>& all = view_.scene().geometry().draws;
         const std::vector<uint32_t>& draws = map.casters;
         const gpu::GraphicsPipeline* bound = nullptr;
         uint32_t material = no_image;
@@ -81,14 +82,15 @@ public:
             const gpu::GraphicsPipeline& pipeline = pipelines_.at(key(first));
             if (&pipeline != bound) {
                 pipeline.bind(pass.commands);
-                pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
+                pipeline.bind_set(pass.commands, SET_FRAME, view_.set());
                 pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
                 pipeline.push(pass.commands, std::as_bytes(std::span(&map.clip_from_centre, 1)));
                 bound = &pipeline;
                 material = no_image;
             }
             if (first.material != material && (key(first) || material == no_image)) {
-                pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets_for_gradients()[first.material]);
+                pipeline.bind_set(pass.commands, SET_MATERIAL,
+                                  view_.scene().materials().sets_for_gradients()[first.material]);
                 material = first.material;
             }
             uint32_t count = 1;
@@ -102,7 +104,7 @@ public:
 
     /// Each pipeline once.
     void warm_up(const graph::PassContext& pass) const {
-        const std::vector<Draw>& all = frame_.geometry().draws;
+        const std::vector<Draw>& all = view_.scene().geometry().draws;
         clear(pass);
         for (const auto& [features, pipeline] : pipelines_)
             for (uint32_t d = 0; d < all.size(); ++d)
@@ -137,21 +139,20 @@ private:
         return out;
     }
 
-    const resident::Frame& frame_;
+    const resident::View& view_;
     gpu::GraphicsPipeline clear_;
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: without mask
 };
 
-ShadowDraws::ShadowDraws(const resident::Frame& frame, VkDescriptorSetLayout inputs, const Shadows& shadows)
-    : frame_(frame), counts_(*shadows.counts), held_(shadows.held), casters_(std::make_unique<Casters>(frame, inputs)) {
-}
+ShadowDraws::ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows)
+    : view_(view), counts_(*shadows.counts), held_(shadows.held), casters_(std::make_unique<Casters>(view, inputs)) {}
 ShadowDraws::~ShadowDraws() = default;
 
 void ShadowDraws::record(const graph::PassContext& pass) {
     casters_->bind_geometry(pass);
     if (pass.one_pixel)
         return casters_->warm_up(pass);
-    for (const ShadowTile& tile : frame_.shadows()->tiles())
+    for (const ShadowTile& tile : view_.shadows()->tiles())
         draw_anew(pass, tile.map);
 }
 
@@ -167,7 +168,7 @@ void ShadowDraws::begin(const graph::PassContext& pass) {
 }
 
 void ShadowDraws::record_light(const graph::PassContext& pass, uint32_t light) {
-    const std::vector<ShadowTile>& tiles = frame_.shadows()->tiles();
+    const std::vector<ShadowTile>& tiles = view_.shadows()->tiles();
     const auto first = std::lower_bound(tiles.begin(), tiles.end(), light,
                                         [](const ShadowTile& tile, uint32_t wanted) { return tile.light < wanted; });
     if (pass.one_pixel || first == tiles.end() || first->light != light)
@@ -180,7 +181,7 @@ void ShadowDraws::record_light(const graph::PassContext& pass, uint32_t light) {
 }
 
 void ShadowDraws::draw_anew(const graph::PassContext& pass, const ShadowMap& map) {
-    if (frame_.shadows()->options().cached && held(map))
+    if (view_.shadows()->options().cached && held(map))
         ++counts_.tiles_reused;
     else
         draw(pass, map);

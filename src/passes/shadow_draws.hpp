@@ -14,7 +14,7 @@ struct HeldMaps {
 class ShadowDraws {
 public:
     /// `inputs`: the pass's, of which nothing is read.
-    ShadowDraws(const resident::Frame& frame, VkDescriptorSetLayout inputs, const Shadows& shadows);
+    ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows);
     ~ShadowDraws();
     /// All tiles of the frame.
     void record(const graph::PassContext& pass);
@@ -28,7 +28,7 @@ private:
     bool held(const resident::ShadowMap& map) const;
     void draw(const graph::PassContext& pass, const resident::ShadowMap& map);
 
-    const resident::Frame& frame_;
+    const resident::View& view_;
     ShadowCounts& counts_;
     std::shared_ptr<HeldMaps> held_;
     std::unique_ptr<Casters> casters_;

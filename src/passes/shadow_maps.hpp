@@ -2,7 +2,7 @@
 #include <gpu/shader_stage.hpp>
 #include <graph/frame_graph.hpp>
 #include <memory>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 
 namespace prelight::passes {
 
@@ -28,16 +28,16 @@ struct ShadowCounts {
     uint64_t tiles_drawn = 0, tiles_reused = 0, casters_drawn = 0;
 };
 
-/// Shadow maps: a pass "shadows" that draws the tiles of Frame::shadows() into one depth image, each with the
+/// Shadow maps: a pass "shadows" that draws the tiles of View::shadows() into one depth image, each with the
 /// casters that its light may see. Both faces of every triangle cast, masked ones where they are not masked out.
 /// A tile that the image holds already is left as it is. With ShadowOptions::reuse there is no such pass: see
 /// Shadows::reused. Nothing without shadows. `counts` lives as long as the graph.
-Shadows shadow_pass(graph::FrameGraph& graph, const resident::Frame& frame, ShadowCounts& counts);
+Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, ShadowCounts& counts);
 
 /// Makes `pass` read the atlas; nothing without shadows.
 void declare_shadows(graph::Pass& pass, const Shadows& shadows);
 /// Adds the constants of shaders that are compiled with SHADOWS.
-void add_shadow_constants(gpu::Constants& constants, const resident::Frame& frame);
+void add_shadow_constants(gpu::Constants& constants, const resident::View& view);
 /// "" or "+shadows": what such a shader's name has before its ending.
 std::string shadow_variant(const Shadows& shadows);
 

@@ -7,45 +7,45 @@ namespace {
 
 class SunOcclusion {
 public:
-    SunOcclusion(const resident::Frame& frame, const graph::PassInterface& interface, const SurfaceFormat& surface,
+    SunOcclusion(const resident::View& view, const graph::PassInterface& interface, const SurfaceFormat& surface,
                  const Shadows& shadows)
-        : frame_(frame) {
+        : view_(view) {
         gpu::GraphicsPipelineDesc desc;
         desc.name = "sun occlusion";
         desc.vertex = "fullscreen.vert";
         desc.fragment = "sun_occlusion.frag";
         desc.constants = surface.constants();
-        add_shadow_constants(desc.constants, frame);
-        desc.constants.emplace_back(CONSTANT_LIGHT_KINDS, frame.light_kinds());
+        add_shadow_constants(desc.constants, view);
+        desc.constants.emplace_back(CONSTANT_LIGHT_KINDS, view.lights().kinds());
         desc.blend = gpu::Blend::alpha_only;
         desc.colour_formats = interface.colour_formats;
-        desc.sets = {frame.layout(), interface.inputs};
-        pipeline_ = gpu::GraphicsPipeline(frame.context(), desc);
+        desc.sets = {view.layout(), interface.inputs};
+        pipeline_ = gpu::GraphicsPipeline(view.context(), desc);
         if (shadows.reused)
-            maps_.emplace(frame, interface.inputs, shadows);
+            maps_.emplace(view, interface.inputs, shadows);
     }
 
     void record(const graph::PassContext& pass) {
         if (maps_)
             maps_->begin(pass);
-        const auto sun = frame_.shadows()->sun();
+        const auto sun = view_.shadows()->sun();
         if (!sun && !pass.one_pixel)
             return;
         if (maps_ && sun)
-            maps_->record_light(pass, sun->first);
-        bind_lighting(pass, frame_, pipeline_);
+            maps_->record_light(pass, sun->light);
+        bind_lighting(pass, view_, pipeline_);
         vkCmdDraw(pass.commands, 3, 1, 0, 0);
     }
 
 private:
-    const resident::Frame& frame_;
+    const resident::View& view_;
     gpu::GraphicsPipeline pipeline_;
     std::optional<ShadowDraws> maps_; ///< Shadows::reused
 };
 
 } // namespace
 
-Shadows sun_occlusion_pass(graph::FrameGraph& graph, const resident::Frame& frame, const GBuffer& gbuffer,
+Shadows sun_occlusion_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                            Shadows shadows) {
     if (!shadows)
         return shadows;
@@ -55,8 +55,8 @@ Shadows sun_occlusion_pass(graph::FrameGraph& graph, const resident::Frame& fram
         .sample(INPUT_NORMAL, gbuffer.surface.normal);
     declare_shadows(pass, shadows);
     auto draws = std::make_shared<std::optional<SunOcclusion>>();
-    pass.prepare([=, &frame, surface = gbuffer.surface.format](const graph::PassInterface& interface) {
-        draws->emplace(frame, interface, surface, shadows);
+    pass.prepare([=, &view, surface = gbuffer.surface.format](const graph::PassInterface& interface) {
+        draws->emplace(view, interface, surface, shadows);
     });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
     shadows.sun_stored = true;

@@ -66,13 +66,13 @@ std::string variant_of(const std::string& shader, const std::string& variant) {
 
 } // namespace
 
-SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface, const Desc& desc)
-    : frame_(frame), features_kept_((desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
-                                     : desc.keeps_alpha_mask ? ~0u
-                                                             : ~FEATURE_ALPHA_MASK) &
-                                    (desc.decals ? ~0u : ~FEATURE_DECALS)),
+SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterface& interface, const Desc& desc)
+    : view_(view), features_kept_((desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
+                                   : desc.keeps_alpha_mask ? ~0u
+                                                           : ~FEATURE_ALPHA_MASK) &
+                                  (desc.decals ? ~0u : ~FEATURE_DECALS)),
       depth_only_(desc.depth_only), motion_(desc.motion), only_decals_(desc.only_decals), later_(is_later(desc.depth)),
-      counts_(frame.visible_pixels() && !later_), skips_(frame.visible_pixels() && later_) {
+      counts_(view.visible_pixels() && !later_), skips_(view.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
                                sizeof(shared::ObjectData)};
@@ -84,13 +84,13 @@ SurfaceDraws::SurfaceDraws(const resident::Frame& frame, const graph::PassInterf
     pipeline.depth = desc.depth;
     pipeline.blend = desc.blend;
     pipeline.push_bytes = desc.push_bytes;
-    pipeline.sets = {frame.layout(), interface.inputs, frame.materials().layout};
-    for (const resident::Draw& draw : frame.geometry().draws) {
+    pipeline.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
+    for (const resident::Draw& draw : view.scene().geometry().draws) {
         const Key chosen = key(draw);
         if (left_out(draw) || pipelines_.contains(chosen))
             continue;
         set_shaders(pipeline, desc, chosen);
-        pipelines_.emplace(chosen, gpu::GraphicsPipeline(frame.context(), pipeline));
+        pipelines_.emplace(chosen, gpu::GraphicsPipeline(view.context(), pipeline));
     }
 }
 
@@ -111,7 +111,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     pipeline.fragment_code.clear();
     pipeline.name = desc.name;
     if (own) {
-        const resident::MaterialShaders& shaders = frame_.materials().shaders;
+        const resident::MaterialShaders& shaders = view_.scene().materials().shaders;
         pipeline.name += " " + shaders.name(shader);
         if (shaded) {
             std::string stage = desc.own_fragment.empty() ? desc.fragment : desc.own_fragment;
@@ -142,9 +142,9 @@ SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {
 }
 
 void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
-    const resident::Geometry& geometry = frame_.geometry();
+    const resident::Geometry& geometry = view_.scene().geometry();
     const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), geometry.previous(),
-                                frame_.objects()};
+                                view_.objects()};
     const VkDeviceSize offsets[] = {0, 0, 0, 0};
     vkCmdBindVertexBuffers(pass.commands, 0, 4, buffers, offsets);
 }
@@ -154,14 +154,14 @@ void SurfaceDraws::bind_state(const graph::PassContext& pass, Bound& bound, cons
     const gpu::GraphicsPipeline& pipeline = pipelines_.at(key(draw));
     if (&pipeline != bound.pipeline) {
         pipeline.bind(pass.commands);
-        pipeline.bind_set(pass.commands, SET_FRAME, frame_.set());
+        pipeline.bind_set(pass.commands, SET_FRAME, view_.set());
         pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
         bound.pipeline = &pipeline;
         bound.material = no_image;
         bound.faces = {};
     }
     if (draw.material != bound.material) {
-        pipeline.bind_set(pass.commands, SET_MATERIAL, frame_.materials().sets[draw.material]);
+        pipeline.bind_set(pass.commands, SET_MATERIAL, view_.scene().materials().sets[draw.material]);
         bound.material = draw.material;
     }
     if (indices != bound.indices) {
@@ -178,29 +178,29 @@ void SurfaceDraws::bind_state(const graph::PassContext& pass, Bound& bound, cons
 
 bool SurfaceDraws::draw(const graph::PassContext& pass, Bound& bound, uint32_t index,
                         std::span<const std::byte> push) const {
-    const resident::VisibleDraw* visible = frame_.visible().find(index);
+    const resident::VisibleDraw* visible = view_.visible().find(index);
     if (!visible)
         return false;
-    const resident::Draw& draw = frame_.geometry().draws[index];
+    const resident::Draw& draw = view_.scene().geometry().draws[index];
     const Source from = source(visible->trimmed, visible->device_trimmed);
     bind_state(pass, bound, draw, from.indices);
     if (!push.empty())
         bound.pipeline->push(pass.commands, push);
     if (skips_)
-        frame_.visible_pixels()->begin_if_visible(pass.commands, visible->instance);
+        view_.visible_pixels()->begin_if_visible(pass.commands, visible->instance);
     if (from.device)
         draw_indirect(pass, from.commands, visible->instance, visible->instance + 1);
     else
         vkCmdDrawIndexed(pass.commands, visible->index_count, 1, visible->first_index, draw.vertex_offset,
                          visible->instance);
     if (skips_)
-        frame_.visible_pixels()->end_if_visible(pass.commands);
+        view_.visible_pixels()->end_if_visible(pass.commands);
     return true;
 }
 
 void SurfaceDraws::record(const graph::PassContext& pass, std::span<const std::byte> push) const {
-    const std::vector<resident::DrawBatch>& batches = frame_.visible().batches;
-    const resident::Geometry& geometry = frame_.geometry();
+    const std::vector<resident::DrawBatch>& batches = view_.visible().batches;
+    const resident::Geometry& geometry = view_.scene().geometry();
     const bool alone = counts_ || skips_; // each draw has its own query
     bind_geometry(pass);
     Bound bound;
@@ -216,7 +216,7 @@ void SurfaceDraws::record(const graph::PassContext& pass, std::span<const std::b
         if (!push.empty() && bound.pipeline != bound.pushed)
             (bound.pushed = bound.pipeline)->push(pass.commands, push);
         size_t end = first + 1;
-        if (alone || !(from.device || frame_.draw_options().indirect)) {
+        if (alone || !(from.device || view_.draw_options().indirect)) {
             draw_batch(pass, from, first);
         } else {
             while (end < batches.size() && !left_out(geometry.draws[batches[end].draw]) &&
@@ -230,16 +230,16 @@ void SurfaceDraws::record(const graph::PassContext& pass, std::span<const std::b
 }
 
 void SurfaceDraws::draw_batch(const graph::PassContext& pass, const Source& from, size_t batch) const {
-    const resident::VisiblePixels* pixels = frame_.visible_pixels();
+    const resident::VisiblePixels* pixels = view_.visible_pixels();
     const uint32_t query = static_cast<uint32_t>(batch);
     if (counts_)
         pixels->begin(pass.commands, query);
     if (skips_)
         pixels->begin_if_visible(pass.commands, query);
-    if (from.device || frame_.draw_options().indirect) {
+    if (from.device || view_.draw_options().indirect) {
         draw_indirect(pass, from.commands, batch, batch + 1);
     } else {
-        const VkDrawIndexedIndirectCommand& c = frame_.visible().batches[batch].command;
+        const VkDrawIndexedIndirectCommand& c = view_.visible().batches[batch].command;
         vkCmdDrawIndexed(pass.commands, c.indexCount, c.instanceCount, c.firstIndex, c.vertexOffset, c.firstInstance);
     }
     if (skips_)
@@ -249,13 +249,13 @@ void SurfaceDraws::draw_batch(const graph::PassContext& pass, const Source& from
 }
 
 SurfaceDraws::Source SurfaceDraws::source(bool trimmed, bool device_trimmed) const {
-    const resident::DrawOptions& options = frame_.draw_options();
-    const resident::DeviceTrimming* device = frame_.device_trimming();
+    const resident::DrawOptions& options = view_.draw_options();
+    const resident::DeviceTrimming* device = view_.device_trimming();
     if (device_trimmed && later_ && options.trims_by_depth)
         return {device->later().indices.handle(), device->later().commands.handle(), true};
     if (device_trimmed && options.trimming == resident::IndexTrimming::device)
         return {device->first().indices.handle(), device->first().commands.handle(), true};
-    return {trimmed ? frame_.trimmed_indices() : frame_.geometry().indices.handle(), frame_.commands(), false};
+    return {trimmed ? view_.trimmed_indices() : view_.scene().geometry().indices.handle(), view_.commands(), false};
 }
 
 bool SurfaceDraws::same_state(const resident::Draw& a, const resident::Draw& b) const {
@@ -264,36 +264,36 @@ bool SurfaceDraws::same_state(const resident::Draw& a, const resident::Draw& b) 
 
 void SurfaceDraws::draw_indirect(const graph::PassContext& pass, VkBuffer commands, size_t first, size_t end) const {
     constexpr uint32_t stride = sizeof(VkDrawIndexedIndirectCommand);
-    const gpu::Context& context = frame_.context();
+    const gpu::Context& context = view_.context();
     const size_t most = context.features().multi_draw_indirect ? context.limits().maxDrawIndirectCount : 1;
     for (; first < end; first += std::min(most, end - first))
         vkCmdDrawIndexedIndirect(pass.commands, commands, first * stride,
                                  static_cast<uint32_t>(std::min(most, end - first)), stride);
 }
 
-void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, gpu::DepthTest depth) {
+void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::View& view, gpu::DepthTest depth) {
     const bool later = SurfaceDraws::is_later(depth);
-    const resident::DrawOptions& options = frame.draw_options();
+    const resident::DrawOptions& options = view.draw_options();
     const auto reads = [&](const resident::DeviceTrimming::Output& from) {
         pass.indices(graph.buffer("kept indices", from.indices))
             .indirect(graph.buffer("trimmed draw commands", from.commands));
     };
     if (later && options.trims_by_depth)
-        reads(frame.device_trimming()->later());
+        reads(view.device_trimming()->later());
     else if (options.trimming == resident::IndexTrimming::device)
-        reads(frame.device_trimming()->first());
-    if (later && frame.visible_pixels())
-        pass.condition(graph.buffer("draw conditions", frame.visible_pixels()->conditions()));
-    if (!later && frame.visible_pixels())
+        reads(view.device_trimming()->first());
+    if (later && view.visible_pixels())
+        pass.condition(graph.buffer("draw conditions", view.visible_pixels()->conditions()));
+    if (!later && view.visible_pixels())
         pass.before_rendering(
-            [&frame](const graph::PassContext& context) { frame.visible_pixels()->reset(context.commands); });
+            [&view](const graph::PassContext& context) { view.visible_pixels()->reset(context.commands); });
 }
 
-void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame,
+void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::View& view,
                    const SurfaceDraws::Desc& desc) {
-    declare_surfaces(graph, pass, frame, desc.depth);
+    declare_surfaces(graph, pass, view, desc.depth);
     auto draws = std::make_shared<std::optional<SurfaceDraws>>();
-    pass.prepare([=, &frame](const graph::PassInterface& interface) { draws->emplace(frame, interface, desc); });
+    pass.prepare([=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface, desc); });
     pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
 }
 

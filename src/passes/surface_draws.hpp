@@ -3,7 +3,7 @@
 #include <graph/frame_graph.hpp>
 #include <map>
 #include <optional>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 
 namespace prelight::passes {
 
@@ -20,7 +20,7 @@ public:
         bool keeps_alpha_mask = true; ///< false: the mask is not asked again, the depth test decides
         gpu::Blend blend = gpu::Blend::none;
         uint32_t push_bytes = 0;         ///< push constants of every draw, in the fragment shader
-        bool motion = false;             ///< the shader is told where each point was: FrameSettings::motion
+        bool motion = false;             ///< the shader is told where each point was: ViewSettings::motion
         bool world = true;               ///< the shader reads where a point is: not compiled with NO_WORLD
         bool normal = true;              ///< and its normal: not compiled with NO_NORMAL
         bool untextured_variant = false; ///< there is a "…+untextured.frag" for materials without textures
@@ -41,7 +41,7 @@ public:
     static bool is_later(gpu::DepthTest depth) {
         return depth == gpu::DepthTest::equal || depth == gpu::DepthTest::behind_or_at;
     }
-    SurfaceDraws(const resident::Frame& frame, const graph::PassInterface& interface, const Desc& desc);
+    SurfaceDraws(const resident::View& view, const graph::PassInterface& interface, const Desc& desc);
     /// Every visible object once, in the draws that the frame's DrawOptions make of them.
     void record(const graph::PassContext& pass, std::span<const std::byte> push = {}) const;
     /// Vertex buffers, before the first draw() of a pass.
@@ -66,7 +66,7 @@ private:
     void bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw, VkBuffer indices) const;
     void draw_indirect(const graph::PassContext& pass, VkBuffer commands, size_t first, size_t end) const;
     void draw_batch(const graph::PassContext& pass, const Source& source, size_t batch) const;
-    const resident::Frame& frame_;
+    const resident::View& view_;
     uint32_t features_kept_;
     bool depth_only_;
     bool motion_;
@@ -76,10 +76,10 @@ private:
 };
 
 /// Says what draws with this depth test read beside attachments; draw_surfaces() does it by itself.
-void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame, gpu::DepthTest depth);
+void declare_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::View& view, gpu::DepthTest depth);
 
 /// Makes `pass` draw every object of the frame once.
-void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::Frame& frame,
+void draw_surfaces(graph::FrameGraph& graph, graph::Pass& pass, const resident::View& view,
                    const SurfaceDraws::Desc& desc);
 
 } // namespace prelight::passes

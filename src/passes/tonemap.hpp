@@ -2,7 +2,7 @@
 #include <gpu/pipeline.hpp>
 #include <graph/frame_graph.hpp>
 #include <optional>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 
 namespace prelight::passes {
 
@@ -12,13 +12,11 @@ namespace prelight::passes {
 /// tonemap_pass() and others. The shader ends with stored_colour() of shaders/shared/display.glsl.
 using Display = std::optional<Tonemap>;
 /// `wide`: "linear" is RGBA32F, for many lights that blending adds up.
-graph::ImageId picture_image(graph::FrameGraph& graph, const resident::Frame& frame, Display display,
-                             bool wide = false);
+graph::ImageId picture_image(graph::FrameGraph& graph, const resident::View& view, Display display, bool wide = false);
 /// The specialisation constants of stored_colour() for a target of this format.
 gpu::Constants display_constants(Display display, VkFormat target);
 
 /// Scene-linear `colour` → sRGB-encoded RGBA8, where something else needs the linear picture.
-graph::ImageId tonemap_pass(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId colour,
-                            Tonemap curve);
+graph::ImageId tonemap_pass(graph::FrameGraph& graph, const resident::View& view, graph::ImageId colour, Tonemap curve);
 
 } // namespace prelight::passes

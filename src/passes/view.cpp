@@ -5,9 +5,9 @@
 
 namespace prelight::passes {
 
-graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name, ViewKind kind,
+graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name, ViewKind kind,
                          const SurfaceBuffers& surface, graph::ImageId buffer) {
-    const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, frame.extent()});
+    const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, view.extent()});
     graph::Pass& pass = graph.pass("view-" + name);
     const bool pair = is_light_pair(graph, buffer);
     pass.colour(target, graph::Load::discard)
@@ -22,7 +22,7 @@ graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame,
         pass.sample(INPUT_MATERIAL, buffer);
     gpu::Constants constants = surface.format.constants();
     constants.emplace_back(CONSTANT_VIEW, static_cast<uint32_t>(kind));
-    draw_fullscreen(pass, frame, pair ? "view+pair.frag" : stencil ? "view+stencil.frag" : "view.frag", constants);
+    draw_fullscreen(pass, view, pair ? "view+pair.frag" : stencil ? "view+stencil.frag" : "view.frag", constants);
     return target;
 }
 

@@ -23,7 +23,7 @@ enum class ViewKind {
 };
 
 /// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.
-graph::ImageId view_pass(graph::FrameGraph& graph, const resident::Frame& frame, const std::string& name, ViewKind kind,
+graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name, ViewKind kind,
                          const SurfaceBuffers& surface, graph::ImageId buffer);
 
 } // namespace prelight::passes

@@ -83,8 +83,7 @@ public:
                                          options.msaa));
         if (options.count_pairs)
             throw UsageError("--count-pairs: the reference evaluates no light volumes to count");
-        if (options.width == 0 || options.height == 0)
-            throw Error(fmt::format("reference: a picture of {}x{} pixels", options.width, options.height));
+        check_size(options.width, options.height);
         for (const std::string& view : options.views)
             if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
                 throw UsageError(
@@ -113,6 +112,13 @@ public:
         relit_.lights.assign(lights.begin(), lights.end());
         world_ = &relit_;
         stats_.lights = lights.size();
+    }
+
+    void resize(uint32_t width, uint32_t height) override {
+        check_size(width, height);
+        options_.width = width;
+        options_.height = height;
+        stats_.frames = 0;
     }
 
     void render(const PlacedCamera& camera, uint32_t frames) override {
@@ -147,6 +153,11 @@ public:
     Stats stats() const override { return stats_; }
 
 private:
+    static void check_size(uint32_t width, uint32_t height) {
+        if (width == 0 || height == 0)
+            throw Error(fmt::format("reference: a picture of {}x{} pixels", width, height));
+    }
+
     void refuse_without_effect(const RendererInfo& info, const std::string& key, const std::string& value,
                                const std::vector<std::string>& views) const {
         const auto setting = std::find_if(info.settings.begin(), info.settings.end(),

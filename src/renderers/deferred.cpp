@@ -39,20 +39,25 @@ private:
                 .ambient_apart = occlusion_options(settings()).on};
     }
 
-    uint32_t blended_adds(const resident::Frame& frame) const override {
-        return settings().is("accumulation", "rgba8") ? 0 : passes::light_adds(frame, true);
+    uint32_t blended_adds(const resident::View& view) const override {
+        return settings().is("accumulation", "rgba8") ? 0 : passes::light_adds(view, true);
     }
 
-    resident::FrameSettings frame_settings() const override {
-        resident::FrameSettings frame = DeviceRenderer::frame_settings();
+    resident::GpuSceneSettings scene_settings() const override {
+        resident::GpuSceneSettings scene = DeviceRenderer::scene_settings();
+        scene.motion = true;
+        return scene;
+    }
+
+    resident::ViewSettings view_settings() const override {
+        resident::ViewSettings view = DeviceRenderer::view_settings();
         if (format().light_in_bytes) {
-            frame.measures_light = settings().is("light-scale", "auto");
-            frame.light_scale = frame.measures_light ? 1 : settings().number("light-scale");
+            view.measures_light = settings().is("light-scale", "auto");
+            view.light_scale = view.measures_light ? 1 : settings().number("light-scale");
         }
-        frame.motion = true;
-        frame.culling = passes::light_culling(settings().get("light-culling"));
-        frame.volumes = passes::volume_options(settings().all());
-        return frame;
+        view.culling = passes::light_culling(settings().get("light-culling"));
+        view.volumes = passes::volume_options(settings().all());
+        return view;
     }
 
     passes::LightingInputs lighting_of(const passes::GBuffer& gbuffer, const passes::Shadows& shadows) {
@@ -63,52 +68,51 @@ private:
                 .target = gbuffer.light_target(),
                 .shadows = shadows,
                 .pair_counters = &pair_counters(),
-                .count_pairs = options().count_pairs,
-                .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
-                .list_shading = passes::list_shading(settings().get("list-shading")),
-                .list_contents = passes::list_contents(settings().get("light-lists"))};
+                .count_pairs = options().count_pairs};
     }
 
     /// RT0 is filled with the geometry, so that its scale has to be known before: from the geometry drawn small.
-    void find_light_scale(graph::FrameGraph& graph, const resident::Frame& frame, const passes::Shadows& shadows) {
+    void find_light_scale(graph::FrameGraph& graph, const resident::View& view, const passes::Shadows& shadows) {
         const bool measured = settings().is("light-scale", "auto");
-        scale_.emplace(frame, passes::fixed_point_of_deferred(), measured);
+        scale_.emplace(view, passes::fixed_point_of_deferred(), measured);
         if (!measured)
             return;
         passes::GBufferFormat small = format();
         small.light_in_bytes = small.ambient_apart = false;
         small.pass = "geometry-small";
         small.reduction = shared::light_sample_step(options().width, options().height);
-        scale_->measure(graph, frame, lighting_of(passes::gbuffer_pass(graph, frame, small), shadows));
+        scale_->measure(graph, view, lighting_of(passes::gbuffer_pass(graph, view, small), shadows));
     }
 
-    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
-        const passes::Shadows maps = shadows(graph, frame);
+    Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
+        const passes::Shadows maps = shadows(graph, view);
         scale_.reset();
         if (format().light_in_bytes)
-            find_light_scale(graph, frame, maps);
-        const auto gbuffer = passes::gbuffer_pass(graph, frame, format());
-        passes::decal_geometry_pass(graph, frame, gbuffer, passes::decal_pass(graph, frame, gbuffer.surface));
+            find_light_scale(graph, view, maps);
+        const auto gbuffer = passes::gbuffer_pass(graph, view, format());
+        passes::decal_geometry_pass(graph, view, gbuffer, passes::decal_pass(graph, view, gbuffer.surface));
         const passes::OcclusionOptions occlusion = occlusion_options(settings());
         std::optional<graph::ImageId> visibility;
         if (occlusion.on || wants("ambient-occlusion"))
-            visibility = passes::ambient_occlusion_passes(graph, frame, gbuffer.surface, occlusion);
+            visibility = passes::ambient_occlusion_passes(graph, view, gbuffer.surface, occlusion);
         if (occlusion.on)
-            passes::ambient_light_pass(graph, frame, gbuffer, *visibility);
+            passes::ambient_light_pass(graph, view, gbuffer, *visibility);
         const passes::Shadows lit = format().layout == passes::GBufferLayout::killzone2
-                                        ? passes::sun_occlusion_pass(graph, frame, gbuffer, maps)
+                                        ? passes::sun_occlusion_pass(graph, view, gbuffer, maps)
                                         : maps;
-        const passes::LightingInputs lighting = lighting_of(gbuffer, lit);
-        passes::light_pass(graph, frame, "light", lighting);
+        passes::LightingInputs lighting = lighting_of(gbuffer, lit);
+        lighting.lists =
+            passes::screen_light_lists(graph, view, "light", lighting, passes::screen_list_options(settings().all()));
+        passes::light_pass(graph, view, "light", lighting);
         if (scale_)
-            scale_->count_clipped(graph, frame, gbuffer.light, gbuffer.light);
-        Views views = picture_views(graph, frame, gbuffer.surface.depth, [&](passes::Display display) {
-            return passes::light_resolve_pass(graph, frame, gbuffer, display);
+            scale_->count_clipped(graph, view, gbuffer.light, gbuffer.light);
+        Outputs outputs = picture_outputs(graph, view, gbuffer.surface.depth, [&](passes::Display display) {
+            return passes::light_resolve_pass(graph, view, gbuffer, display);
         });
         using passes::ViewKind;
         const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
             if (wants(name))
-                views[name] = passes::view_pass(graph, frame, name, kind, gbuffer.surface, buffer);
+                outputs[name] = passes::view_pass(graph, view, name, kind, gbuffer.surface, buffer);
         };
         const bool wide = format().layout == passes::GBufferLayout::wide;
         show("depth", ViewKind::depth, gbuffer.surface.depth_source);
@@ -121,8 +125,8 @@ private:
         if (visibility)
             show("ambient-occlusion", ViewKind::occlusion, *visibility);
         if (wants("light-count"))
-            show("light-count", ViewKind::count, passes::light_count_pass(graph, frame, lighting));
-        return views;
+            show("light-count", ViewKind::count, passes::light_count_pass(graph, view, lighting));
+        return outputs;
     }
 
     void add_figures(Stats& stats) const override {

@@ -1,6 +1,8 @@
 #pragma once
 #include "frame_queue.hpp"
+#include "frame_stats.hpp"
 #include "light_sums.hpp"
+#include "pair_counters.hpp"
 #include "settings.hpp"
 #include <functional>
 #include <graph/frame_graph.hpp>
@@ -8,7 +10,7 @@
 #include <optional>
 #include <passes/shadow_maps.hpp>
 #include <passes/tonemap.hpp>
-#include <resident/frame.hpp>
+#include <resident/view.hpp>
 
 namespace prelight {
 
@@ -19,6 +21,7 @@ class DeviceRenderer : public Renderer {
 public:
     void set_world(const World& world) final;
     void set_lights(std::span<const PlacedLight> lights) final;
+    void resize(uint32_t width, uint32_t height) final;
     void render(const PlacedCamera& camera, uint32_t frames) final;
     Image read(std::string_view view) final;
     Stats stats() const final;
@@ -30,23 +33,24 @@ protected:
     /// Throws UsageError and Error (a picture larger than the device can make).
     DeviceRenderer(Device& device, const RenderOptions& options, Settings settings);
     /// Images that read() gives, by view name; "final" among them.
-    using Views = std::map<std::string, graph::ImageId, std::less<>>;
+    using Outputs = std::map<std::string, graph::ImageId, std::less<>>;
     /// The architecture: its passes, in order.
-    virtual Views build(graph::FrameGraph& graph, const resident::Frame& frame) = 0;
+    virtual Outputs build(graph::FrameGraph& graph, const resident::View& view) = 0;
     /// How often blending may add light to one pixel; 0: no half floats are blended.
-    virtual uint32_t blended_adds(const resident::Frame&) const { return 0; }
+    virtual uint32_t blended_adds(const resident::View&) const { return 0; }
     /// What that takes, for build().
     const LightSums& light_sums() const { return light_sums_; }
     /// The picture from `linear`, which is kept when it was asked for; where `depth` is empty, the background.
-    Views linear_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId linear,
-                       graph::ImageId depth) const;
+    Outputs linear_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId linear,
+                           graph::ImageId depth) const;
     /// The picture from `draw`, which draws it finished or scene-linear: finished, unless "linear" was
     /// asked for. That saves an image of 8 bytes a pixel and a pass.
-    Views picture_views(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
-                        const std::function<graph::ImageId(passes::Display)>& draw) const;
-    virtual resident::FrameSettings frame_settings() const;
+    Outputs picture_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
+                            const std::function<graph::ImageId(passes::Display)>& draw) const;
+    virtual resident::GpuSceneSettings scene_settings() const;
+    virtual resident::ViewSettings view_settings() const;
     /// Stats::draws of the last frame.
-    virtual uint64_t draws(const resident::Frame& frame) const { return frame.visible().batches.size(); }
+    virtual uint64_t draws(const resident::View& view) const { return view.visible().batches.size(); }
 
     /// What an architecture alone knows of the last frame, which is done.
     virtual void add_figures(Stats&) const {}
@@ -56,12 +60,14 @@ protected:
     const Settings& settings() const { return settings_; }
     bool wants(std::string_view view) const;
     /// The pass of shadow maps, counted for stats(); call it before the passes that evaluate lights.
-    passes::Shadows shadows(graph::FrameGraph& graph, const resident::Frame& frame) {
-        return passes::shadow_pass(graph, frame, shadow_counts_);
+    passes::Shadows shadows(graph::FrameGraph& graph, const resident::View& view) {
+        return passes::shadow_pass(graph, view, shadow_counts_);
     }
-    const gpu::Buffer& pair_counters() const { return pair_counters_; }
+    const gpu::Buffer& pair_counters() const { return pair_counters_->buffer(); }
 
 private:
+    /// Throws Error.
+    void check_size(uint32_t width, uint32_t height) const;
     /// Waits for all frames and lets the graph go.
     void drop_graph();
     void build_graph();
@@ -69,19 +75,20 @@ private:
     void render_frame(const PlacedCamera& camera);
     /// One more frame, pass by pass: adds each pass's CPU time to pass_cpu_.
     void time_passes(const PlacedCamera& camera);
-    void clear_pairs(VkCommandBuffer commands) const;
-    void count_pairs(Stats& stats) const;
+    void clear_counters(VkCommandBuffer commands) const;
     void tell_shadows(Stats& stats) const;
 
     const gpu::Context& context_;
     RenderOptions options_;
     Settings settings_;
     LightSums light_sums_;
-    gpu::Buffer pair_counters_;
+    std::optional<PairCounters> pair_counters_;
     const World* world_ = nullptr;
-    std::unique_ptr<resident::Frame> frame_;
+    std::unique_ptr<resident::GpuScene> scene_;
+    std::unique_ptr<resident::LightSet> lights_;
+    std::unique_ptr<resident::View> view_;
     std::unique_ptr<graph::FrameGraph> graph_;
-    Views views_;
+    Outputs outputs_;
     uint64_t triangles_ = 0;             ///< of the world
     passes::ShadowCounts shadow_counts_; ///< of the last recording
     bool drawn_ = false;                 ///< the graph's images hold a frame
@@ -89,14 +96,9 @@ private:
     bool warm_ = false;                  ///< every pipeline of the graph has drawn once
     Stats stats_;                        ///< of a graph that is gone
     bool stats_stay_ = false;            ///< the last frame was drawn by read(): stats_ is what the one before it had
-    uint32_t frames_ = 0;                ///< of the last render()
-    CreatedObjects created_;             ///< by its last frame
-    struct HostSamples {
-        std::vector<double> lights, culling, objects, record;
-    };
-    HostSamples host_;
-    std::vector<std::vector<double>> pass_cpu_; ///< its passes' samples
-    std::unique_ptr<FrameQueue> queue_;         ///< last: its end waits for the frames
+    double set_lights_ms_ = 0;           ///< since the last frame
+    FrameStats costs_;                   ///< of the last render()
+    std::unique_ptr<FrameQueue> queue_;  ///< last: its end waits for the frames
 };
 
 } // namespace prelight

@@ -19,16 +19,16 @@ ForwardRenderer::ForwardRenderer(Device& device, const RenderOptions& options, S
     model_.specular_antialiasing = this->settings().is("specular-antialiasing", "on");
 }
 
-resident::FrameSettings ForwardRenderer::frame_settings() const {
-    resident::FrameSettings frame = DeviceRenderer::frame_settings();
-    frame.object_lights = order_;
-    return frame;
+resident::ViewSettings ForwardRenderer::view_settings() const {
+    resident::ViewSettings view = DeviceRenderer::view_settings();
+    view.object_lights = order_;
+    return view;
 }
 
-uint32_t ForwardRenderer::most_batches(const resident::Frame& frame, uint32_t per_pass) {
-    const auto lights = static_cast<uint32_t>(frame.placed_lights().size());
+uint32_t ForwardRenderer::most_batches(const resident::View& view, uint32_t per_pass) {
+    const auto lights = static_cast<uint32_t>(view.lights().placed().size());
     const uint32_t batches = lights / per_pass + (lights % per_pass > 0 ? 1 : 0);
-    return std::min(batches, passes::light_overlap(frame.geometry().draws, frame.placed_lights()));
+    return std::min(batches, passes::light_overlap(view.scene().geometry().draws, view.lights().placed()));
 }
 
 ForwardRenderer::Plan ForwardRenderer::limited(Plan plan) const {
@@ -51,21 +51,21 @@ passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId 
     return inputs;
 }
 
-void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const resident::Frame& frame,
+void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
                                 graph::ImageId depth) const {
     const passes::SurfaceBuffers surface{
         .format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
     const auto show = [&](const char* name, passes::ViewKind kind, graph::ImageId buffer) {
-        views[name] = passes::view_pass(graph, frame, name, kind, surface, buffer);
+        outputs[name] = passes::view_pass(graph, view, name, kind, surface, buffer);
     };
     if (wants("depth"))
         show("depth", passes::ViewKind::depth, depth);
     if (wants("albedo"))
-        show("albedo", passes::ViewKind::colour, passes::forward_albedo_pass(graph, frame, depth, decals_));
+        show("albedo", passes::ViewKind::colour, passes::forward_albedo_pass(graph, view, depth, decals_));
     if (wants("light-count")) {
         passes::ForwardInputs counts{.name = "light-count",
                                      .depth = depth,
-                                     .colour = passes::light_count_image(graph, frame),
+                                     .colour = passes::light_count_image(graph, view),
                                      .kinds = {passes::StepKind::lights},
                                      .plan =
                                          [](const resident::LightReach& reach) {
@@ -75,7 +75,7 @@ void ForwardRenderer::add_views(Views& views, graph::FrameGraph& graph, const re
         counts.decals = decals_;
         counts.pair_counters = &pair_counters();
         counts.counts_lights = true;
-        light_count_pass(graph, frame, counts);
+        light_count_pass(graph, view, counts);
         show("light-count", passes::ViewKind::count, counts.colour);
     }
 }

@@ -9,23 +9,23 @@ namespace prelight {
 class ForwardRenderer : public DeviceRenderer {
 protected:
     ForwardRenderer(Device& device, const RenderOptions& options, Settings settings, resident::ObjectLights order);
-    resident::FrameSettings frame_settings() const override;
-    uint64_t draws(const resident::Frame&) const override { return draws_; }
+    resident::ViewSettings view_settings() const override;
+    uint64_t draws(const resident::View&) const override { return draws_; }
 
     /// What counts lights for --view light-count: each pixel's, as the renderer finds them.
-    virtual void light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+    virtual void light_count_pass(graph::FrameGraph& graph, const resident::View& view,
                                   const passes::ForwardInputs& counts) const {
-        passes::forward_pass(graph, frame, counts);
+        passes::forward_pass(graph, view, counts);
     }
     /// How many draws of `per_pass` lights may add to a pixel: those whose lights reach the surface there.
-    static uint32_t most_batches(const resident::Frame& frame, uint32_t per_pass);
+    static uint32_t most_batches(const resident::View& view, uint32_t per_pass);
     /// The plan with the largest values that its steps may add to the target.
     using Plan = std::function<passes::ForwardPlan(const resident::LightReach&)>;
     Plan limited(Plan plan) const;
     /// A pass that draws into `colour`; the caller adds kinds and plan. Its draws are counted.
     passes::ForwardInputs shading(const char* name, graph::ImageId depth, graph::ImageId colour);
     /// Adds the other views that were asked for.
-    void add_views(Views& views, graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) const;
+    void add_views(Outputs& views, graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) const;
 
     passes::DecalBuffer decals_; ///< of the graph that is built: what shading() and add_views() draw with
 

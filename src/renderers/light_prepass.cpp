@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 #include <gpu/context.hpp>
 #include <passes/decals.hpp>
-#include <passes/light_list_compute.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/light_scale.hpp>
 #include <passes/materials.hpp>
@@ -54,60 +53,58 @@ public:
         : DeviceRenderer(device, options, std::move(settings)), model_(model) {}
 
 private:
-    uint32_t blended_adds(const resident::Frame& frame) const override {
-        return model_.fixed_point() ? 0 : passes::light_adds(frame, settings().is("light-writes", "blended"));
+    uint32_t blended_adds(const resident::View& view) const override {
+        return model_.fixed_point() ? 0 : passes::light_adds(view, settings().is("light-writes", "blended"));
     }
 
-    resident::FrameSettings frame_settings() const override {
-        resident::FrameSettings frame = DeviceRenderer::frame_settings();
+    resident::ViewSettings view_settings() const override {
+        resident::ViewSettings view = DeviceRenderer::view_settings();
         if (model_.fixed_point()) {
-            frame.measures_light = settings().is("light-scale", "auto");
-            frame.light_scale = frame.measures_light ? 1 : settings().number("light-scale");
+            view.measures_light = settings().is("light-scale", "auto");
+            view.light_scale = view.measures_light ? 1 : settings().number("light-scale");
         }
-        frame.culling = passes::light_culling(settings().get("light-culling"));
-        frame.volumes = passes::volume_options(settings().all());
-        return frame;
+        view.culling = passes::light_culling(settings().get("light-culling"));
+        view.volumes = passes::volume_options(settings().all());
+        return view;
     }
 
-    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
-        const auto surface = passes::depth_normal_pass(graph, frame, surface_format(settings()));
-        const auto decals = passes::decal_pass(graph, frame, surface);
-        passes::decal_normal_pass(graph, frame, surface, decals);
-        const auto list_shading = passes::list_shading(settings().get("list-shading"));
-        const auto light = passes::make_light_buffer(
-            graph, frame, model_, passes::light_pair_pays(frame, model_, list_shading) && !light_sums().wide(),
-            light_sums().wide());
-        const passes::LightingInputs lighting{.surface = surface,
-                                              .model = model_,
-                                              .target = light.target,
-                                              .shadows = shadows(graph, frame),
-                                              .pair_counters = &pair_counters(),
-                                              .count_pairs = options().count_pairs,
-                                              .tile_size = static_cast<uint32_t>(settings().number("tile-size")),
-                                              .list_shading = list_shading,
-                                              .list_contents = passes::list_contents(settings().get("light-lists")),
-                                              .write_once = settings().is("light-writes", "once")};
+    Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
+        const auto surface = passes::depth_normal_pass(graph, view, surface_format(settings()));
+        const auto decals = passes::decal_pass(graph, view, surface);
+        passes::decal_normal_pass(graph, view, surface, decals);
+        const passes::ScreenListOptions lists = passes::screen_list_options(settings().all());
+        const bool pair =
+            passes::is_pair_of_halves(model_) && !light_sums().wide() && passes::compute_walks(view, lists.shading);
+        const auto light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide());
+        passes::LightingInputs lighting{.surface = surface,
+                                        .model = model_,
+                                        .target = light.target,
+                                        .shadows = shadows(graph, view),
+                                        .pair_counters = &pair_counters(),
+                                        .count_pairs = options().count_pairs,
+                                        .write_once = settings().is("light-writes", "once")};
         scale_.reset();
         if (model_.fixed_point())
-            scale_.emplace(frame, passes::fixed_point(model_), settings().is("light-scale", "auto"))
-                .measure(graph, frame, lighting);
-        passes::light_pass(graph, frame, "light", lighting);
+            scale_.emplace(view, passes::fixed_point(model_), settings().is("light-scale", "auto"))
+                .measure(graph, view, lighting);
+        lighting.lists = passes::screen_light_lists(graph, view, "light", lighting, lists);
+        passes::light_pass(graph, view, "light", lighting);
         if (scale_)
-            scale_->count_clipped(graph, frame, light.diffuse, light.specular);
+            scale_->count_clipped(graph, view, light.diffuse, light.specular);
         passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_, .decals = decals};
         const passes::OcclusionOptions occlusion = occlusion_options(settings());
         std::optional<graph::ImageId> visibility;
         if (occlusion.on || wants("ambient-occlusion"))
-            visibility = passes::ambient_occlusion_passes(graph, frame, surface, occlusion);
+            visibility = passes::ambient_occlusion_passes(graph, view, surface, occlusion);
         if (occlusion.on)
             materials.visibility = visibility;
-        Views views = picture_views(graph, frame, surface.depth, [&](passes::Display display) {
-            return passes::material_pass(graph, frame, materials, display);
+        Outputs outputs = picture_outputs(graph, view, surface.depth, [&](passes::Display display) {
+            return passes::material_pass(graph, view, materials, display);
         });
         using passes::ViewKind;
         const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
             if (wants(name))
-                views[name] = passes::view_pass(graph, frame, name, kind, surface, buffer);
+                outputs[name] = passes::view_pass(graph, view, name, kind, surface, buffer);
         };
         show("depth", ViewKind::depth, surface.depth_source);
         show("normal", ViewKind::normal, surface.normal);
@@ -122,14 +119,14 @@ private:
                  light.specular);
         for (const bool specular : {false, true})
             if (const char* name = specular ? "specular-sum" : "diffuse-sum"; wants(name))
-                views[name] = passes::light_sum_pass(graph, frame, materials, specular);
+                outputs[name] = passes::light_sum_pass(graph, view, materials, specular);
         if (wants("albedo"))
-            show("albedo", ViewKind::colour, passes::albedo_pass(graph, frame, materials));
+            show("albedo", ViewKind::colour, passes::albedo_pass(graph, view, materials));
         if (visibility)
             show("ambient-occlusion", ViewKind::occlusion, *visibility);
         if (wants("light-count"))
-            show("light-count", ViewKind::count, passes::light_count_pass(graph, frame, lighting));
-        return views;
+            show("light-count", ViewKind::count, passes::light_count_pass(graph, view, lighting));
+        return outputs;
     }
 
     void add_figures(Stats& stats) const override {

@@ -13,24 +13,20 @@ public:
 
 private:
     uint32_t lights_per_pass() const { return static_cast<uint32_t>(settings().number("lights-per-pass")); }
-    uint32_t blended_adds(const resident::Frame& frame) const override {
-        return most_batches(frame, lights_per_pass());
-    }
-    uint64_t draws(const resident::Frame& frame) const override {
-        return ForwardRenderer::draws(frame) + ambient_draws_;
-    }
+    uint32_t blended_adds(const resident::View& view) const override { return most_batches(view, lights_per_pass()); }
+    uint64_t draws(const resident::View& view) const override { return ForwardRenderer::draws(view) + ambient_draws_; }
 
-    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
+    Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
         const bool per_object = settings().is("ambient", "per-object");
         const uint32_t per_pass = lights_per_pass();
         const auto plan = settings().is("order", "lights") ? passes::plan_by_lights : passes::plan_by_objects;
-        decals_ = passes::decals_of_own(graph, frame);
-        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
-        const auto linear = passes::picture_image(graph, frame, {}, light_sums().wide());
+        decals_ = passes::decals_of_own(graph, view);
+        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, view.extent()});
+        const auto linear = passes::picture_image(graph, view, {}, light_sums().wide());
 
         ambient_draws_ = 0;
         passes::ForwardInputs lights = shading("lights", depth, linear);
-        lights.shadows = shadows(graph, frame);
+        lights.shadows = shadows(graph, view);
         lights.lights_test =
             settings().is("depth-test", "equal") ? gpu::DepthTest::equal : gpu::DepthTest::behind_or_at;
         lights.kinds = {passes::StepKind::lights};
@@ -41,14 +37,14 @@ private:
             ambient.kinds = {passes::StepKind::base};
             ambient.plan = [](const resident::LightReach& reach) { return passes::plan_base(reach.draws()); };
             ambient.draws = &ambient_draws_;
-            passes::forward_pass(graph, frame, ambient);
+            passes::forward_pass(graph, view, ambient);
             lights.load = graph::Load::keep;
         }
         lights.plan = limited([=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); });
-        passes::forward_pass(graph, frame, lights);
-        Views views = linear_views(graph, frame, linear, depth);
-        add_views(views, graph, frame, depth);
-        return views;
+        passes::forward_pass(graph, view, lights);
+        Outputs outputs = linear_outputs(graph, view, linear, depth);
+        add_views(outputs, graph, view, depth);
+        return outputs;
     }
 
     uint64_t ambient_draws_ = 0;

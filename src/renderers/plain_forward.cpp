@@ -23,21 +23,21 @@ public:
     ~PlainForward() override { finish(); } // frames on their way use its pipelines
 
 private:
-    uint64_t draws(const resident::Frame& frame) const override { return frame.visible().draws.size(); }
+    uint64_t draws(const resident::View& view) const override { return view.visible().draws.size(); }
 
-    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
-        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, frame.extent()});
+    Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
+        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, view.extent()});
         // What encodes while it stores saves the shader a power for each channel.
-        const auto final = graph.image("final", frame.extent(), {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM});
+        const auto final = graph.image("final", view.extent(), {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM});
         graph.pass("plain-forward")
             .colour(final, graph::Load::clear)
             .depth_write(depth)
-            .prepare([this, &frame](const graph::PassInterface& interface) { make_pipelines(frame, interface); })
-            .record([this, &frame](const graph::PassContext& pass) { record(frame, pass); });
+            .prepare([this, &view](const graph::PassInterface& interface) { make_pipelines(view, interface); })
+            .record([this, &view](const graph::PassContext& pass) { record(view, pass); });
         return {{"final", final}};
     }
 
-    void make_pipelines(const resident::Frame& frame, const graph::PassInterface& interface) {
+    void make_pipelines(const resident::View& view, const graph::PassInterface& interface) {
         using resident::VertexAttributes;
         pipelines_.clear();
         gpu::GraphicsPipelineDesc desc;
@@ -46,8 +46,8 @@ private:
         desc.colour_formats = interface.colour_formats;
         desc.depth_format = interface.depth_format;
         desc.depth = gpu::DepthTest::write_nearer;
-        desc.sets = {frame.layout(), interface.inputs, frame.materials().layout};
-        for (const resident::Draw& draw : frame.geometry().draws) {
+        desc.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
+        for (const resident::Draw& draw : view.scene().geometry().draws) {
             const uint32_t kind = draw.features & features;
             if (pipelines_.contains(kind))
                 continue;
@@ -70,27 +70,27 @@ private:
             desc.constants = {{CONSTANT_MATERIAL_FEATURES, kind},
                               {CONSTANT_TONEMAP, static_cast<uint32_t>(options().tonemap)},
                               {CONSTANT_TARGET_ENCODES, desc.colour_formats[0] == VK_FORMAT_R8G8B8A8_SRGB}};
-            pipelines_.emplace(kind, gpu::GraphicsPipeline(frame.context(), desc));
+            pipelines_.emplace(kind, gpu::GraphicsPipeline(view.context(), desc));
         }
     }
 
     /// What the view holds, nearest first, so that most hidden pixels are never shaded.
-    void sort_visible(const resident::Frame& frame) {
-        const glm::mat4 rows = glm::transpose(frame.clip_from_world());
+    void sort_visible(const resident::View& view) {
+        const glm::mat4 rows = glm::transpose(view.clip_from_world());
         const glm::dvec3 depth(rows[3]); // w: view depth; the same everywhere for an orthographic camera
         const glm::dvec3 away = glm::dot(depth, depth) > 0 ? depth : -glm::dvec3(rows[2]);
         nearest_.clear();
-        for (const resident::VisibleDraw& visible : frame.visible().draws) {
-            const resident::Draw& draw = frame.geometry().draws[visible.draw];
-            nearest_.emplace_back(glm::dot(away, 0.5 * (draw.low + draw.high) - frame.eye()), &visible);
+        for (const resident::VisibleDraw& visible : view.visible().draws) {
+            const resident::Draw& draw = view.scene().geometry().draws[visible.draw];
+            nearest_.emplace_back(glm::dot(away, 0.5 * (draw.low + draw.high) - view.eye()), &visible);
         }
         std::ranges::stable_sort(nearest_, {}, &std::pair<double, const resident::VisibleDraw*>::first);
     }
 
-    void record(const resident::Frame& frame, const graph::PassContext& pass) {
-        sort_visible(frame);
-        const resident::Geometry& geometry = frame.geometry();
-        const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), frame.objects()};
+    void record(const resident::View& view, const graph::PassContext& pass) {
+        sort_visible(view);
+        const resident::Geometry& geometry = view.scene().geometry();
+        const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), view.objects()};
         const VkDeviceSize offsets[] = {0, 0, 0};
         vkCmdBindVertexBuffers(pass.commands, 0, 3, buffers, offsets);
         vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
@@ -101,13 +101,13 @@ private:
             const gpu::GraphicsPipeline& pipeline = pipelines_.at(draw->features & features);
             if (&pipeline != bound) {
                 pipeline.bind(pass.commands);
-                pipeline.bind_set(pass.commands, SET_FRAME, frame.set());
+                pipeline.bind_set(pass.commands, SET_FRAME, view.set());
                 pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
                 bound = &pipeline;
                 material.reset();
             }
             if (material != draw->material)
-                pipeline.bind_set(pass.commands, SET_MATERIAL, frame.materials().sets[draw->material]);
+                pipeline.bind_set(pass.commands, SET_MATERIAL, view.scene().materials().sets[draw->material]);
             material = draw->material;
             vkCmdSetCullMode(pass.commands, draw->double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
             vkCmdSetFrontFace(pass.commands,

@@ -17,75 +17,79 @@ public:
           grid_(settings.is("lights", "grid")) {}
 
 private:
-    resident::FrameSettings frame_settings() const override {
-        resident::FrameSettings frame = ForwardRenderer::frame_settings();
+    resident::ViewSettings view_settings() const override {
+        resident::ViewSettings view = ForwardRenderer::view_settings();
         if (grid_)
-            frame.culling = resident::LightCulling::grid;
-        return frame;
+            view.culling = resident::LightCulling::grid;
+        return view;
     }
 
-    uint32_t blended_adds(const resident::Frame& frame) const override {
-        return grid_ ? passes::light_adds(frame, false) : most_batches(frame, FORWARD_MOST_LIGHTS);
+    uint32_t blended_adds(const resident::View& view) const override {
+        return grid_ ? passes::light_adds(view, false) : most_batches(view, FORWARD_MOST_LIGHTS);
     }
 
-    void light_count_pass(graph::FrameGraph& graph, const resident::Frame& frame,
+    void light_count_pass(graph::FrameGraph& graph, const resident::View& view,
                           const passes::ForwardInputs& counts) const override {
         if (grid_)
-            passes::forward_grid_pass(graph, frame, counts);
+            passes::forward_grid_pass(graph, view, counts, *lists_);
         else
-            ForwardRenderer::light_count_pass(graph, frame, counts);
+            ForwardRenderer::light_count_pass(graph, view, counts);
     }
 
-    uint64_t draws(const resident::Frame& frame) const override {
-        return ForwardRenderer::draws(frame) + frame.visible().batches.size();
+    uint64_t draws(const resident::View& view) const override {
+        return ForwardRenderer::draws(view) + view.visible().batches.size();
     }
 
-    Views build(graph::FrameGraph& graph, const resident::Frame& frame) override {
-        const auto depth = depth_pass(graph, frame);
-        Views views;
-        if (grid_ && passes::forward_grid_adds(frame))
-            views = linear_views(graph, frame, draw_by_grid(graph, frame, depth, {}), depth);
+    Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
+        const auto depth = depth_pass(graph, view);
+        lists_.reset();
+        if (grid_)
+            lists_ = passes::grid_light_lists(graph, view, "opaque");
+        Outputs outputs;
+        if (grid_ && lists_->rounds.size() > 1) // which add up: only linear light does
+            outputs = linear_outputs(graph, view, draw_by_grid(graph, view, depth, {}), depth);
         else if (grid_)
-            views = picture_views(graph, frame, depth,
-                                  [&](passes::Display display) { return draw_by_grid(graph, frame, depth, display); });
-        else // Further lights blend: only linear light adds up
-            views = linear_views(graph, frame, draw_by_plan(graph, frame, depth), depth);
-        add_views(views, graph, frame, depth);
-        return views;
+            outputs = picture_outputs(
+                graph, view, depth, [&](passes::Display display) { return draw_by_grid(graph, view, depth, display); });
+        else // further lights blend
+            outputs = linear_outputs(graph, view, draw_by_plan(graph, view, depth), depth);
+        add_views(outputs, graph, view, depth);
+        return outputs;
     }
 
     /// Depth; where there are decals, with the normals that they look at.
-    graph::ImageId depth_pass(graph::FrameGraph& graph, const resident::Frame& frame) {
+    graph::ImageId depth_pass(graph::FrameGraph& graph, const resident::View& view) {
         decals_ = {};
-        if (frame.decals().empty())
-            return passes::depth_only_pass(graph, frame);
-        const passes::SurfaceBuffers surface = passes::depth_normal_pass(graph, frame, {});
-        decals_ = passes::decal_pass(graph, frame, surface);
+        if (view.scene().decals().empty())
+            return passes::depth_only_pass(graph, view);
+        const passes::SurfaceBuffers surface = passes::depth_normal_pass(graph, view, {});
+        decals_ = passes::decal_pass(graph, view, surface);
         return surface.depth;
     }
 
-    graph::ImageId draw_by_grid(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth,
+    graph::ImageId draw_by_grid(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
                                 passes::Display display) {
         passes::ForwardInputs opaque =
-            shading("opaque", depth, passes::picture_image(graph, frame, display, light_sums().wide()));
+            shading("opaque", depth, passes::picture_image(graph, view, display, light_sums().wide()));
         opaque.display = display;
-        opaque.shadows = shadows(graph, frame);
-        passes::forward_grid_pass(graph, frame, opaque);
+        opaque.shadows = shadows(graph, view);
+        passes::forward_grid_pass(graph, view, opaque, *lists_);
         return opaque.colour;
     }
 
-    graph::ImageId draw_by_plan(graph::FrameGraph& graph, const resident::Frame& frame, graph::ImageId depth) {
+    graph::ImageId draw_by_plan(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) {
         passes::ForwardInputs opaque =
-            shading("opaque", depth, passes::picture_image(graph, frame, {}, light_sums().wide()));
-        opaque.shadows = shadows(graph, frame);
+            shading("opaque", depth, passes::picture_image(graph, view, {}, light_sums().wide()));
+        opaque.shadows = shadows(graph, view);
         opaque.kinds = {passes::StepKind::base_and_lights, passes::StepKind::lights};
         opaque.plan = limited(
             [](const resident::LightReach& reach) { return passes::plan_shaded_once(reach, FORWARD_MOST_LIGHTS); });
-        passes::forward_pass(graph, frame, opaque);
+        passes::forward_pass(graph, view, opaque);
         return opaque.colour;
     }
 
     bool grid_;
+    std::optional<passes::LightLists> lists_; ///< with a grid; of the graph that is built
 };
 
 } // namespace

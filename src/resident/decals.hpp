@@ -25,7 +25,7 @@ bool reaches_any(std::span<const DecalBox> decals, const glm::dvec3& low, const 
 /// How the camera sees a decal's box.
 enum class DecalView { unseen, from_outside, from_inside };
 
-/// `eye`, `clip_from_world`: Frame::eye(), Frame::clip_from_world(). From inside as soon as the near plane may cut
+/// `eye`, `clip_from_world`: View::eye(), View::clip_from_world(). From inside as soon as the near plane may cut
 /// the box.
 DecalView view_of(const DecalBox& box, const glm::dvec3& eye, const glm::mat4& clip_from_world);
 

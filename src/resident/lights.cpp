@@ -101,22 +101,33 @@ double volume_reach(const Light& light, bool spot_boxes) {
     return std::max(rim, cap) * 1.002;
 }
 
+static uint32_t falloff_code(Falloff falloff) {
+    switch (falloff) {
+    case Falloff::gltf: return LIGHT_FALLOFF_GLTF;
+    case Falloff::linear: return LIGHT_FALLOFF_LINEAR;
+    case Falloff::quadratic: return LIGHT_FALLOFF_QUADRATIC;
+    }
+    return LIGHT_FALLOFF_GLTF;
+}
+
 shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, double exposure) {
     const Light& light = placed.light;
     const bool directional = light.kind == LightKind::directional;
     shared::LightData data{};
-    data.position = directional ? glm::vec4(-placed.direction, 0) : glm::vec4(placed.position - camera, 1);
-    const glm::dvec3 colour = glm::dvec3(light.colour) * (largest_intensity(light) * exposure);
-    data.colour = glm::vec4(colour, has_volume(light) ? 1.0 / light.range : 0.0);
-    data.axis = glm::vec4(placed.direction, light.shininess);
+    data.position = directional ? -glm::dvec3(placed.direction) : placed.position - camera;
+    data.kind = directional ? LIGHT_DIRECTIONAL : falloff_code(light.falloff);
+    data.colour = glm::dvec3(light.colour) * (largest_intensity(light) * exposure);
+    data.inverse_range = static_cast<float>(has_volume(light) ? 1.0 / light.range : 0.0);
+    data.axis = placed.direction;
+    data.shininess = light.shininess;
     double scale = 0, offset = 1;
     if (light.kind == LightKind::spot) {
         const double outer = std::cos(double(light.outer_cone)), inner = std::cos(double(light.inner_cone));
         scale = 1 / std::max(1e-3, inner - outer);
         offset = -outer * scale;
     }
-    const double falloff = directional ? 0 : static_cast<double>(light.falloff);
-    data.cone = glm::vec4(scale, offset, falloff, light.outer_cone);
+    data.cone = glm::vec2(scale, offset);
+    data.outer_angle = light.outer_cone;
     return data;
 }
 

@@ -44,7 +44,7 @@ struct LightGroups {
     double listed_pictures = 0; ///< how many pictures the listed lights' discs would fill, roughly
 };
 
-/// The device's record of a light; `exposure` multiplies its colour.
+/// The device's record of a light without shadow and distribution; `exposure` multiplies its colour.
 shared::LightData light_data(const PlacedLight& light, glm::dvec3 camera, double exposure);
 
 /// Leaves out what is dark or outside the view, and sorts the rest. A light is drawn "inside" (back

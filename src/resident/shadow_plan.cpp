@@ -31,15 +31,6 @@ double pixels_across(const PlacedLight& light, const PlacedCamera& camera, uint3
     return away <= range ? most : std::min(range / away / std::tan(camera.camera.yfov / 2) * height, most);
 }
 
-WorldBox box_around(std::span<const Draw> draws) {
-    if (draws.empty())
-        return {};
-    WorldBox box{draws[0].low, draws[0].high};
-    for (const Draw& draw : draws)
-        box = {glm::min(box.low, draw.low), glm::max(box.high, draw.high)};
-    return box;
-}
-
 } // namespace
 
 ShadowPlan::ShadowPlan(std::span<const Draw> draws, const ShadowOptions& options, uint32_t longest)
@@ -209,7 +200,7 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
         const PlacedLight& light = lights[wish.light];
         const uint32_t guard = guard_of(wish.side);
         find_shadow_views(light, camera, double(width) / height, world_, wish.side, guard, views);
-        lights_.emplace_back(wish.light, static_cast<uint32_t>(tiles_.size()));
+        lights_.push_back({wish.light, static_cast<uint32_t>(tiles_.size())});
         if (!sun_ && light.light.kind == LightKind::directional)
             sun_ = lights_.back();
         const std::span own = std::span(places).subspan(tiles_.size(), views.size());

@@ -44,6 +44,12 @@ struct ShadowTile {
     ShadowMap map;
 };
 
+/// A light with a shadow.
+struct ShadowedLight {
+    uint32_t light = 0;
+    uint32_t first_tile = 0; ///< of its tiles, which follow one another
+};
+
 /// Which lights of a frame have shadows, in tiles of which size, with which casters, and what shaders know of them.
 ///
 /// A light asks for as many texels as the picture has pixels where its light reaches, times
@@ -64,10 +70,10 @@ public:
     const ShadowOptions& options() const { return options_; }
     const std::vector<ShadowTile>& tiles() const { return tiles_; }
     const std::vector<shared::ShadowData>& records() const { return records_; } ///< beside tiles()
-    /// {light, number of its first tile}, for each light with a shadow.
-    const std::vector<std::pair<uint32_t, uint32_t>>& lights() const { return lights_; }
-    /// The first directional light of lights(), as there.
-    std::optional<std::pair<uint32_t, uint32_t>> sun() const { return sun_; }
+    /// In the order of the lights.
+    const std::vector<ShadowedLight>& lights() const { return lights_; }
+    /// The first directional light of lights().
+    std::optional<ShadowedLight> sun() const { return sun_; }
     /// Without what the pass knows: tiles drawn and reused, casters.
     const ShadowStats& stats() const { return stats_; }
 
@@ -99,8 +105,8 @@ private:
     std::vector<Wish> wishes_;
     std::vector<ShadowTile> tiles_, before_; ///< of this frame and of the one before
     std::vector<shared::ShadowData> records_;
-    std::vector<std::pair<uint32_t, uint32_t>> lights_;
-    std::optional<std::pair<uint32_t, uint32_t>> sun_;
+    std::vector<ShadowedLight> lights_;
+    std::optional<ShadowedLight> sun_;
     ShadowStats stats_;
 };
 

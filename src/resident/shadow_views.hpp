@@ -1,18 +1,11 @@
 #pragma once
+#include "world_box.hpp"
 #include <glm/mat4x4.hpp>
 #include <prelight/scene.hpp>
 #include <shared/shadow.h>
 #include <vector>
 
 namespace prelight::resident {
-
-/// A box around all that casts or receives shadows, world space. Its centre is the origin of what casters and
-/// tiles are relative to: it stays when the camera moves.
-struct WorldBox {
-    glm::dvec3 low{0}, high{0};
-    glm::dvec3 centre() const { return 0.5 * (low + high); }
-    glm::dvec3 reach() const { return 0.5 * (high - low); }
-};
 
 /// How a light looks at the world through one of its tiles: world relative to the world's centre → clip space
 /// of the tile (reversed depth, the near plane at 1).

@@ -2,6 +2,7 @@
 // half float holds.
 #include "devices.hpp"
 #include "programs.hpp"
+#include "world_view.hpp"
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <passes/tonemap.hpp>
@@ -43,7 +44,8 @@ protected:
 TEST_P(TonemapPass, AgreesWithTheCpu) {
     TestWorld test; // a frame wants a world; this pass does not look at it
     test.add(square(1));
-    const resident::Frame frame(context(), test.world, {width, height});
+    const WorldView on_device(context(), test.world, {.raster = {{width, height}}});
+    const resident::View& view = on_device.view;
     const std::vector<glm::vec4> colours = make_colours();
     const gpu::Buffer source(context(), "colours", colours.size() * sizeof(glm::vec4),
                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::upload);
@@ -54,7 +56,7 @@ TEST_P(TonemapPass, AgreesWithTheCpu) {
     graph::Pass& pass = graph.pass("colours");
     pass.colour(linear, graph::Load::discard).storage(0, graph.buffer("colours", source), false);
     run_program(pass, context(), "from_buffer.frag", {width});
-    const graph::ImageId final = passes::tonemap_pass(graph, frame, linear, GetParam().curve);
+    const graph::ImageId final = passes::tonemap_pass(graph, view, linear, GetParam().curve);
     graph.keep(linear);
     graph.keep(final);
     graph.compile();

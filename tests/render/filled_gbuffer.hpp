@@ -1,5 +1,6 @@
 #pragma once
 #include "against_reference.hpp"
+#include <gpu/world_view.hpp>
 #include <passes/gbuffer.hpp>
 
 namespace prelight {
@@ -15,18 +16,19 @@ inline Image picture_of(const Shot& shot) { return render_linear(test_device(), 
 /// A G-buffer of its own, filled once; its texels can be read.
 struct FilledGBuffer {
     const gpu::Context& context = dynamic_cast<gpu::Context&>(test_device());
-    resident::Frame frame;
+    WorldView on_device;
+    resident::View& view = on_device.view;
     graph::FrameGraph graph{context};
     passes::GBuffer buffer;
 
     FilledGBuffer(const Shot& shot, const passes::GBufferFormat& format)
-        : frame(context, *shot.world, {.width = shot.width, .height = shot.height, .light_scale = 2, .motion = true}),
-          buffer(passes::gbuffer_pass(graph, frame, format)) {
+        : on_device(context, *shot.world, {.raster = {{shot.width, shot.height}}, .light_scale = 2}, {.motion = true}),
+          buffer(passes::gbuffer_pass(graph, view, format)) {
         for (const graph::ImageId image :
              {buffer.light, buffer.surface.normal, buffer.motion, buffer.albedo, buffer.surface.depth})
             graph.keep(image);
         graph.compile();
-        frame.update(shot.camera);
+        view.update(shot.camera);
         context.run("G-buffer", [&](VkCommandBuffer commands) { graph.record(commands); });
     }
     VkFormat format(graph::ImageId image) const { return graph.desc(image).format; }
@@ -35,7 +37,7 @@ struct FilledGBuffer {
         const auto texels = graph.read_back(image);
         glm::dvec4 value;
         for (int c = 0; c < 4; ++c)
-            value[c] = std::to_integer<int>(texels[4 * (size_t(y) * frame.extent().width + x) + size_t(c)]) / 255.0;
+            value[c] = std::to_integer<int>(texels[4 * (size_t(y) * view.extent().width + x) + size_t(c)]) / 255.0;
         return value;
     }
 };

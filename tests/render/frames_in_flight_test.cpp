@@ -2,9 +2,9 @@
 #include "garden.hpp"
 #include "vulkan_calls.hpp"
 #include <gpu/context.hpp>
+#include <gpu/world_view.hpp>
 #include <passes/light_pass.hpp>
 #include <prelight/vary.hpp>
-#include <resident/frame.hpp>
 
 namespace prelight {
 namespace {
@@ -109,26 +109,27 @@ TEST(FramesInFlight, WhatAFrameReadsIsLeftAloneUntilItIsDone) {
     garden.add_lights(60, 3, 4);
     const std::vector<Step> all = steps(garden);
     auto& context = dynamic_cast<gpu::Context&>(test_device());
-    resident::Frame frame(context, garden.world,
-                          {.width = 160, .height = 90, .culling = resident::LightCulling::tiles});
+    WorldView on_device(context, garden.world, {.raster = {{160, 90}}, .culling = resident::LightCulling::tiles});
+    resident::View& view = on_device.view;
     graph::FrameGraph graph(context);
     const gpu::Buffer counters(context, "pair counters", 90 * 2 * sizeof(uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                gpu::BufferPlace::readback);
-    const auto surface = passes::depth_normal_pass(graph, frame, {});
-    const auto light = passes::make_light_buffer(graph, frame, {});
-    passes::light_pass(
-        graph, frame, "light",
-        {.surface = surface, .model = {}, .target = light.target, .pair_counters = &counters, .tile_size = 8});
+    const auto surface = passes::depth_normal_pass(graph, view, {});
+    const auto light = passes::make_light_buffer(graph, view, {});
+    passes::LightingInputs lighting{
+        .surface = surface, .model = {}, .target = light.target, .pair_counters = &counters};
+    lighting.lists = passes::screen_light_lists(graph, view, "light", lighting, {.tile_size = 8});
+    passes::light_pass(graph, view, "light", lighting);
     graph.keep(light.diffuse);
     graph.compile();
     const auto picture = [&](size_t step, uint32_t slot, bool overtaken) {
-        frame.set_lights(all[step].lights);
-        frame.update(all[step].camera, slot);
+        on_device.lights.replace(all[step].lights);
+        view.update(all[step].camera, slot);
         context.run("frame", [&](VkCommandBuffer commands) {
             graph.record(commands, {slot, true});
             if (overtaken) { // by the next one, before the device has begun
-                frame.set_lights(all[step + 1].lights);
-                frame.update(all[step + 1].camera, 1 - slot);
+                on_device.lights.replace(all[step + 1].lights);
+                view.update(all[step + 1].camera, 1 - slot);
             }
         });
         return graph.read_back(light.diffuse);
@@ -153,7 +154,7 @@ TEST(FramesInFlight, TheHostPreparesAFrameWhileTheDeviceDrawsTheOneBefore) {
     calls.device = dynamic_cast<gpu::Context&>(test_device()).device();
     std::vector<PlacedLight> lights = garden.world.lights;
     constexpr uint64_t frames = 20;
-    for (uint64_t frame = 0; frame < frames; ++frame) {
+    for (uint64_t view = 0; view < frames; ++view) {
         rotate_lights(lights, garden.at(0, 0, 0), 0.05);
         renderer->set_lights(lights);
         renderer->render(garden.camera);

@@ -1,8 +1,8 @@
 // Lists that do not fit walk all lights in that frame, and have room in the next.
 #include "garden.hpp"
 #include <gpu/context.hpp>
+#include <gpu/world_view.hpp>
 #include <passes/light_pass.hpp>
-#include <resident/frame.hpp>
 
 namespace prelight {
 namespace {
@@ -22,23 +22,22 @@ public:
         : context_(dynamic_cast<gpu::Context&>(test_device())),
           counters_(context_, "pair counters", 90 * 2 * sizeof(uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                     gpu::BufferPlace::readback),
-          frame_(context_, garden.world, {.width = 160, .height = 90, .culling = c.culling}), graph_(context_) {
+          on_device_(context_, garden.world, {.raster = {{160, 90}}, .culling = c.culling}), graph_(context_) {
         const passes::LightModel model;
-        const auto surface = passes::depth_normal_pass(graph_, frame_, {});
-        light_ = passes::make_light_buffer(graph_, frame_, model);
-        passes::light_pass(graph_, frame_, "light",
-                           {.surface = surface,
-                            .model = model,
-                            .target = light_.target,
-                            .pair_counters = &counters_,
-                            .count_pairs = true,
-                            .tile_size = 8,
-                            .list_shading = c.shading,
-                            .list_room = room});
+        const auto surface = passes::depth_normal_pass(graph_, view_, {});
+        light_ = passes::make_light_buffer(graph_, view_, model);
+        passes::LightingInputs lighting{.surface = surface,
+                                        .model = model,
+                                        .target = light_.target,
+                                        .pair_counters = &counters_,
+                                        .count_pairs = true};
+        lighting.lists = passes::screen_light_lists(graph_, view_, "light", lighting,
+                                                    {.tile_size = 8, .shading = c.shading, .first_room = room});
+        passes::light_pass(graph_, view_, "light", lighting);
         graph_.keep(light_.diffuse);
         graph_.keep(light_.specular);
         graph_.compile();
-        frame_.update(garden.camera);
+        view_.update(garden.camera);
     }
     struct Result {
         std::vector<std::byte> diffuse, specular;
@@ -60,7 +59,8 @@ public:
 private:
     const gpu::Context& context_;
     gpu::Buffer counters_;
-    resident::Frame frame_;
+    WorldView on_device_;
+    resident::View& view_ = on_device_.view;
     graph::FrameGraph graph_;
     passes::LightBuffer light_;
 };

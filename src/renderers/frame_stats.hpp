@@ -1,0 +1,30 @@
+#pragma once
+#include "frame_queue.hpp"
+#include <gpu/context.hpp>
+#include <prelight/renderer.hpp>
+#include <resident/view.hpp>
+
+namespace prelight {
+
+/// What has been made on the device, less `before`.
+CreatedObjects created_since(const gpu::Context& context, const CreatedObjects& before);
+
+/// What the frames of one render() cost the host, sample by sample.
+class FrameStats {
+public:
+    void start(uint32_t frames);
+    /// One frame: lights taken in before it, its update, its recording (milliseconds), and what it made.
+    void add(double set_lights_ms, const resident::UpdateTimes& times, double record_ms, const CreatedObjects& created);
+    /// CPU time of pass number `pass`, submitted alone.
+    void add_pass(size_t pass, double cpu_ms);
+    /// With the device's samples, and what each pass moves.
+    void tell(Stats& stats, const FrameSamples& samples, const std::vector<graph::PassTraffic>& traffic) const;
+
+private:
+    uint32_t frames_ = 0;
+    CreatedObjects created_; ///< by the last frame
+    std::vector<double> lights_, culling_, objects_, record_;
+    std::vector<std::vector<double>> pass_cpu_;
+};
+
+} // namespace prelight

@@ -1,0 +1,29 @@
+#include "gpu_scene.hpp"
+#include <array>
+#include <glm/matrix.hpp>
+
+namespace prelight::resident {
+
+GpuScene::GpuScene(const gpu::Context& context, const World& world, const GpuSceneSettings& settings)
+    : context_(context), world_(world),
+      materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)),
+      decals_(decal_boxes(world)),
+      geometry_(upload_geometry(context, world, settings.motion, settings.trimmed, materials_.shaders, decals_)),
+      box_(box_around(geometry_.draws)) {
+    if (settings.casters)
+        upload_casters();
+}
+
+void GpuScene::upload_casters() {
+    std::vector<std::array<glm::vec4, 3>> rows;
+    for (const Draw& draw : geometry_.draws) {
+        glm::dmat4 m = world_.instances[draw.object].transform;
+        m[3] -= glm::dvec4(box_.centre(), 0);
+        m = glm::transpose(m);
+        rows.push_back({glm::vec4(m[0]), glm::vec4(m[1]), glm::vec4(m[2])});
+    }
+    caster_rows_ = gpu::make_device_buffer(context_, "shadow casters", std::as_bytes(std::span(rows)),
+                                           VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+}
+
+} // namespace prelight::resident

@@ -1,0 +1,49 @@
+#pragma once
+#include "decals.hpp"
+#include "scene.hpp"
+#include "world_box.hpp"
+
+namespace prelight::resident {
+
+/// What of a world's data depends on how it is drawn.
+struct GpuSceneSettings {
+    gpu::TextureFilter texture_filter = gpu::TextureFilter::trilinear;
+    double exposure = 1;  ///< factor on the light of emissive materials and of the environment
+    bool motion = false;  ///< fill Geometry::previous_positions
+    bool trimmed = false; ///< the device reads positions and indices to trim them
+    bool casters = false; ///< fill caster_rows()
+};
+
+/// A world on the device: geometry, materials with their textures, environment. It knows no camera, no picture and no
+/// lights; any number of views show it. The world stays alive and unchanged as long.
+class GpuScene {
+public:
+    /// Throws Error when the world does not fit the device.
+    GpuScene(const gpu::Context& context, const World& world, const GpuSceneSettings& settings);
+
+    const gpu::Context& context() const { return context_; }
+    const World& world() const { return world_; }
+    /// Null: ambient light is the world's radiance.
+    const Environment* environment() const { return world_.scene->environment.get(); }
+    const Geometry& geometry() const { return geometry_; }
+    const Materials& materials() const { return materials_; }
+    /// Of the world's decals, in the order in which they lie over each other.
+    std::span<const DecalBox> decals() const { return decals_; }
+    /// Around all that is drawn.
+    const WorldBox& box() const { return box_; }
+    /// Of every draw of the geometry: the rows of its matrix object → world relative to box()'s centre. A vertex
+    /// buffer that steps once an instance, as casters of shadows are drawn: they do not move with the camera.
+    VkBuffer caster_rows() const { return caster_rows_.handle(); }
+
+private:
+    void upload_casters();
+    const gpu::Context& context_;
+    const World& world_;
+    Materials materials_;
+    std::vector<DecalBox> decals_;
+    Geometry geometry_;
+    WorldBox box_;
+    gpu::Buffer caster_rows_;
+};
+
+} // namespace prelight::resident

@@ -1,0 +1,121 @@
+#pragma once
+#include "device_trimming.hpp"
+#include "gpu_scene.hpp"
+#include "light_reach.hpp"
+#include "light_set.hpp"
+#include "shadow_plan.hpp"
+#include "visible_draws.hpp"
+#include "visible_pixels.hpp"
+#include <gpu/frames_in_flight.hpp>
+#include <gpu/raster.hpp>
+#include <optional>
+#include <prelight/renderer.hpp>
+
+namespace prelight::resident {
+
+struct ViewSettings {
+    gpu::Raster raster;
+    double exposure = 1;         ///< factor
+    double light_scale = 32;     ///< what stored light is divided by
+    bool measures_light = false; ///< the device finds a light scale for each frame: passes::light_scale_passes()
+    LightCulling culling = LightCulling::volumes;
+    VolumeOptions volumes = {};
+    ObjectLights object_lights = ObjectLights::none;
+    DrawOptions draws = {};
+    ShadowOptions shadows = {};
+};
+
+/// CPU time of the calling thread for one frame, milliseconds; as prelight::HostTimes names it.
+struct UpdateTimes {
+    double lights = 0, culling = 0, objects = 0;
+};
+
+/// A scene and its lights as one camera sees them: what of them may show, in which groups and with which shadow maps,
+/// and set 0 of every pass. Alive as long as the frame graph that draws it, and not longer than scene and lights.
+class View {
+public:
+    /// Throws Error when a buffer would be larger than the device allows; no light is ever dropped.
+    View(const GpuScene& scene, const LightSet& lights, const ViewSettings& settings);
+    /// Buffers with room for as many lights as `lights` holds, and its maps, before it takes the place of the set that
+    /// the view refers to. No frame may be in flight. As before when it throws.
+    void make_light_buffers(const LightSet& lights);
+    /// Writes constants, lights and objects for one picture into the slot's buffers, which no frame in flight may use;
+    /// set() is the slot's from then on.
+    void update(const PlacedCamera& camera, uint32_t slot = 0);
+    /// Of the last update().
+    const UpdateTimes& update_times() const { return times_; }
+
+    const GpuScene& scene() const { return scene_; }
+    const gpu::Context& context() const { return scene_.context(); }
+    const LightSet& lights() const { return lights_; }
+    const gpu::Raster& raster() const { return settings_.raster; }
+    VkExtent2D extent() const { return settings_.raster.extent; }
+
+    /// The lights that the camera of the last update() may see, by how they are drawn.
+    const LightGroups& light_groups() const { return groups_; }
+    /// Lights of each object; empty lists with ObjectLights::none.
+    const LightReach& reach() const { return reach_; }
+    /// What the camera of the last update() may see.
+    const VisibleDraws& visible() const { return visible_; }
+    /// Shadow maps of the last update(); null without shadows.
+    const ShadowPlan* shadows() const { return shadows_ ? &*shadows_ : nullptr; }
+    /// The camera's position of the last update(), world space: the origin of what shaders call world.
+    glm::dvec3 eye() const { return eye_; }
+    /// World relative to eye() → clip space, of the last update().
+    const glm::mat4& clip_from_world() const { return clip_from_world_; }
+
+    const DrawOptions& draw_options() const { return settings_.draws; }
+    LightCulling culling() const { return settings_.culling; }
+    const VolumeOptions& volumes() const { return settings_.volumes; }
+    double light_scale() const { return settings_.light_scale; }
+
+    VkDescriptorSetLayout layout() const { return layout_; }
+    VkDescriptorSet set() const { return sets_[slot_]; }
+    /// ObjectData of the visible draws: a vertex buffer that steps once an instance.
+    VkBuffer objects() const { return objects_[slot_].handle(); }
+    VkBuffer commands() const { return slots_[slot_].commands.handle(); }
+    VkBuffer trimmed_indices() const { return trimmed_[slot_].handle(); }
+    /// FrameConstants; the device may write them too with ViewSettings::measures_light.
+    const gpu::PerFrame<gpu::Buffer>& constant_buffers() const { return constants_; }
+    const gpu::PerFrame<gpu::Buffer>& object_buffers() const { return objects_; }
+    const gpu::PerFrame<gpu::Buffer>& trimmed_buffers() const { return trimmed_; }
+    /// With DrawOptions::counts_pixels and trims_on_device(); else null.
+    const VisiblePixels* visible_pixels() const { return visible_pixels_ ? &*visible_pixels_ : nullptr; }
+    const DeviceTrimming* device_trimming() const { return device_trimming_ ? &*device_trimming_ : nullptr; }
+
+    /// What the first pass over all geometry drew in the frame of the last update(), which must be done; and what
+    /// later passes left out of it, where that is known.
+    uint64_t triangles_drawn() const;
+    std::optional<uint64_t> draws_skipped() const, triangles_skipped() const;
+
+private:
+    void make_draw_buffers();
+    void update_shadows(const PlacedCamera& camera, shared::FrameConstants& constants);
+    void write_lights();
+    const GpuScene& scene_;
+    const LightSet& lights_;
+    ViewSettings settings_;
+    /// What the host writes for one frame.
+    struct Slot {
+        gpu::Buffer lights, order, bounds, shadows, distributions;
+        gpu::Buffer commands; ///< what find_visible() writes
+    };
+    gpu::PerFrame<Slot> slots_;
+    gpu::PerFrame<gpu::Buffer> constants_;
+    gpu::PerFrame<gpu::Buffer> objects_, trimmed_; ///< what find_visible() writes too
+    std::optional<VisiblePixels> visible_pixels_;
+    std::optional<DeviceTrimming> device_trimming_;
+    uint32_t slot_ = 0; ///< of the last update()
+    VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
+    gpu::DescriptorSets sets_; ///< one a slot
+    VisibleDraws visible_;
+    LightGroups groups_;
+    LightReach reach_;
+    std::optional<ShadowPlan> shadows_;
+    gpu::UniqueSampler shadow_sampler_; ///< compares
+    glm::dvec3 eye_{0};
+    glm::mat4 clip_from_world_{1};
+    UpdateTimes times_;
+};
+
+} // namespace prelight::resident
