@@ -1,5 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: OWN_MATERIAL, ROUGHNESS_TARGET|STENCIL_ROUGHNESS|NO_NORMAL_TARGET, DEPTH_TARGET, DECALS|NO_TEXTURES
+// never: DECALS DEPTH_TARGET, OWN_MATERIAL NO_TEXTURES, NO_NORMAL_TARGET NO_TEXTURES
+// only: NO_NORMAL_TARGET with DEPTH_TARGET
+// materials: all with OWN_MATERIAL
 #ifdef STENCIL_ROUGHNESS
 #extension GL_ARB_shader_stencil_export : require
 #endif
@@ -24,10 +28,16 @@ layout(constant_id = CONSTANT_DEPTH_SOURCE) const int depth_source = DEPTH_ATTAC
 layout(location = 0) out vec4 out_normal;
 #endif
 #ifdef ROUGHNESS_TARGET  // for encodings that have no room for roughness
-layout(location = ROUGHNESS_TARGET) out float out_roughness;
+layout(location = 1) out float out_roughness;
 #endif
 #ifdef DEPTH_TARGET  // for depth= anything but the attachment
-layout(location = DEPTH_TARGET) out vec4 out_depth;
+#if defined(NO_NORMAL_TARGET)
+layout(location = 0) out vec4 out_depth;
+#elif defined(ROUGHNESS_TARGET)
+layout(location = 2) out vec4 out_depth;
+#else
+layout(location = 1) out vec4 out_depth;
+#endif
 #endif
 
 void main() {

@@ -1,5 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: OWN_MATERIAL, OCCLUSION, DECALS
+// materials: all with OWN_MATERIAL
 // Deferred shading's geometry pass: all that lights need of the nearest surface, and the light
 // that needs no lamp. The only place that discards. A material's surface() fills it, and its shade() is asked
 // for what needs no lamp; of lamps the G-buffer knows metallic-roughness only.

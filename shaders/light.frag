@@ -1,5 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: ONE_TARGET|COUNT_TARGET|DEFERRED_TARGET, SHADOWS, STENCIL_ROUGHNESS
+// never: COUNT_TARGET SHADOWS, DEFERRED_TARGET STENCIL_ROUGHNESS
 // One light on the pixels of its volume, rectangle or the whole screen; blended ONE/ONE.
 #include "shared/light_sums.glsl"
 

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: ONE_TARGET
 // Ambient light as a light of its own: a full-screen quad that adds to the diffuse sum.
 #include "shared/light_sums.glsl"
 

@@ -1,5 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: ONE_TARGET|LIGHT_PAIR|COUNT_TARGET|DEFERRED_TARGET, ADDED, SHADOWS, STENCIL_ROUGHNESS
+// never: COUNT_TARGET SHADOWS, DEFERRED_TARGET STENCIL_ROUGHNESS, DEFERRED_TARGET ADDED
 // All lights of a tile, summed and written once, for devices that read buffers slowly: each invocation
 // of a subgroup loads another light, then all of them take each in turn from their neighbours. A workgroup is
 // one of the 8 × 8 blocks of pixels that light_lists_lit.comp found, an invocation `rows` of them. The lights

@@ -1,5 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: ONE_TARGET|COUNT_TARGET|DEFERRED_TARGET, SHADOWS, STENCIL_ROUGHNESS
+// never: COUNT_TARGET SHADOWS, DEFERRED_TARGET STENCIL_ROUGHNESS
 // All lights of a pixel's tile or cluster, summed and written once.
 #include "shared/light_sums.glsl"
 #include "shared/light_lists.glsl"

@@ -1,6 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: ONE_TARGET|LIGHT_PAIR|COUNT_TARGET
 // Takes the light away from the 8 × 8 blocks of pixels that had some in the frame before and have none now.
+#ifdef COUNT_TARGET // one image, too
+#define ONE_TARGET
+#endif
 #define STORAGE_TARGET
 #include "shared/light_target.glsl"
 #include "shared/light_lists.h"

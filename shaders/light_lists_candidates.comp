@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: GRID_CELLS
 // The marks of each coarse cell as a list of lights, in the order of light_order. One invocation a coarse cell.
 #include "shared/light_cells.glsl"
 

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: GRID_CELLS
 // Coarse cells: the depths of their tiles, and no light yet.
 #include "shared/light_cells.glsl"
 

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: STENCIL_ROUGHNESS
 // For measuring: leaves in each tile's list only lights that contribute to one of its pixels at least, or none at
 // all. One invocation a tile and, while lights are marked that do not, a few of its lights; slow, and not part of any
 // frame that is timed.

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: GRID_CELLS
 // Each light marks the coarse cells that it may reach, and is counted there. Marks are bits, so the order in which
 // invocations set them does not matter.
 #include "shared/light_cells.glsl"

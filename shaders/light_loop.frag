@@ -1,5 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: ONE_TARGET|COUNT_TARGET, SHADOWS, STENCIL_ROUGHNESS
+// never: COUNT_TARGET SHADOWS
 // All lights of a frame, or of a round of them, on every pixel, summed in registers and written once.
 #include "shared/light_loop.h"
 #include "shared/light_sums.glsl"

@@ -1,5 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: DEFERRED_TARGET, SHADOWS, STENCIL_ROUGHNESS
+// never: DEFERRED_TARGET STENCIL_ROUGHNESS
+#ifdef DEFERRED_TARGET
+#define SMALL_PICTURE
+#endif
 // How bright the lights' sums are: a histogram over some of the picture's surfaces, for light_scale.comp. A workgroup is
 // 8 × 8 pixels, one out of each `pixel_step` squared; it tests 64 lights at a time against the box around them. Lights are
 // added in the frame's order and counts do not depend on who comes first, so two runs give the same bytes.

@@ -1,5 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: OWN_MATERIAL, LIGHT_BITS|LIGHT_PAIR, ONLY_WEIGHTED, OCCLUSION, DECALS|NO_TEXTURES
+// never: OWN_MATERIAL ONLY_WEIGHTED, OWN_MATERIAL NO_TEXTURES
+// only: OCCLUSION with OWN_MATERIAL
+// materials: all with OWN_MATERIAL, blinn_phong with ONLY_WEIGHTED
 // Stage 3: the object's material from the light buffer. Compiled with each material; with the two standard
 // ones as material_blinn_phong.frag (equation 8.5.3) and material_metallic_roughness.frag.
 #ifdef ONLY_WEIGHTED  // model=weighted

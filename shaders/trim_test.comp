@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: BY_DEPTH
 #extension GL_EXT_samplerless_texture_functions : require
 // Which triangles of a group may show. The tests and the room for rounding are those of
 // src/resident/trim_indices.cpp; with BY_DEPTH a triangle of a few pixels is left out too when at each of them

@@ -9,7 +9,7 @@ layout(set = SET_INPUTS, binding = INPUT_TRIM_INDICES, std430) writeonly buffer 
 layout(set = SET_INPUTS, binding = INPUT_TRIM_COMMANDS, std430) writeonly buffer CommandBlock { IndexedCommand commands[]; };
 layout(set = SET_INPUTS, binding = INPUT_TRIM_COUNTS, std430) writeonly buffer CountBlock { uint counts[]; };
 shared uint before[TRIM_THREADS];
-shared uint bits[TRIM_WORDS + 1]; // one more: glslc would take the storage buffer's type, which has a layout, for an equal one
+shared uint bits[TRIM_WORDS + 1]; // one more: shaderc would take the storage buffer's type, which has a layout, for an equal one
 
 void main() {
     uint me = gl_LocalInvocationIndex, group = group_index();

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: LIGHT_PAIR|STENCIL_ROUGHNESS
 // A buffer drawn so that a person can read it.
 #include "shared/display.glsl"
 #include "shared/gbuffer.glsl"

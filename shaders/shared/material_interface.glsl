@@ -2,7 +2,7 @@
 //     Surface surface(Point p)                      run wherever the surface is looked at
 //     vec3 shade(Point p, Surface s, Light light)   run where light becomes colour
 // and is included here as "material.glsl", whichever material that is. Every file that is compiled with it
-// is compiled with each built-in material as well: shaders/variants.cmake.
+// is compiled with each built-in material as well: "// materials: all with OWN_MATERIAL" at its top.
 #ifndef PRELIGHT_MATERIAL_INTERFACE_GLSL
 #define PRELIGHT_MATERIAL_INTERFACE_GLSL
 #include "shared/surface.glsl"

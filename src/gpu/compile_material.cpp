@@ -3,6 +3,7 @@
 #include "compile_material.hpp"
 #include "cache_file.hpp"
 #include "glsl_sources.hpp"
+#include "shaders.hpp"
 #include <cstring>
 #include <fmt/format.h>
 #include <glslang/build_info.h>
@@ -15,29 +16,10 @@
 namespace prelight::gpu {
 namespace {
 
-/// Lines NAME|SOURCE|DEFINES, as shaders/variants.cmake lists them.
-constexpr std::string_view stage_list =
-#include <material_stages.inc>
-    ;
-
-struct Stage {
-    std::string_view name, source, defines;
-};
-
 std::string_view take_until(std::string_view& text, char end) {
     const std::string_view taken = text.substr(0, text.find(end));
     text.remove_prefix(std::min(taken.size() + 1, text.size()));
     return taken;
-}
-
-std::vector<Stage> material_stages() {
-    std::vector<Stage> stages;
-    for (std::string_view rest = stage_list; !rest.empty();) {
-        std::string_view line = take_until(rest, '\n');
-        const std::string_view name = take_until(line, '|'), source = take_until(line, '|');
-        stages.push_back({name, source, line});
-    }
-    return stages;
 }
 
 std::optional<std::string_view> find_source(std::string_view name) {
@@ -92,38 +74,31 @@ std::string first_mistake(const std::string& messages, const MaterialShader& sha
     return fmt::format("{}: {}", shader.file, messages.substr(0, messages.find('\n')));
 }
 
-void add_defines(shaderc::CompileOptions& options, std::string_view defines) {
-    while (!defines.empty()) {
-        std::string_view word = take_until(defines, ' ');
-        if (!word.starts_with("-D"))
-            continue;
-        word.remove_prefix(2);
-        const std::string_view name = take_until(word, '=');
-        options.AddMacroDefinition(std::string(name), std::string(word));
-    }
-}
-
 /// What a stage is compiled to: SPIR-V for the device, or only a judgement of the source.
 enum class Aim { draw, check };
 
-const Stage& find_stage(const std::vector<Stage>& stages, const MaterialShader& shader, std::string_view name) {
-    for (const Stage& stage : stages)
-        if (stage.name == name)
-            return stage;
-    throw Error(fmt::format("{}: {} is compiled with no material", shader.name, name));
+/// The stage as the build compiles it with each material.
+ShaderKey stage_of(const MaterialShader& shader, ShaderKey stage) {
+    stage.variants |= Variant::own_material;
+    stage.material = "metallic_roughness";
+    if (!has_shader(stage))
+        throw Error(fmt::format("{}: {} is compiled with no material", shader.name, stage.text()));
+    return stage;
 }
 
-std::vector<uint32_t> compile(const MaterialShader& shader, const Stage& stage, Aim aim) {
+std::vector<uint32_t> compile(const MaterialShader& shader, const ShaderKey& stage, Aim aim) {
     shaderc::CompileOptions options;
     options.SetTargetEnvironment(shaderc_target_env_vulkan, shaderc_env_version_vulkan_1_3);
     options.SetOptimizationLevel(aim == Aim::draw ? shaderc_optimization_level_performance
                                                   : shaderc_optimization_level_zero);
     options.SetSuppressWarnings();
     options.SetIncluder(std::make_unique<Includer>(shader));
-    add_defines(options, stage.defines);
-    const std::string_view source = find_source(stage.source).value();
+    for (size_t v = 0; v < std::size(variant_macros); ++v)
+        if (stage.variants.has(static_cast<Variant>(v)))
+            options.AddMacroDefinition(std::string(variant_macros[v]));
+    const std::string_view source = find_source(stage.file).value();
     const shaderc::SpvCompilationResult result = shaderc::Compiler().CompileGlslToSpv(
-        source.data(), source.size(), shaderc_fragment_shader, std::string(stage.source).c_str(), options);
+        source.data(), source.size(), shaderc_fragment_shader, stage.file.c_str(), options);
     if (result.GetCompilationStatus() != shaderc_compilation_status_success)
         throw Error(first_mistake(result.GetErrorMessage(), shader));
     return {result.begin(), result.end()};
@@ -147,11 +122,10 @@ const std::string& hash_of_own_sources() {
 }
 
 /// All that decides what comes out: the compiler, its options, every source. The file's name does not.
-std::string key_of(const MaterialShader& shader, const Stage& stage, Aim aim) {
-    return fmt::format("glslang {}.{}.{}, {}, vulkan1.3 {}\n{}\n{} {} {}\n{}", GLSLANG_VERSION_MAJOR,
-                       GLSLANG_VERSION_MINOR, GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString(),
-                       aim == Aim::draw ? "-O" : "-O0", hash_of_own_sources(), stage.name, stage.source, stage.defines,
-                       shader.source);
+std::string key_of(const MaterialShader& shader, const ShaderKey& stage, Aim aim) {
+    return fmt::format("glslang {}.{}.{}, {}, vulkan1.3 {}\n{}\n{}\n{}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR,
+                       GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString(), aim == Aim::draw ? "-O" : "-O0",
+                       hash_of_own_sources(), stage.text(), shader.source);
 }
 
 /// A file holds the length of its key, the key, and then SPIR-V: two keys of one hash don't meet.
@@ -159,7 +133,7 @@ struct KeptCode {
     std::string key;
     std::filesystem::path file; ///< empty: nothing is kept
 
-    KeptCode(const MaterialShader& shader, const Stage& stage, Aim aim) : key(key_of(shader, stage, aim)) {
+    KeptCode(const MaterialShader& shader, const ShaderKey& stage, Aim aim) : key(key_of(shader, stage, aim)) {
         if (const std::filesystem::path folder = cache_folder(); !folder.empty())
             file = folder / "materials" / (hash_of(key) + ".spv");
     }
@@ -199,9 +173,8 @@ struct KeptCode {
 
 } // namespace
 
-std::vector<uint32_t> compile_material(const MaterialShader& shader, std::string_view name) {
-    const std::vector<Stage> stages = material_stages();
-    const Stage& stage = find_stage(stages, shader, name);
+std::vector<uint32_t> compile_material(const MaterialShader& shader, const ShaderKey& wanted) {
+    const ShaderKey stage = stage_of(shader, wanted);
     const KeptCode kept(shader, stage, Aim::draw);
     if (auto code = kept.find(); code && !code->empty())
         return std::move(*code);
@@ -217,9 +190,8 @@ namespace prelight {
 void check_material_shader(const MaterialShader& shader) {
     if (shader.file.empty())
         return; // was compiled with this build
-    const std::vector<gpu::Stage> stages = gpu::material_stages();
-    for (const char* name : {"material.frag", "forward.frag"}) {
-        const gpu::Stage& stage = gpu::find_stage(stages, shader, name);
+    for (const char* file : {"material.frag", "forward.frag"}) {
+        const gpu::ShaderKey stage = gpu::stage_of(shader, file);
         const gpu::KeptCode kept(shader, stage, gpu::Aim::check);
         if (kept.find())
             continue;

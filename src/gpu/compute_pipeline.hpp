@@ -7,7 +7,7 @@ namespace prelight::gpu {
 
 struct ComputePipelineDesc {
     std::string name;
-    std::string shader;
+    ShaderKey shader;
     Constants constants;
     std::vector<VkDescriptorSetLayout> sets;
     uint32_t push_bytes = 0;                                      ///< push constants; at most 128

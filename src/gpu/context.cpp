@@ -79,7 +79,7 @@ void Context::create_device() {
     VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     v13.dynamicRendering = VK_TRUE;
     v13.synchronization2 = VK_TRUE;
-    v13.maintenance4 = VK_TRUE; // glslc writes compute shaders' sizes as LocalSizeId, which wants it
+    v13.maintenance4 = VK_TRUE; // shaderc writes compute shaders' sizes as LocalSizeId, which wants it
     VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
     v12.pNext = &v13;
     v12.timelineSemaphore = VK_TRUE;

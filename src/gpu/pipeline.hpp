@@ -39,9 +39,9 @@ enum class Stencil {
 /// Cull mode and front face are dynamic state.
 struct GraphicsPipelineDesc {
     std::string name;
-    std::string vertex;                   ///< shader names
-    std::string fragment;                 ///< may be empty: depth and stencil only
-    std::vector<uint32_t> fragment_code;  ///< SPIR-V that is in no file of shaders/
+    ShaderKey vertex;
+    ShaderKey fragment;                   ///< may be empty: depth and stencil only
+    std::vector<uint32_t> fragment_code;  ///< SPIR-V of a user's material
     Constants constants;                  ///< for both stages
     std::vector<uint32_t> vertex_strides; ///< one per vertex buffer binding
     uint32_t instance_binding = ~0u;      ///< the one that steps once an instance

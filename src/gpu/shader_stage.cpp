@@ -17,9 +17,9 @@ UniqueShaderModule make_module(const Context& context, const std::string& name, 
 
 } // namespace
 
-ShaderStage::ShaderStage(const Context& context, VkShaderStageFlagBits stage, const std::string& name,
+ShaderStage::ShaderStage(const Context& context, VkShaderStageFlagBits stage, const ShaderKey& key,
                          const Constants& constants, std::span<const uint32_t> code)
-    : stage_(stage), module_(make_module(context, name, code.empty() ? find_shader(name) : code)) {
+    : stage_(stage), module_(make_module(context, key.text(), code.empty() ? find_shader(key) : code)) {
     for (const auto& [id, value] : constants) {
         entries_.push_back({id, static_cast<uint32_t>(values_.size() * 4), 4});
         values_.push_back(value);

@@ -1,5 +1,6 @@
 #pragma once
 #include "context.hpp"
+#include "shader_key.hpp"
 #include <span>
 #include <string>
 #include <utility>
@@ -13,9 +14,9 @@ using Constants = std::vector<std::pair<uint32_t, uint32_t>>;
 /// One shader with its specialisation constants, in the form that pipeline creation wants.
 class ShaderStage {
 public:
-    /// `name`: a file in shaders/, or of `code` when there is some. Throws Error.
-    ShaderStage(const Context& context, VkShaderStageFlagBits stage, const std::string& name,
-                const Constants& constants, std::span<const uint32_t> code = {});
+    /// `key`: one of this build's shaders, or the name of `code` when there is some. Throws Error.
+    ShaderStage(const Context& context, VkShaderStageFlagBits stage, const ShaderKey& key, const Constants& constants,
+                std::span<const uint32_t> code = {});
     ShaderStage(const ShaderStage&) = delete;
     ShaderStage& operator=(const ShaderStage&) = delete;
     /// Points into this object.

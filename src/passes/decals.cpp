@@ -125,15 +125,13 @@ void decal_normal_pass(graph::FrameGraph& graph, const resident::View& view, con
     declare_decals(pass, decals);
     draw_surfaces(graph, pass, view,
                   {.name = pass.name(),
-                   .fragment = stencil ? "depth_normal+stencil.frag"
-                               : apart ? "depth_normal+roughness.frag"
-                                       : "depth_normal.frag",
+                   .fragment = {"depth_normal.frag", gpu::when(stencil, gpu::Variant::stencil_roughness) |
+                                                         gpu::when(apart, gpu::Variant::roughness_target)},
                    .constants = surface.format.constants(),
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,
-                   .world = false,
-                   .decals = true,
-                   .only_decals = true});
+                   .vertex = gpu::Variant::no_world,
+                   .decals = SurfaceDraws::Decals::only});
 }
 
 void decal_geometry_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
@@ -151,9 +149,8 @@ void decal_geometry_pass(graph::FrameGraph& graph, const resident::View& view, c
                    .constants = gbuffer.surface.format.constants(),
                    .depth = gpu::DepthTest::equal,
                    .keeps_alpha_mask = false,
-                   .motion = true,
-                   .decals = true,
-                   .only_decals = true});
+                   .vertex = gpu::Variant::motion,
+                   .decals = SurfaceDraws::Decals::only});
 }
 
 DecalBuffer decals_of_own(graph::FrameGraph& graph, const resident::View& view) {

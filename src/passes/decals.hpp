@@ -1,6 +1,7 @@
 #pragma once
 #include "depth_normal.hpp"
 #include "gbuffer.hpp"
+#include "surface_draws.hpp"
 
 namespace prelight::passes {
 
@@ -16,8 +17,11 @@ struct DecalBuffer {
 /// A pass "decals": every decal's box over the surfaces that lie in it, lowest first. It reads depth and normals.
 DecalBuffer decal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface);
 
-/// Makes `pass` read the buffer; nothing without one. Its draws are SurfaceDraws with Desc::decals.
+/// Makes `pass` read the buffer; nothing without one. Its draws are SurfaceDraws with Desc::decals = decal_use().
 void declare_decals(graph::Pass& pass, const DecalBuffer& decals);
+inline SurfaceDraws::Decals decal_use(const DecalBuffer& decals) {
+    return decals ? SurfaceDraws::Decals::read : SurfaceDraws::Decals::none;
+}
 
 /// A pass "decal-normal": objects that decals reach once more into the targets of normals and roughness.
 /// Nothing without a buffer.

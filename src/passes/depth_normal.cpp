@@ -50,9 +50,11 @@ void depth_pass(graph::FrameGraph& graph, const resident::View& view, SurfaceBuf
     out.depth_source = linear_depth_target(graph, view.extent(), out.format.depth);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(out.depth).colour(out.depth_source, graph::Load::clear);
-    draw_surfaces(
-        graph, pass, view,
-        {.name = "depth", .fragment = "linear_depth.frag", .constants = out.format.constants(), .normal = false});
+    draw_surfaces(graph, pass, view,
+                  {.name = "depth",
+                   .fragment = {"depth_normal.frag", gpu::Variant::no_normal_target | gpu::Variant::depth_target},
+                   .constants = out.format.constants(),
+                   .vertex = gpu::Variant::no_normal});
     hidden_geometry_passes(graph, view, out.depth);
 }
 
@@ -108,7 +110,7 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View&
     else
         out.depth = out.depth_source = make_depth(graph, extent, format.stencil);
 
-    std::string shader = "depth_normal";
+    gpu::Variants variants;
     graph::Pass& pass = graph.pass(format.two_passes ? "normal" : "depth-normal");
     if (!format.two_passes)
         pass.depth_write(out.depth);
@@ -120,25 +122,25 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View&
     pass.colour(out.normal, graph::Load::clear);
     if (format.roughness_in_stencil) {
         (format.two_passes ? pass.stencil(out.depth) : pass).keeps_stencil(graph::Load::clear);
-        shader += "+stencil";
+        variants |= gpu::Variant::stencil_roughness;
     } else if (!shared::normal_holds_roughness(static_cast<int>(format.normals))) {
         out.roughness = graph.image("roughness", extent, {VK_FORMAT_R16_SFLOAT, VK_FORMAT_R32_SFLOAT});
         pass.colour(out.roughness, graph::Load::clear);
-        shader += "+roughness";
+        variants |= gpu::Variant::roughness_target;
     }
     if (!format.two_passes && format.depth != DepthSource::attachment) {
         out.depth_source = linear_depth_target(graph, extent, out.format.depth);
         pass.colour(out.depth_source, graph::Load::clear);
-        shader += "+depth";
+        variants |= gpu::Variant::depth_target;
     }
     draw_surfaces(graph, pass, view,
                   {.name = pass.name(),
-                   .fragment = shader + ".frag",
+                   .fragment = {"depth_normal.frag", variants},
                    .constants = out.format.constants(),
                    .depth = format.two_passes ? gpu::DepthTest::equal : gpu::DepthTest::write_nearer,
                    .keeps_alpha_mask = !format.two_passes,
-                   .world = !format.two_passes && format.depth != DepthSource::attachment,
-                   .untextured_variant = true});
+                   .vertex = gpu::when(!variants.has(gpu::Variant::depth_target), gpu::Variant::no_world) |
+                             gpu::Variant::no_textures});
     if (!format.two_passes)
         hidden_geometry_passes(graph, view, out.depth);
     return out;

@@ -13,12 +13,12 @@ SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth, const DecalB
             .constants = {{CONSTANT_MATERIAL_OUTPUT, output}},
             .depth = depth,
             .keeps_alpha_mask = depth == gpu::DepthTest::write_nearer,
-            .decals = bool(decals)};
+            .decals = decal_use(decals)};
 }
 
 SurfaceDraws::Desc lights_desc(const resident::View& view, const ForwardInputs& inputs, StepKind kind) {
     SurfaceDraws::Desc desc{.name = "forward " + inputs.name,
-                            .fragment = "forward" + shadow_variant(inputs.shadows) + ".frag",
+                            .fragment = {"forward.frag", shadow_variant(inputs.shadows)},
                             .constants = inputs.model.constants(),
                             .depth = inputs.lights_test,
                             .keeps_alpha_mask =
@@ -32,7 +32,7 @@ SurfaceDraws::Desc lights_desc(const resident::View& view, const ForwardInputs& 
     add_shadow_constants(desc.constants, view);
     desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;
     desc.push_bytes = sizeof(shared::ForwardBatch);
-    desc.decals = bool(inputs.decals);
+    desc.decals = decal_use(inputs.decals);
     return desc;
 }
 

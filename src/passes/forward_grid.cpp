@@ -9,13 +9,13 @@ namespace {
 void forward_grid_round(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
                         const LightListRound& round, bool adds) {
     SurfaceDraws::Desc desc{.name = "forward grid",
-                            .fragment = "forward_grid" + shadow_variant(inputs.shadows) + ".frag",
+                            .fragment = {"forward_grid.frag", shadow_variant(inputs.shadows)},
                             .constants = inputs.model.constants(),
                             .depth = gpu::DepthTest::equal, // exact: vertex_position() is invariant
                             .keeps_alpha_mask = false,
                             .blend = adds ? gpu::Blend::add : gpu::Blend::none,
                             .push_bytes = sizeof(shared::LightListConstants),
-                            .decals = bool(inputs.decals)};
+                            .decals = decal_use(inputs.decals)};
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},

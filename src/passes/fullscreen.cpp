@@ -3,12 +3,12 @@
 
 namespace prelight::passes {
 
-void draw_fullscreen(graph::Pass& pass, const resident::View& view, const std::string& fragment,
+void draw_fullscreen(graph::Pass& pass, const resident::View& view, const gpu::ShaderKey& fragment,
                      const gpu::Constants& constants, gpu::Blend blend) {
     auto pipeline = std::make_shared<gpu::GraphicsPipeline>();
     pass.prepare([=, &view](const graph::PassInterface& interface) {
         gpu::GraphicsPipelineDesc desc;
-        desc.name = fragment;
+        desc.name = fragment.text();
         desc.vertex = "fullscreen.vert";
         desc.fragment = fragment;
         desc.constants = constants;

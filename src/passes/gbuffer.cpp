@@ -74,9 +74,11 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::View& view, const
     pass.depth_write(out.surface.depth);
     for (const graph::ImageId target : out.targets())
         pass.colour(target, graph::Load::clear);
-    draw_surfaces(
-        graph, pass, view,
-        {.name = pass.name(), .fragment = out.fragment(), .constants = out.surface.format.constants(), .motion = true});
+    draw_surfaces(graph, pass, view,
+                  {.name = pass.name(),
+                   .fragment = out.fragment(),
+                   .constants = out.surface.format.constants(),
+                   .vertex = gpu::Variant::motion});
     return out;
 }
 

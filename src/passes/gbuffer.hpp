@@ -14,8 +14,8 @@ struct GBuffer {
     graph::ImageId ambient{}, mirrored{}; ///< RT4 and RT5, only where ambient_apart
     /// The geometry pass's targets and its shader.
     std::vector<graph::ImageId> targets() const;
-    const char* fragment() const { return ambient_apart ? "gbuffer_fill+occlusion.frag" : "gbuffer_fill.frag"; }
-    LightTarget light_target() const { return {"+deferred", {light}, graph::Load::keep}; }
+    gpu::ShaderKey fragment() const { return {"gbuffer_fill.frag", gpu::when(ambient_apart, gpu::Variant::occlusion)}; }
+    LightTarget light_target() const { return {gpu::Variant::deferred_target, {light}, graph::Load::keep}; }
 };
 
 struct GBufferFormat {

@@ -9,7 +9,7 @@ namespace prelight::passes {
 namespace {
 
 /// Makes the pass run a shader with a workgroup for each group of triangles.
-void dispatch_groups(graph::Pass& pass, const resident::View& view, const std::string& shader,
+void dispatch_groups(graph::Pass& pass, const resident::View& view, const gpu::ShaderKey& shader,
                      const gpu::Constants& constants) {
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
     pass.prepare([=, &view, name = pass.name()](const graph::PassInterface& interface) {
@@ -61,7 +61,7 @@ void trim(graph::FrameGraph& graph, const resident::View& view, const std::strin
         .storage(INPUT_TRIM_POSITIONS, graph.buffer("positions", view.scene().geometry().positions), false);
     if (depth)
         test.sample(INPUT_DEPTH, *depth);
-    dispatch_groups(test, view, depth ? "trim_test+depth.comp" : "trim_test.comp", constants);
+    dispatch_groups(test, view, {"trim_test.comp", gpu::when(bool(depth), gpu::Variant::by_depth)}, constants);
 
     graph::Pass& write = graph.pass(name + " write");
     declare(write, false);

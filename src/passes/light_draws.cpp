@@ -10,7 +10,7 @@ void bind_lighting(const graph::PassContext& pass, const resident::View& view, c
 }
 
 bool AmbientDraw::needed(const LightingInputs& inputs) {
-    return inputs.model.ambient_blended() && inputs.target.variant != "+count";
+    return inputs.model.ambient_blended() && !inputs.target.counts();
 }
 
 AmbientDraw::AmbientDraw(const resident::View& view, const graph::PassInterface& interface,
@@ -18,7 +18,8 @@ AmbientDraw::AmbientDraw(const resident::View& view, const graph::PassInterface&
     : view_(view) {
     if (!needed(inputs))
         return;
-    gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_ambient");
+    gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_ambient.frag");
+    desc.fragment = {"light_ambient.frag", inputs.target.variant}; // looks at no surface
     desc.name = "ambient light";
     desc.vertex = "light_fullscreen.vert";
     desc.depth = gpu::DepthTest::surface_only;
@@ -34,13 +35,13 @@ void AmbientDraw::record(const graph::PassContext& pass) const {
 }
 
 LightDraws::LightDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs)
-    : view_(view), light_(lighting_pipeline(view, interface, inputs, "light")), ambient_(view, interface, inputs) {
+    : view_(view), light_(lighting_pipeline(view, interface, inputs, "light.frag")), ambient_(view, interface, inputs) {
     light_.blend = gpu::Blend::add;
     gpu::GraphicsPipelineDesc desc = pipeline("full-screen lights", "light_fullscreen.vert");
     desc.depth = gpu::DepthTest::surface_only;
     desc.depth_clamp = true;
     fullscreen_ = gpu::GraphicsPipeline(view.context(), desc);
-    if (inputs.shadows.reused && inputs.target.variant != "+count")
+    if (inputs.shadows.reused && !inputs.target.counts())
         maps_ = std::make_unique<ShadowDraws>(view, interface.inputs, inputs.shadows);
     sun_stored_ = inputs.shadows.sun_stored;
 }

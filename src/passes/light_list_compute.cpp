@@ -33,7 +33,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& vie
     const std::vector<graph::ImageId>& images = inputs.target.images;
     const bool keeps = inputs.target.load == graph::Load::keep;
     // With ambient light as a light every surface is lit.
-    const bool ambient = inputs.model.ambient_as_light && inputs.target.variant != "+count";
+    const bool ambient = inputs.model.ambient_as_light && !inputs.target.counts();
     const auto store = [&](graph::Pass& pass) {
         pass.store(INPUT_LIGHT_TARGET, images[0]);
         if (images.size() > 1)
@@ -60,7 +60,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& vie
         graph::Pass& clear = graph.pass(name + " clear");
         clear.storage(INPUT_STALE_BLOCKS, stale.id, false).indirect(stale.id);
         store(clear);
-        dispatch_lists(clear, view, round.constants, "light_list_clear" + inputs.target.variant + ".comp", {},
+        dispatch_lists(clear, view, round.constants, {"light_list_clear.comp", inputs.target.variant}, {},
                        [stale](const graph::PassContext& context) { stale.dispatch(context); });
     }
     gpu::Constants constants = lighting_constants(view, inputs);
@@ -78,7 +78,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& vie
         pass.sample(INPUT_COLOUR_BEFORE, images[0]);
     if (inputs.target.added && images.size() > 1)
         pass.sample(INPUT_SECOND_BEFORE, images[1]);
-    dispatch_lists(pass, view, round.constants, lighting_shader(inputs, "light_list", ".comp"), constants,
+    dispatch_lists(pass, view, round.constants, lighting_shader(inputs, "light_list.comp"), constants,
                    [lit](const graph::PassContext& context) {
                        if (context.one_pixel)
                            vkCmdDispatch(context.commands, 1, 1, 1);

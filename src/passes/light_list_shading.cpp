@@ -13,7 +13,7 @@ public:
     ListDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs,
               const LightListRound& round)
         : view_(view), constants_(round.constants), ambient_(view, interface, inputs) {
-        gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_list");
+        gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_list.frag");
         desc.name = "light lists";
         desc.vertex = "light_fullscreen.vert";
         desc.depth = gpu::DepthTest::surface_only;
@@ -65,8 +65,7 @@ void light_list_round(graph::FrameGraph& graph, const resident::View& view, cons
 void light_list_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                      const LightingInputs& inputs) {
     const LightLists& lists = *inputs.lists;
-    if (lists.walk == LightWalk::fragment && inputs.model.specular == SpecularWay::luv &&
-        inputs.target.variant == "+packed")
+    if (lists.walk == LightWalk::fragment && inputs.model.specular == SpecularWay::luv && inputs.target.packed())
         expect_one_round(view, light_rounds(view, lists.walk),
                          "specular=luv in a draw (list-shading=compute has no such limit)");
     for (size_t round = 0; round < lists.rounds.size(); ++round)

@@ -50,14 +50,14 @@ public:
         const auto each_light = [](const LightListConstants& c) {
             return VkExtent3D{groups_of(c.lights.x + c.lights.y, LIST_GROUP), 1, 1};
         };
-        const std::string kind = inputs_.surface ? ".comp" : "+grid.comp";
+        const gpu::Variants kind = gpu::when(!inputs_.surface, gpu::Variant::grid_cells);
         if (inputs_.surface) {
             graph::Pass& range = add("depth-range", "depth_range.comp", whole, {{CONSTANT_AMBIENT_TOO, everywhere_}});
             range.storage(INPUT_LIGHT_CELLS, cells_, true);
             read_depth(range);
         }
 
-        add(name_ + "-lists coarse", "light_lists_coarse" + kind, each_coarse)
+        add(name_ + "-lists coarse", {"light_lists_coarse.comp", kind}, each_coarse)
             .storage(INPUT_LIGHT_CELLS, cells_, false)
             .storage(INPUT_COARSE_CELLS, coarse_, true)
             .storage(INPUT_LIGHT_MASKS, masks_, true);
@@ -67,13 +67,13 @@ public:
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
                 .storage(INPUT_DEPTH_SLICES, slices_, true);
 
-        add(name_ + "-lists scatter", "light_lists_scatter" + kind, each_light)
+        add(name_ + "-lists scatter", {"light_lists_scatter.comp", kind}, each_light)
             .storage(INPUT_COARSE_CELLS, coarse_, true)
             .storage(INPUT_LIGHT_MASKS, masks_, true)
             .storage(INPUT_LIGHT_ENTRIES, entries_, true);
 
         add_offsets("-lists coarse offsets", coarse_, true);
-        add(name_ + "-lists candidates", "light_lists_candidates" + kind, each_coarse)
+        add(name_ + "-lists candidates", {"light_lists_candidates.comp", kind}, each_coarse)
             .storage(INPUT_COARSE_CELLS, coarse_, false)
             .storage(INPUT_LIGHT_MASKS, masks_, false)
             .storage(INPUT_LIGHT_ENTRIES, entries_, true);
@@ -95,8 +95,8 @@ public:
             return lists;
         }
         for (const bool fill : {false, true}) {
-            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), "light_lists_cells" + kind, whole,
-                                    {{CONSTANT_LIST_FILL, fill}});
+            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), {"light_lists_cells.comp", kind},
+                                    whole, {{CONSTANT_LIST_FILL, fill}});
             // Counting writes the cells and filling the entries; both stand in the one shader.
             pass.storage(INPUT_LIGHT_CELLS, cells_, true)
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
@@ -114,7 +114,7 @@ public:
 private:
     using Groups = VkExtent3D (*)(const LightListConstants&);
 
-    graph::Pass& add(const std::string& name, const std::string& shader, Groups groups, gpu::Constants own = {}) {
+    graph::Pass& add(const std::string& name, const gpu::ShaderKey& shader, Groups groups, gpu::Constants own = {}) {
         graph::Pass& pass = graph_.pass(name + ending_);
         own.insert(own.end(), constants_.begin(), constants_.end());
         dispatch_lists(pass, view_, buffers_->constants(), shader, own,
@@ -186,7 +186,7 @@ bool is_idle(const LightListConstants& constants, const graph::PassContext& pass
 }
 
 void dispatch_lists(graph::Pass& pass, const resident::View& view,
-                    std::shared_ptr<const shared::LightListConstants> push, const std::string& shader,
+                    std::shared_ptr<const shared::LightListConstants> push, const gpu::ShaderKey& shader,
                     const gpu::Constants& constants, std::function<void(const graph::PassContext&)> dispatch) {
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
     pass.prepare([=, &view, name = pass.name()](const graph::PassInterface& interface) {

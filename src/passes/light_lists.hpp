@@ -52,7 +52,7 @@ bool is_idle(const shared::LightListConstants& constants, const graph::PassConte
 
 /// Makes `pass` run one compute shader with the lists' push constants; `dispatch` is called when all is bound.
 void dispatch_lists(graph::Pass& pass, const resident::View& view,
-                    std::shared_ptr<const shared::LightListConstants> push, const std::string& shader,
+                    std::shared_ptr<const shared::LightListConstants> push, const gpu::ShaderKey& shader,
                     const gpu::Constants& constants, std::function<void(const graph::PassContext&)> dispatch);
 
 /// The lists as bindings of a pass that walks them, and its constants.

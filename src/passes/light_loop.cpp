@@ -14,7 +14,7 @@ void light_loop_pass(graph::FrameGraph& graph, const resident::View& view, const
     pass.depth_test(inputs.surface.depth);
     const LightRounds rounds = light_rounds(view, LightWalk::fragment);
     const bool adds = rounds.count > 1;
-    if (inputs.model.specular == SpecularWay::luv && inputs.target.variant == "+packed")
+    if (inputs.model.specular == SpecularWay::luv && inputs.target.packed())
         expect_one_round(view, rounds,
                          "specular=luv in a draw (light-culling=tiles with list-shading=compute has no such limit)");
     if (adds)
@@ -22,7 +22,7 @@ void light_loop_pass(graph::FrameGraph& graph, const resident::View& view, const
     auto pipelines =
         std::make_shared<std::array<gpu::GraphicsPipeline, 2>>(); // the first round replaces, the others add
     pass.prepare([=, &view](const graph::PassInterface& interface) {
-        gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_loop");
+        gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_loop.frag");
         desc.name = "all lights";
         desc.vertex = "light_fullscreen.vert";
         desc.depth = gpu::DepthTest::surface_only;

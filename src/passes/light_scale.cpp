@@ -15,7 +15,7 @@ constexpr double clipped_share = 0.001;
 uint32_t groups_of(uint32_t count, uint32_t size) { return (count + size - 1) / size; }
 
 /// A compute pass whose shader may be given one number; `dispatch` comes when all is bound.
-void dispatches(graph::Pass& pass, const resident::View& view, const std::string& shader,
+void dispatches(graph::Pass& pass, const resident::View& view, const gpu::ShaderKey& shader,
                 const gpu::Constants& constants,
                 std::function<void(const graph::PassContext&, const gpu::ComputePipeline&)> dispatch,
                 uint32_t push_bytes = 0) {
@@ -88,7 +88,7 @@ LightScale::LightScale(const resident::View& view, const FixedPoint& form, bool 
 void LightScale::measure(graph::FrameGraph& graph, const resident::View& view, const LightingInputs& lighting) const {
     if (!measured_)
         return;
-    const bool deferred = lighting.target.variant == "+deferred";
+    const bool deferred = lighting.target.deferred();
     LightingInputs inputs = lighting;
     inputs.count_pairs = false;
     if (!deferred)
@@ -105,7 +105,7 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::View& view, c
     gpu::Constants constants = lighting_constants(view, inputs);
     constants.emplace_back(CONSTANT_LIGHT_SAMPLE_STEP, step);
     dispatches(
-        peaks, view, lighting_shader(inputs, "light_peaks", ".comp"), constants,
+        peaks, view, lighting_shader(inputs, "light_peaks.comp"), constants,
         [&view, side = step * LIGHT_SAMPLE_GROUP](const graph::PassContext& context,
                                                   const gpu::ComputePipeline& pipeline) {
             const auto lights = static_cast<uint32_t>(view.light_groups().order.size());

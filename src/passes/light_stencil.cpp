@@ -17,7 +17,7 @@ public:
             // Outside, a surface in the volume lies behind its front and not behind its back. Inside
             // there may be no front, so the faces that fail are counted: those behind the surface.
             mark.name += ", marked";
-            mark.fragment.clear();
+            mark.fragment = {};
             mark.depth = gpu::DepthTest::behind_or_at;
             mark.stencil = group.inside ? gpu::Stencil::mark_failing : gpu::Stencil::mark_passing;
             pipelines_[group.index()] = {gpu::GraphicsPipeline(view.context(), mark),

@@ -52,8 +52,9 @@ LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& vi
     LightBuffer out;
     if (pair) {
         out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, view.extent()});
-        out.target = {
-            .variant = "+pair", .images = {out.diffuse}, .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
+        out.target = {.variant = gpu::Variant::light_pair,
+                      .images = {out.diffuse},
+                      .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
         return out;
     }
     wide = wide && !model.fixed_point();
@@ -66,7 +67,7 @@ LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& vi
                                                                          : VK_FORMAT_R16_SFLOAT,
                                                      view.extent()});
     else if (model.packed())
-        out.target.variant = "+packed";
+        out.target.variant = gpu::Variant::one_target;
     else
         out.specular = target(graph, view, "specular light", model.buffer, wide);
     if (out.specular != out.diffuse)
@@ -84,7 +85,7 @@ graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::View&
 }
 
 LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& view, bool stored) {
-    return {.variant = "+count", .images = {light_count_image(graph, view, stored)}};
+    return {.variant = gpu::Variant::count_target, .images = {light_count_image(graph, view, stored)}};
 }
 
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
@@ -101,18 +102,16 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
         pass.sample_stencil(INPUT_ROUGHNESS, inputs.surface.depth);
     else
         pass.sample(INPUT_ROUGHNESS, inputs.surface.roughness);
-    if (inputs.target.variant == "+deferred")
+    if (inputs.target.deferred())
         pass.sample(INPUT_MATERIAL, inputs.material).sample(INPUT_ALBEDO, inputs.albedo);
-    if (inputs.target.variant != "+count")
+    if (!inputs.target.counts())
         declare_shadows(pass, inputs.shadows);
 }
 
-std::string lighting_shader(const LightingInputs& inputs, const std::string& shader, const char* ending) {
-    const bool counts = inputs.target.variant == "+count", lit = shader != "light_ambient";
-    const char* added = inputs.target.added ? "+added" : "";
-    const char* stencil = lit && inputs.surface.format.roughness_in_stencil ? "+stencil" : "";
-    return shader + inputs.target.variant + added + (counts || !lit ? "" : shadow_variant(inputs.shadows)) + stencil +
-           ending;
+gpu::ShaderKey lighting_shader(const LightingInputs& inputs, const char* file) {
+    return {file, inputs.target.variant | gpu::when(inputs.target.added, gpu::Variant::added) |
+                      shadow_variant(inputs.shadows).when(!inputs.target.counts()) |
+                      gpu::when(inputs.surface.format.roughness_in_stencil, gpu::Variant::stencil_roughness)};
 }
 
 gpu::Constants lighting_constants(const resident::View& view, const LightingInputs& inputs) {
@@ -129,9 +128,9 @@ gpu::Constants lighting_constants(const resident::View& view, const LightingInpu
 }
 
 gpu::GraphicsPipelineDesc lighting_pipeline(const resident::View& view, const graph::PassInterface& interface,
-                                            const LightingInputs& inputs, const std::string& shader) {
+                                            const LightingInputs& inputs, const char* fragment) {
     gpu::GraphicsPipelineDesc desc;
-    desc.fragment = lighting_shader(inputs, shader, ".frag");
+    desc.fragment = lighting_shader(inputs, fragment);
     desc.constants = lighting_constants(view, inputs);
     desc.colour_formats = interface.colour_formats;
     desc.depth_format = interface.depth_format;

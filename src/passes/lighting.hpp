@@ -9,11 +9,15 @@ namespace prelight::passes {
 /// Where a light pass puts its sums. The shaders have one variant for each kind of target
 /// (shaders/shared/light_sums.glsl).
 struct LightTarget {
-    std::string variant;                ///< "" light buffer, "+packed", "+pair", "+count", "+deferred"
+    gpu::Variants variant;              ///< one of …_target and light_pair, or none: two images
     std::vector<graph::ImageId> images; ///< colour attachments, in the order of the variant's outputs
     graph::Load load = graph::Load::clear;
     gpu::Constants constants; ///< of the variant
     bool added = false;       ///< a compute pass adds to what stands there, where it would replace it
+
+    bool packed() const { return variant.has(gpu::Variant::one_target); }
+    bool counts() const { return variant.has(gpu::Variant::count_target); }
+    bool deferred() const { return variant.has(gpu::Variant::deferred_target); }
 };
 
 /// What every light pass gets, however it finds its pixels.
@@ -54,13 +58,13 @@ LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& vi
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
 /// The same without the target's images.
 void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
-/// The shader's name with its variant for the target, and for shadows where there are any: counts know none.
-std::string lighting_shader(const LightingInputs& inputs, const std::string& shader, const char* ending);
+/// The shader in its variant for the target, and for shadows where there are any: counts know none.
+gpu::ShaderKey lighting_shader(const LightingInputs& inputs, const char* file);
 /// Specialisation constants of every shader that evaluates lights, and of its lists where it walks some.
 gpu::Constants lighting_constants(const resident::View& view, const LightingInputs& inputs);
-/// A pipeline with `shader`'s variant for the target, drawn over the pass's attachments; the caller
+/// A pipeline with `fragment` in its variant for the target, drawn over the pass's attachments; the caller
 /// adds vertex shader, depth test and blending.
 gpu::GraphicsPipelineDesc lighting_pipeline(const resident::View& view, const graph::PassInterface& interface,
-                                            const LightingInputs& inputs, const std::string& shader);
+                                            const LightingInputs& inputs, const char* fragment);
 
 } // namespace prelight::passes

@@ -29,23 +29,23 @@ void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialIn
     if (occluded)
         pass.sample(INPUT_OCCLUSION, *inputs.visibility);
     const bool all_of_a_point = view.scene().environment() || occluded; // normal and viewer
-    const std::string texels = is_light_pair(graph, inputs.light.diffuse) ? "+pair" : bits ? "+bits" : "";
-    const std::string own = "material" + texels + (occluded ? "+occlusion" : "") + ".frag";
-    const std::string shader = !ggx    ? "material_blinn_phong"
-                               : at_nv ? "material_metallic_roughness"
-                                       : "material_metallic_roughness+weighted";
-    draw_surfaces(
-        graph, pass, view,
-        {.name = "material",
-         .fragment = all_of_a_point ? (ggx ? "metallic_roughness/" : "blinn_phong/") + own : shader + texels + ".frag",
-         .own_fragment = own,
-         .constants = constants,
-         .depth = gpu::DepthTest::equal,
-         .keeps_alpha_mask = false,
-         .world = at_nv || all_of_a_point,
-         .normal = at_nv || all_of_a_point,
-         .untextured_variant = !all_of_a_point,
-         .decals = bool(inputs.decals)});
+    using gpu::Variant;
+    const gpu::Variants texels =
+        is_light_pair(graph, inputs.light.diffuse) ? Variant::light_pair : gpu::when(bits, Variant::light_bits);
+    const gpu::Variants own = texels | gpu::when(occluded, Variant::occlusion);
+    const std::string material = ggx ? "" : "blinn_phong";
+    const gpu::ShaderKey whole("material.frag", own | Variant::own_material, ggx ? "metallic_roughness" : material);
+    const gpu::ShaderKey lean("material.frag", texels | gpu::when(!at_nv, Variant::only_weighted), material);
+    draw_surfaces(graph, pass, view,
+                  {.name = "material",
+                   .fragment = all_of_a_point ? whole : lean,
+                   .own_fragment = {"material.frag", own},
+                   .constants = constants,
+                   .depth = gpu::DepthTest::equal,
+                   .keeps_alpha_mask = false,
+                   .vertex = gpu::when(!at_nv && !all_of_a_point, Variant::no_world | Variant::no_normal) |
+                             gpu::when(!all_of_a_point, Variant::no_textures),
+                   .decals = decal_use(inputs.decals)});
 }
 
 } // namespace

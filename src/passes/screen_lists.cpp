@@ -52,8 +52,8 @@ void trim_lists(graph::FrameGraph& graph, const resident::View& view, const std:
                 const LightingInputs& inputs, const LightLists& lists, const LightListRound& round,
                 ListContents contents) {
     const uint32_t each = lights_a_turn(lists.tile_size);
-    const char* shader =
-        inputs.surface.format.roughness_in_stencil ? "light_lists_perfect+stencil.comp" : "light_lists_perfect.comp";
+    const gpu::ShaderKey shader("light_lists_perfect.comp",
+                                gpu::when(inputs.surface.format.roughness_in_stencil, gpu::Variant::stencil_roughness));
     const auto add = [&](const char* what, uint32_t step) {
         graph::Pass& pass = graph.pass(name + "-lists " + what + round.ending);
         declare_lit_surface(graph, pass, inputs);

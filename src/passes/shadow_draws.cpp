@@ -47,7 +47,7 @@ public:
             if (pipelines_.contains(features))
                 continue;
             desc.name = "shadow casters, features " + std::to_string(features);
-            desc.vertex = features ? "surface+shadow.vert" : "depth_only+shadow.vert";
+            desc.vertex = {features ? "surface.vert" : "depth_only.vert", gpu::Variant::shadow_tile};
             desc.fragment = features ? "shadow_mask.frag" : "";
             desc.constants = {{CONSTANT_MATERIAL_FEATURES, features}};
             desc.attributes = attributes_of(features != 0);

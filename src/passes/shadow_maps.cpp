@@ -38,6 +38,6 @@ void add_shadow_constants(gpu::Constants& constants, const resident::View& view)
         constants.emplace_back(CONSTANT_SHADOW_FILTER, static_cast<uint32_t>(view.shadows()->options().filter));
 }
 
-std::string shadow_variant(const Shadows& shadows) { return shadows ? "+shadows" : ""; }
+gpu::Variants shadow_variant(const Shadows& shadows) { return gpu::when(bool(shadows), gpu::Variant::shadows); }
 
 } // namespace prelight::passes

@@ -38,7 +38,7 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
 void declare_shadows(graph::Pass& pass, const Shadows& shadows);
 /// Adds the constants of shaders that are compiled with SHADOWS.
 void add_shadow_constants(gpu::Constants& constants, const resident::View& view);
-/// "" or "+shadows": what such a shader's name has before its ending.
-std::string shadow_variant(const Shadows& shadows);
+/// What such a shader is compiled with.
+gpu::Variants shadow_variant(const Shadows& shadows);
 
 } // namespace prelight::passes

@@ -24,29 +24,21 @@ std::vector<gpu::VertexAttribute> position_attributes() {
     return out;
 }
 
-/// What a vertex shader of surface_vertex.glsl leaves out.
-struct LeftOut {
-    bool world = false, normal = false, textures = false;
-    std::string name() const {
-        return std::string(world ? "+noworld" : "") + (normal ? "+nonormal" : "") + (textures ? "+untextured" : "");
-    }
-};
-
-std::vector<gpu::VertexAttribute> surface_attributes(bool motion, LeftOut left_out) {
+std::vector<gpu::VertexAttribute> surface_attributes(gpu::Variants variants) {
     std::vector<gpu::VertexAttribute> out = position_attributes();
     out.push_back({VERTEX_COLOUR, attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
-    if (!left_out.normal) {
+    if (!variants.has(gpu::Variant::no_normal)) {
         out.push_back({VERTEX_NORMAL, attributes, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)});
         add_rows(out, VERTEX_NORMAL_ROW, offsetof(shared::ObjectData, normal_row));
     }
-    if (!left_out.textures) {
+    if (!variants.has(gpu::Variant::no_textures)) {
         out.push_back({VERTEX_TEXCOORD_0, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_0)});
         out.push_back({VERTEX_TEXCOORD_1, attributes, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexAttributes, texcoord_1)});
-        if (!left_out.normal)
+        if (!variants.has(gpu::Variant::no_normal))
             out.push_back(
                 {VERTEX_TANGENT, attributes, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexAttributes, tangent)});
     }
-    if (motion) {
+    if (variants.has(gpu::Variant::motion)) {
         out.push_back({VERTEX_PREVIOUS_POSITION, previous_positions, VK_FORMAT_R32G32B32_SFLOAT, 0});
         add_rows(out, VERTEX_PREVIOUS_WORLD_ROW, offsetof(shared::ObjectData, previous_world_row));
     }
@@ -58,20 +50,14 @@ bool has_textures(uint32_t features) {
                         FEATURE_OCCLUSION_TEXTURE | FEATURE_EMISSIVE_TEXTURE)) != 0;
 }
 
-/// "NAME.frag" → "NAME+VARIANT.frag"
-std::string variant_of(const std::string& shader, const std::string& variant) {
-    std::string name = shader;
-    return name.insert(name.rfind('.'), variant);
-}
-
 } // namespace
 
 SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterface& interface, const Desc& desc)
     : view_(view), features_kept_((desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
                                    : desc.keeps_alpha_mask ? ~0u
                                                            : ~FEATURE_ALPHA_MASK) &
-                                  (desc.decals ? ~0u : ~FEATURE_DECALS)),
-      depth_only_(desc.depth_only), motion_(desc.motion), only_decals_(desc.only_decals), later_(is_later(desc.depth)),
+                                  (desc.decals != Decals::none ? ~0u : ~FEATURE_DECALS)),
+      depth_only_(desc.depth_only), only_decals_(desc.decals == Decals::only), later_(is_later(desc.depth)),
       counts_(view.visible_pixels() && !later_), skips_(view.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
@@ -99,31 +85,31 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     const bool own = shader > 0; // wants to know all of a point
     const bool decals = (features & FEATURE_DECALS) != 0;
     const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
-    const LeftOut left_out{!own && !desc.world, !own && !desc.normal,
-                           !own && !decals && desc.untextured_variant && !has_textures(features)};
-    pipeline.vertex = !shaded   ? "depth_only.vert"
-                      : motion_ ? "surface+motion.vert"
-                                : variant_of("surface.vert", left_out.name());
-    pipeline.fragment = !shaded             ? ""
-                        : left_out.textures ? variant_of(desc.fragment, "+untextured")
-                        : decals            ? variant_of(desc.fragment, "+decals")
-                                            : desc.fragment;
+    using gpu::Variant;
+    const bool untextured = desc.vertex.has(Variant::no_textures) && !own && !decals && !has_textures(features);
+    gpu::Variants vertex =
+        gpu::when(desc.vertex.has(Variant::motion), Variant::motion) | gpu::when(untextured, Variant::no_textures);
+    for (const Variant left_out : {Variant::no_world, Variant::no_normal})
+        vertex |= gpu::when(!own && desc.vertex.has(left_out), left_out);
+    pipeline.vertex = shaded ? gpu::ShaderKey("surface.vert", vertex) : "depth_only.vert";
+    pipeline.fragment =
+        !shaded ? gpu::ShaderKey()
+                : desc.fragment.with(gpu::when(untextured, Variant::no_textures) | gpu::when(decals, Variant::decals));
     pipeline.fragment_code.clear();
     pipeline.name = desc.name;
     if (own) {
         const resident::MaterialShaders& shaders = view_.scene().materials().shaders;
         pipeline.name += " " + shaders.name(shader);
         if (shaded) {
-            std::string stage = desc.own_fragment.empty() ? desc.fragment : desc.own_fragment;
-            if (decals)
-                stage = variant_of(stage, "+decals");
-            pipeline.fragment = shaders.name(shader) + "/" + stage;
+            const gpu::ShaderKey stage = (desc.own_fragment.empty() ? desc.fragment : desc.own_fragment)
+                                             .with(gpu::when(decals, Variant::decals));
+            pipeline.fragment = {stage.file, stage.variants | Variant::own_material, shaders.name(shader)};
             const auto code = shaders.code(shader, stage);
             pipeline.fragment_code.assign(code.begin(), code.end());
         }
     }
     pipeline.name += " features " + std::to_string(features);
-    pipeline.attributes = shaded ? surface_attributes(motion_, left_out) : position_attributes();
+    pipeline.attributes = shaded ? surface_attributes(vertex) : position_attributes();
     pipeline.constants = desc.constants;
     pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
 }

@@ -11,22 +11,23 @@ namespace prelight::passes {
 /// that the world uses. What all passes over the geometry have in common.
 class SurfaceDraws {
 public:
+    /// Objects that decals reach: drawn like others, with the shader's variant DECALS (declare_decals()), or with it
+    /// and no other object.
+    enum class Decals { none, read, only };
     struct Desc {
         std::string name;
-        std::string fragment;          ///< with `depth_only`: the shader of masked materials
-        std::string own_fragment = {}; ///< the stage for materials with a shader of their own; empty: `fragment`
+        gpu::ShaderKey fragment;          ///< with `depth_only`: the shader of masked materials
+        gpu::ShaderKey own_fragment = {}; ///< the stage for materials with a shader of their own; empty: `fragment`
         gpu::Constants constants;
         gpu::DepthTest depth = gpu::DepthTest::write_nearer;
         bool keeps_alpha_mask = true; ///< false: the mask is not asked again, the depth test decides
         gpu::Blend blend = gpu::Blend::none;
-        uint32_t push_bytes = 0;         ///< push constants of every draw, in the fragment shader
-        bool motion = false;             ///< the shader is told where each point was: ViewSettings::motion
-        bool world = true;               ///< the shader reads where a point is: not compiled with NO_WORLD
-        bool normal = true;              ///< and its normal: not compiled with NO_NORMAL
-        bool untextured_variant = false; ///< there is a "…+untextured.frag" for materials without textures
-        bool depth_only = false;         ///< materials without mask get positions and no shader
-        bool decals = false;      ///< objects that decals reach are drawn with "…+decals.frag": declare_decals()
-        bool only_decals = false; ///< and no others
+        uint32_t push_bytes = 0; ///< push constants of every draw, in the fragment shader
+        /// Of surface.vert: MOTION (GpuSceneSettings::motion); NO_WORLD and NO_NORMAL where the fragment shader reads
+        /// no point and no normal; NO_TEXTURES where it has that variant too, for materials without textures.
+        gpu::Variants vertex = {};
+        bool depth_only = false; ///< materials without mask get positions and no shader
+        Decals decals = Decals::none;
     };
     /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
     /// record into a pass in turn.
@@ -69,7 +70,6 @@ private:
     const resident::View& view_;
     uint32_t features_kept_;
     bool depth_only_;
-    bool motion_;
     bool only_decals_;
     bool later_, counts_, skips_; ///< the pass counts pixels, or leaves out what has none
     std::map<Key, gpu::GraphicsPipeline> pipelines_;

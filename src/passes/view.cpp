@@ -22,7 +22,10 @@ graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, c
         pass.sample(INPUT_MATERIAL, buffer);
     gpu::Constants constants = surface.format.constants();
     constants.emplace_back(CONSTANT_VIEW, static_cast<uint32_t>(kind));
-    draw_fullscreen(pass, view, pair ? "view+pair.frag" : stencil ? "view+stencil.frag" : "view.frag", constants);
+    draw_fullscreen(
+        pass, view,
+        {"view.frag", gpu::when(pair, gpu::Variant::light_pair) | gpu::when(stencil, gpu::Variant::stencil_roughness)},
+        constants);
     return target;
 }
 

@@ -51,10 +51,10 @@ private:
             const uint32_t kind = draw.features & features;
             if (pipelines_.contains(kind))
                 continue;
-            const std::string variant = kind & textures ? "+textured" : "";
+            const gpu::Variants variant = gpu::when((kind & textures) != 0, gpu::Variant::textured);
             desc.name = "plain forward features " + std::to_string(kind);
-            desc.vertex = "plain_forward" + variant + ".vert";
-            desc.fragment = "plain_forward" + variant + ".frag";
+            desc.vertex = {"plain_forward.vert", variant};
+            desc.fragment = {"plain_forward.frag", variant};
             desc.attributes = {{VERTEX_POSITION, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
                                {VERTEX_COLOUR, 1, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)}};
             for (uint32_t row = 0; row < 3; ++row)

@@ -28,10 +28,10 @@ uint32_t MaterialShaders::index_of(const Material& material) const {
     return static_cast<uint32_t>(std::find(shaders_.begin(), shaders_.end(), material.shader) - shaders_.begin());
 }
 
-std::span<const uint32_t> MaterialShaders::code(uint32_t index, const std::string& stage) const {
+std::span<const uint32_t> MaterialShaders::code(uint32_t index, const gpu::ShaderKey& stage) const {
     const MaterialShader& shader = *shaders_[index];
     if (shader.file.empty())
-        return gpu::find_shader(names_[index] + "/" + stage);
+        return gpu::find_shader({stage.file, stage.variants | gpu::Variant::own_material, names_[index]});
     auto found = compiled_.find({index, stage});
     if (found == compiled_.end())
         found = compiled_.emplace(std::pair(index, stage), gpu::compile_material(shader, stage)).first;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <gpu/shader_key.hpp>
 #include <map>
 #include <prelight/material_shader.hpp>
 #include <prelight/scene.hpp>
@@ -16,15 +17,15 @@ public:
     MaterialShaders() = default;
     explicit MaterialShaders(const Scene& scene);
     uint32_t index_of(const Material& material) const;
-    /// Its file's name without ".glsl", which is the folder of what shaders/variants.cmake lists for it.
+    /// Its file's name without ".glsl": ShaderKey::material.
     const std::string& name(uint32_t shader) const { return names_[shader]; }
-    /// SPIR-V for a stage of PRELIGHT_MATERIAL_STAGES. Throws Error: a mistake in a user's file.
-    std::span<const uint32_t> code(uint32_t shader, const std::string& stage) const;
+    /// SPIR-V for a stage that the build compiles with each material. Throws Error: a mistake in a user's file.
+    std::span<const uint32_t> code(uint32_t shader, const gpu::ShaderKey& stage) const;
 
 private:
     std::vector<std::shared_ptr<const MaterialShader>> shaders_{nullptr};
     std::vector<std::string> names_{""};
-    mutable std::map<std::pair<uint32_t, std::string>, std::vector<uint32_t>> compiled_;
+    mutable std::map<std::pair<uint32_t, gpu::ShaderKey>, std::vector<uint32_t>> compiled_;
 };
 
 } // namespace prelight::resident

@@ -37,7 +37,7 @@ Program::Program(const gpu::Context& context, std::string_view shader, VkDescrip
     VkPipelineLayout layout = VK_NULL_HANDLE;
     gpu::check(vkCreatePipelineLayout(context.device(), &info, nullptr, &layout), shader);
     layout_ = {context.device(), layout};
-    const gpu::UniqueShaderModule code = make_module(context, gpu::find_test_shader(shader));
+    const gpu::UniqueShaderModule code = make_module(context, gpu::find_test_shader(std::string(shader)));
     if (colour_formats.empty())
         make_compute(context, code);
     else

@@ -1,13 +1,14 @@
 #pragma once
 #include <array>
 #include <gpu/context.hpp>
+#include <gpu/shader_key.hpp>
 #include <graph/frame_graph.hpp>
 #include <span>
 #include <string_view>
 
 namespace prelight::gpu {
 /// SPIR-V of a file in tests/gpu/shaders. Throws Error for another name.
-std::span<const uint32_t> find_test_shader(std::string_view name);
+std::span<const uint32_t> find_test_shader(const ShaderKey& key);
 } // namespace prelight::gpu
 
 namespace prelight {

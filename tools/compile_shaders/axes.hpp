@@ -1,0 +1,35 @@
+#pragma once
+#include <gpu/shader_key.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prelight {
+
+/// What a shader's first lines say about its variants:
+///
+///     // variants: ONE_TARGET|COUNT_TARGET, SHADOWS     one of the first two or none, and SHADOWS or not
+///     // never: COUNT_TARGET SHADOWS, …                 these do not come together
+///     // only: OCCLUSION with OWN_MATERIAL, …           not without the other
+///     // materials: all with OWN_MATERIAL, blinn_phong with ONLY_WEIGHTED
+///
+/// `materials`: whose surfaces the shader is compiled with beside metallic_roughness; with "all", instead of it.
+struct ShaderAxes {
+    struct Pair {
+        std::string what;
+        gpu::Variants with;
+    };
+    std::vector<std::vector<gpu::Variants>> choices; ///< of each axis, the first of them none
+    std::vector<gpu::Variants> never;
+    std::vector<std::pair<gpu::Variants, gpu::Variants>> only; ///< what, with what
+    std::vector<Pair> materials;
+};
+
+/// Throws std::runtime_error: a line that is not as above.
+ShaderAxes read_axes(std::string_view source);
+
+/// Every shader that the axes allow. `materials`: the names that "all" stands for.
+std::vector<gpu::ShaderKey> all_keys(const std::string& file, const ShaderAxes& axes,
+                                     const std::vector<std::string>& materials);
+
+} // namespace prelight

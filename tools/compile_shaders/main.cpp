@@ -1,0 +1,278 @@
+// compile_shaders FOLDER INCLUDES OUT FUNCTION: compiles every shader of FOLDER in all variants that stand at its top,
+// and writes OUT/FUNCTION.bin (SPIR-V), OUT/FUNCTION.cpp (which holds it and defines gpu::FUNCTION(key)) and
+// OUT/FUNCTION.d (what all that was made of). INCLUDES: the folder that #include looks into; "material.glsl" is the
+// file of the material in its folder materials/.
+//
+// What comes out of a preprocessed text is kept in OUT/cache, so that an edit compiles only what it concerns.
+#include "axes.hpp"
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <glslang/build_info.h>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <set>
+#include <shaderc/shaderc.hpp>
+#include <spirv-tools/libspirv.h>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+
+namespace {
+
+using namespace prelight;
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file)
+        throw std::runtime_error(path.string() + ": cannot be read");
+    return text.str();
+}
+
+void write(const fs::path& path, std::string_view text) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!file.flush())
+        throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+/// Files by path, each read once; all that were asked for are what the output depends on.
+class Files {
+public:
+    const std::string* find(const fs::path& path) {
+        const std::lock_guard lock(mutex_);
+        auto found = texts_.find(path);
+        if (found == texts_.end()) {
+            if (!fs::exists(path))
+                return nullptr;
+            found = texts_.emplace(path, read(path)).first;
+        }
+        return &found->second;
+    }
+    std::string names() const {
+        std::string out;
+        for (const auto& [path, text] : texts_)
+            out += " " + path.string();
+        return out;
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<fs::path, std::string> texts_;
+};
+
+class Includer final : public shaderc::CompileOptions::IncluderInterface {
+public:
+    Includer(Files& files, fs::path folder, const std::string& material)
+        : files_(files), folder_(std::move(folder)), material_(material) {}
+
+    shaderc_include_result* GetInclude(const char* requested, shaderc_include_type, const char*, size_t) override {
+        auto* include = new Include;
+        include->path = (folder_ / (std::string_view(requested) == "material.glsl" ? "materials/" + material_ + ".glsl"
+                                                                                   : std::string(requested)))
+                            .string();
+        const std::string* text = files_.find(include->path);
+        static const std::string missing = "there is no such file to include";
+        if (!text)
+            include->path.clear(); // no name: an error with this text
+        text = text ? text : &missing;
+        include->result = {include->path.data(), include->path.size(), text->data(), text->size(), include};
+        return &include->result;
+    }
+    void ReleaseInclude(shaderc_include_result* result) override { delete static_cast<Include*>(result->user_data); }
+
+private:
+    struct Include {
+        std::string path;
+        shaderc_include_result result;
+    };
+    Files& files_;
+    fs::path folder_;
+    std::string material_;
+};
+
+/// 128 bits of FNV-1a, twice 64 from different starts.
+std::string hash_of(std::string_view text) {
+    uint64_t a = 14695981039346656037u, b = 0x6c62272e07bb0142u;
+    for (const char c : text) {
+        a = (a ^ static_cast<unsigned char>(c)) * 1099511628211u;
+        b = (b ^ static_cast<unsigned char>(c)) * 1099511628211u + 0x9e3779b97f4a7c15u;
+    }
+    char out[40];
+    std::snprintf(out, sizeof out, "%016llx%016llx", static_cast<unsigned long long>(a),
+                  static_cast<unsigned long long>(b));
+    return out;
+}
+
+class Build {
+public:
+    Build(fs::path folder, fs::path includes, fs::path out)
+        : folder_(std::move(folder)), includes_(std::move(includes)), out_(std::move(out)) {
+        fs::create_directories(out_ / "cache");
+    }
+
+    void run(const std::string& function) {
+        find_keys();
+        codes_.resize(keys_.size());
+        std::vector<std::thread> threads;
+        for (unsigned t = 0; t < std::max(std::thread::hardware_concurrency(), 1u); ++t)
+            threads.emplace_back([this] { compile_all(); });
+        for (std::thread& thread : threads)
+            thread.join();
+        if (!mistakes_.empty())
+            throw std::runtime_error(mistakes_);
+        for (const fs::directory_entry& kept : fs::directory_iterator(out_ / "cache"))
+            if (!used_.contains(kept.path()))
+                fs::remove(kept.path());
+        write_all(function);
+        std::cout << keys_.size() << " shaders, " << compiled_ << " compiled\n";
+    }
+
+private:
+    void find_keys() {
+        std::vector<std::string> materials;
+        if (fs::exists(includes_ / "materials"))
+            for (const fs::directory_entry& file : fs::directory_iterator(includes_ / "materials"))
+                materials.push_back(file.path().stem().string());
+        for (const fs::directory_entry& file : fs::directory_iterator(folder_)) {
+            if (!kinds_.contains(file.path().extension().string()))
+                continue;
+            try {
+                const auto keys =
+                    all_keys(file.path().filename().string(), read_axes(*files_.find(file.path())), materials);
+                keys_.insert(keys_.end(), keys.begin(), keys.end());
+            } catch (const std::runtime_error& error) {
+                throw std::runtime_error(file.path().string() + ": " + error.what());
+            }
+        }
+        std::sort(keys_.begin(), keys_.end(), [](const auto& a, const auto& b) {
+            return std::tuple(a.file, a.material, a.variants) < std::tuple(b.file, b.material, b.variants);
+        });
+    }
+
+    void compile_all() {
+        for (size_t k = next_++; k < keys_.size(); k = next_++)
+            try {
+                codes_[k] = compile(keys_[k]);
+            } catch (const std::exception& error) {
+                const std::lock_guard lock(mutex_);
+                mistakes_ += keys_[k].text() + ":\n" + error.what() + "\n";
+            }
+    }
+
+    std::string compile(const gpu::ShaderKey& key) {
+        shaderc::CompileOptions options;
+        options.SetTargetEnvironment(shaderc_target_env_vulkan, shaderc_env_version_vulkan_1_3);
+        options.SetOptimizationLevel(shaderc_optimization_level_performance);
+        options.SetWarningsAsErrors();
+        options.SetIncluder(
+            std::make_unique<Includer>(files_, includes_, key.material.empty() ? "metallic_roughness" : key.material));
+        for (size_t v = 0; v < std::size(gpu::variant_macros); ++v)
+            if (key.variants.has(static_cast<gpu::Variant>(v)))
+                options.AddMacroDefinition(std::string(gpu::variant_macros[v]));
+        const fs::path path = folder_ / key.file;
+        const std::string& source = *files_.find(path);
+        const shaderc_shader_kind kind = kinds_.at(path.extension().string());
+        const shaderc::Compiler compiler;
+        const auto text = compiler.PreprocessGlsl(source, kind, path.c_str(), options);
+        if (text.GetCompilationStatus() != shaderc_compilation_status_success)
+            throw std::runtime_error(text.GetErrorMessage());
+        std::string all = "glslang " + std::to_string(GLSLANG_VERSION_MAJOR) + "." +
+                          std::to_string(GLSLANG_VERSION_MINOR) + "." + std::to_string(GLSLANG_VERSION_PATCH) + " " +
+                          spvSoftwareVersionDetailsString() + "\n" + std::to_string(kind) + "\n";
+        all.append(text.begin(), text.end());
+        const fs::path kept = out_ / "cache" / (hash_of(all) + ".spv");
+        {
+            const std::lock_guard lock(mutex_);
+            used_.insert(kept);
+        }
+        if (fs::exists(kept))
+            return read(kept);
+        const auto result = compiler.CompileGlslToSpv(source, kind, path.c_str(), options);
+        if (result.GetCompilationStatus() != shaderc_compilation_status_success)
+            throw std::runtime_error(result.GetErrorMessage());
+        const size_t number = ++compiled_;
+        const std::string code(reinterpret_cast<const char*>(result.begin()),
+                               reinterpret_cast<const char*>(result.end()));
+        const fs::path half = kept.string() + "." + std::to_string(number); // threads may make the same
+        write(half, code);
+        fs::rename(half, kept);
+        return code;
+    }
+
+    void write_all(const std::string& function) const {
+        std::string blob, table;
+        for (size_t k = 0; k < keys_.size(); ++k) {
+            table += "    {\"" + keys_[k].file + "\", \"" + keys_[k].material + "\", " +
+                     std::to_string(keys_[k].variants.bits()) + ", " + std::to_string(blob.size() / 4) + ", " +
+                     std::to_string(codes_[k].size() / 4) + "},\n";
+            blob += codes_[k];
+        }
+        const fs::path bin = out_ / (function + ".bin"), cpp = out_ / (function + ".cpp");
+        write(bin, blob);
+        write(out_ / (function + ".d"), cpp.string() + ":" + files_.names() + "\n");
+        const std::string all = function == "find_shader"
+                                    ? "std::span<const EmbeddedShader> all_shaders() { return table; }\n\n"
+                                    : "std::span<const uint32_t> " + function + "(const ShaderKey& key);\n\n";
+        write(cpp, "// Written by tools/compile_shaders. " + hash_of(blob) + R"(
+#include <gpu/shaders.hpp>
+#include <prelight/error.hpp>
+
+asm(".section .rodata\n.balign 4\nprelight_)" +
+                       function + R"(_code:\n.incbin \")" + bin.string() +
+                       R"(\"\n.previous\n");
+extern "C" const uint32_t prelight_)" +
+                       function + R"(_code[];
+
+namespace prelight::gpu {
+namespace {
+const EmbeddedShader table[] = {
+)" + table + R"(};
+} // namespace
+
+)" + all + "std::span<const uint32_t> " +
+                       function + R"((const ShaderKey& key) {
+    const std::span<const uint32_t> code = find_embedded(table, prelight_)" +
+                       function + R"(_code, key);
+    if (code.empty())
+        throw Error("shader " + key.text() + ": not one of this build's");
+    return code;
+}
+
+} // namespace prelight::gpu
+)");
+    }
+
+    static inline const std::map<std::string, shaderc_shader_kind> kinds_{
+        {".vert", shaderc_vertex_shader}, {".frag", shaderc_fragment_shader}, {".comp", shaderc_compute_shader}};
+    fs::path folder_, includes_, out_;
+    Files files_;
+    std::vector<gpu::ShaderKey> keys_;
+    std::vector<std::string> codes_;
+    std::atomic<size_t> next_ = 0, compiled_ = 0;
+    std::mutex mutex_;
+    std::string mistakes_;
+    std::set<fs::path> used_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 5) {
+        std::cerr << "usage: compile_shaders FOLDER INCLUDES OUT FUNCTION\n";
+        return 2;
+    }
+    try {
+        Build(argv[1], argv[2], argv[3]).run(argv[4]);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
+        return 1;
+    }
+}
