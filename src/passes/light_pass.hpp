@@ -1,6 +1,5 @@
 #pragma once
 #include "screen_lists.hpp"
-#include <map>
 
 namespace prelight::passes {
 
@@ -16,18 +15,5 @@ graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::View& 
 /// How often a light pass may add to one pixel by blending. `one_by_one`: where lights are drawn light by light, they
 /// are blended.
 uint32_t light_adds(const resident::View& view, bool one_by_one);
-
-/// The setting `light-culling` of every architecture with light passes.
-SettingInfo light_culling_setting();
-SettingInfo tile_size_setting();
-/// Of light lists: who walks them.
-SettingInfo list_shading_setting();
-SettingInfo list_contents_setting();
-ScreenListOptions screen_list_options(const std::map<std::string, std::string>& settings);
-resident::LightCulling light_culling(const std::string& value);
-
-/// The settings of rectangles, volumes and stencil, and what they say: keys and values of every one.
-std::vector<SettingInfo> volume_settings();
-resident::VolumeOptions volume_options(const std::map<std::string, std::string>& settings);
 
 } // namespace prelight::passes

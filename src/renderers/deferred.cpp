@@ -1,11 +1,12 @@
 // Deferred shading (Engel, ShaderX7 8.5, figures 8.5.2 and 8.5.3; Valient's Killzone 2): geometry once
 // into a G-buffer, then each light with the pixel's material, added to one target.
 #include "deferred.hpp"
-#include "draw_settings.hpp"
-#include "light_culling_choice.hpp"
-#include "occlusion_settings.hpp"
-#include "shadow_settings.hpp"
-#include "texture_settings.hpp"
+#include "settings/draw_settings.hpp"
+#include "settings/light_culling_settings.hpp"
+#include "settings/light_model_settings.hpp"
+#include "settings/occlusion_settings.hpp"
+#include "settings/shadow_settings.hpp"
+#include "settings/texture_settings.hpp"
 #include <passes/decals.hpp>
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
@@ -20,12 +21,7 @@ namespace {
 class Deferred final : public DeviceRenderer {
 public:
     Deferred(Device& device, const RenderOptions& options, Settings settings)
-        : DeviceRenderer(device, options, std::move(settings)) {
-        model_.shading = this->settings().shading();
-        model_.fresnel = this->settings().is("model", "nv") ? passes::FresnelModel::nv : passes::FresnelModel::full;
-        model_.step_gate = this->settings().is("specular-gate", "step");
-        model_.reflection_vector = this->settings().is("specular-vector", "reflection");
-    }
+        : DeviceRenderer(device, options, std::move(settings)), model_(material_light_model(this->settings())) {}
 
 private:
     passes::GBufferFormat format() const {
@@ -55,8 +51,8 @@ private:
             view.measures_light = settings().is("light-scale", "auto");
             view.light_scale = view.measures_light ? 1 : settings().number("light-scale");
         }
-        view.culling = passes::light_culling(settings().get("light-culling"));
-        view.volumes = passes::volume_options(settings().all());
+        view.culling = light_culling(settings());
+        view.volumes = volume_options(settings());
         return view;
     }
 
@@ -101,8 +97,7 @@ private:
                                         ? passes::sun_occlusion_pass(graph, view, gbuffer, maps)
                                         : maps;
         passes::LightingInputs lighting = lighting_of(gbuffer, lit);
-        lighting.lists =
-            passes::screen_light_lists(graph, view, "light", lighting, passes::screen_list_options(settings().all()));
+        lighting.lists = passes::screen_light_lists(graph, view, "light", lighting, screen_list_options(settings()));
         passes::light_pass(graph, view, "light", lighting);
         if (scale_)
             scale_->count_clipped(graph, view, gbuffer.light, gbuffer.light);
@@ -150,14 +145,10 @@ RendererInfo deferred_info() {
                       {"auto", "0.01 … 1000"},
                       "auto",
                       "accumulation=rgba8: the light that its RGB holds; auto: from the light of each frame"},
-                     {"model", {"full", "nv"}, "full", "Fresnel: of each light at V·H, or at N·V"},
+                     model_setting(),
                      {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
-                     passes::light_culling_setting(),
-                     passes::tile_size_setting(),
-                     passes::list_shading_setting(),
-                     passes::list_contents_setting(),
-                     {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
-                     {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+                     specular_gate_setting(),
+                     specular_vector_setting(),
                      light_sums_setting(),
                      specular_antialiasing_setting(),
                      texture_filter_setting()},
@@ -167,14 +158,9 @@ RendererInfo deferred_info() {
         .preset_settings = {{"killzone2",
                              {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}},
         .preset_shading = {{"killzone2", Shading::phong}}};
-    for (SettingInfo& setting : draw_settings(false))
-        info.settings.push_back(std::move(setting));
-    for (SettingInfo& setting : shadow_settings(true))
-        info.settings.push_back(std::move(setting));
-    for (SettingInfo& setting : occlusion_settings())
-        info.settings.push_back(std::move(setting));
-    const std::vector<SettingInfo> volumes = passes::volume_settings();
-    info.settings.insert(info.settings.end(), volumes.begin(), volumes.end());
+    for (const auto& more : {light_culling_settings(), draw_settings(false), shadow_settings(true),
+                             occlusion_settings(), volume_settings()})
+        info.settings.insert(info.settings.end(), more.begin(), more.end());
     return info;
 }
 

@@ -1,8 +1,8 @@
 #include "device_renderer.hpp"
-#include "draw_settings.hpp"
 #include "read_back.hpp"
-#include "shadow_settings.hpp"
-#include "texture_settings.hpp"
+#include "settings/draw_settings.hpp"
+#include "settings/shadow_settings.hpp"
+#include "settings/texture_settings.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

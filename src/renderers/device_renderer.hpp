@@ -3,7 +3,7 @@
 #include "frame_stats.hpp"
 #include "light_sums.hpp"
 #include "pair_counters.hpp"
-#include "settings.hpp"
+#include "settings/settings.hpp"
 #include <functional>
 #include <graph/frame_graph.hpp>
 #include <memory>

@@ -1,7 +1,8 @@
 #include "forward_renderer.hpp"
-#include "draw_settings.hpp"
-#include "shadow_settings.hpp"
-#include "texture_settings.hpp"
+#include "settings/draw_settings.hpp"
+#include "settings/light_model_settings.hpp"
+#include "settings/shadow_settings.hpp"
+#include "settings/texture_settings.hpp"
 #include <algorithm>
 #include <passes/light_overlap.hpp>
 #include <passes/lighting.hpp>
@@ -12,10 +13,7 @@ namespace prelight {
 ForwardRenderer::ForwardRenderer(Device& device, const RenderOptions& options, Settings settings,
                                  resident::ObjectLights order)
     : DeviceRenderer(device, options, std::move(settings)), order_(order) {
-    model_.shading = this->settings().shading();
-    model_.fresnel = this->settings().is("model", "nv") ? passes::FresnelModel::nv : passes::FresnelModel::full;
-    model_.step_gate = this->settings().is("specular-gate", "step");
-    model_.reflection_vector = this->settings().is("specular-vector", "reflection");
+    model_ = material_light_model(this->settings());
     model_.specular_antialiasing = this->settings().is("specular-antialiasing", "on");
 }
 
@@ -82,12 +80,8 @@ void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, cons
 
 std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twice) {
     const std::vector<SettingInfo> common{
-        {"model", {"full", "nv"}, "full", "Fresnel: of each light at V·H, or at N·V"},
-        {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
-        {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
-        light_sums_setting(),
-        specular_antialiasing_setting(),
-        texture_filter_setting()};
+        model_setting(),      specular_gate_setting(),         specular_vector_setting(),
+        light_sums_setting(), specular_antialiasing_setting(), texture_filter_setting()};
     own.insert(own.end(), common.begin(), common.end());
     for (SettingInfo& setting : draw_settings(twice))
         own.push_back(std::move(setting));

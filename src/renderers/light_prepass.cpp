@@ -1,13 +1,13 @@
 // Light pre-pass (Engel, ShaderX7 8.5; Lee's prelighting; Quandt's Round 2): depth and normals, then
 // all lights into the light buffer, then every object once more with its own material.
 #include "light_prepass.hpp"
-#include "draw_settings.hpp"
-#include "light_culling_choice.hpp"
-#include "light_model_settings.hpp"
-#include "light_prepass_presets.hpp"
-#include "occlusion_settings.hpp"
-#include "shadow_settings.hpp"
-#include "texture_settings.hpp"
+#include "settings/draw_settings.hpp"
+#include "settings/light_culling_settings.hpp"
+#include "settings/light_model_settings.hpp"
+#include "settings/light_prepass_presets.hpp"
+#include "settings/occlusion_settings.hpp"
+#include "settings/shadow_settings.hpp"
+#include "settings/texture_settings.hpp"
 #include <fmt/format.h>
 #include <gpu/context.hpp>
 #include <passes/decals.hpp>
@@ -63,8 +63,8 @@ private:
             view.measures_light = settings().is("light-scale", "auto");
             view.light_scale = view.measures_light ? 1 : settings().number("light-scale");
         }
-        view.culling = passes::light_culling(settings().get("light-culling"));
-        view.volumes = passes::volume_options(settings().all());
+        view.culling = light_culling(settings());
+        view.volumes = volume_options(settings());
         return view;
     }
 
@@ -72,7 +72,7 @@ private:
         const auto surface = passes::depth_normal_pass(graph, view, surface_format(settings()));
         const auto decals = passes::decal_pass(graph, view, surface);
         passes::decal_normal_pass(graph, view, surface, decals);
-        const passes::ScreenListOptions lists = passes::screen_list_options(settings().all());
+        const passes::ScreenListOptions lists = screen_list_options(settings());
         const bool pair =
             passes::is_pair_of_halves(model_) && !light_sums().wide() && passes::compute_walks(view, lists.shading);
         const auto light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide());
@@ -160,10 +160,6 @@ RendererInfo light_prepass_info() {
               "what later passes read depth from: the attachment, or view depth in a colour target"},
              {"geometry", {"mrt", "two-passes"}, "mrt", "depth and normals at once, or depth first and then normals"},
              {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
-             passes::light_culling_setting(),
-             passes::tile_size_setting(),
-             passes::list_shading_setting(),
-             passes::list_contents_setting(),
              specular_antialiasing_setting(),
              texture_filter_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",
@@ -171,16 +167,9 @@ RendererInfo light_prepass_info() {
         .presets = {"engel", "round2", "prelighting"},
         .preset_settings = light_prepass_presets(),
         .preset_shading = {{"engel", Shading::phong}, {"round2", Shading::phong}, {"prelighting", Shading::phong}}};
-    for (SettingInfo& setting : draw_settings(true))
-        info.settings.push_back(std::move(setting));
-    for (SettingInfo& setting : shadow_settings(true))
-        info.settings.push_back(std::move(setting));
-    for (SettingInfo& setting : occlusion_settings())
-        info.settings.push_back(std::move(setting));
-    for (const SettingInfo& setting : passes::volume_settings())
-        info.settings.push_back(setting);
-    for (SettingInfo& setting : light_model_settings())
-        info.settings.push_back(std::move(setting));
+    for (const auto& more : {light_culling_settings(), draw_settings(true), shadow_settings(true), occlusion_settings(),
+                             volume_settings(), light_model_settings()})
+        info.settings.insert(info.settings.end(), more.begin(), more.end());
     return info;
 }
 

@@ -11,8 +11,7 @@ SettingInfo light_sums_setting() {
             "lights meet"};
 }
 
-LightSums::LightSums(const Settings& settings)
-    : asked_(settings.all().contains("light-sums") ? settings.get("light-sums") : "") {}
+LightSums::LightSums(const Settings& settings) : asked_(settings.has("light-sums") ? settings.get("light-sums") : "") {}
 
 void LightSums::choose(Settings& settings, graph::FrameGraph& graph, const gpu::Context& context, uint32_t adds) {
     if (asked_.empty())

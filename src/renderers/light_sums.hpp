@@ -1,5 +1,5 @@
 #pragma once
-#include "settings.hpp"
+#include "settings/settings.hpp"
 #include <gpu/context.hpp>
 #include <graph/frame_graph.hpp>
 

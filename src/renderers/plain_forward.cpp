@@ -4,7 +4,7 @@
 // so whatever makes it cheaper belongs here.
 #include "plain_forward.hpp"
 #include "device_renderer.hpp"
-#include "texture_settings.hpp"
+#include "settings/texture_settings.hpp"
 #include <algorithm>
 #include <cstddef>
 #include <gpu/pipeline.hpp>

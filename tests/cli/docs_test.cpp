@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <prelight/error.hpp>
 #include <regex>
-#include <renderers/settings.hpp>
+#include <renderers/settings/settings.hpp>
 
 namespace prelight::test {
 namespace {

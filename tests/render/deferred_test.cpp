@@ -1,7 +1,6 @@
 // Deferred shading against the reference and the other architectures.
 #include "filled_gbuffer.hpp"
 #include "garden.hpp"
-#include <passes/light_pass.hpp>
 #include <prelight/scene_io.hpp>
 
 namespace prelight {
@@ -9,7 +8,13 @@ namespace {
 
 using Settings = std::map<std::string, std::string>;
 
-std::vector<std::string> culling_methods() { return passes::light_culling_setting().values; }
+std::vector<std::string> culling_methods() {
+    for (const RendererInfo& info : renderer_infos())
+        for (const SettingInfo& setting : info.settings)
+            if (info.name == "deferred" && setting.key == "light-culling")
+                return setting.values;
+    return {};
+}
 
 class DeferredForms : public testing::TestWithParam<Form> {};
 

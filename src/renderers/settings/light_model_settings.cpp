@@ -1,7 +1,7 @@
 #include "light_model_settings.hpp"
-#include "light_sums.hpp"
 #include <fmt/format.h>
 #include <prelight/error.hpp>
+#include <renderers/light_sums.hpp>
 
 namespace prelight {
 namespace {
@@ -11,22 +11,37 @@ using passes::LightBufferFormat;
 using passes::LightModel;
 using passes::SpecularWay;
 
-LightBufferFormat buffer_format(const std::string& value) {
-    return value == "rgba16f"          ? LightBufferFormat::rgba16f
-           : value == "r11g11b10f"     ? LightBufferFormat::r11g11b10f
-           : value == "rgb10a2"        ? LightBufferFormat::rgb10a2
-           : value == "rgba8"          ? LightBufferFormat::rgba8
-           : value == "packed-rgba16f" ? LightBufferFormat::packed_rgba16f
-                                       : LightBufferFormat::packed_rgba8;
-}
+constexpr Choice<LightBufferFormat> buffer_words[] = {{"rgba16f", LightBufferFormat::rgba16f},
+                                                      {"r11g11b10f", LightBufferFormat::r11g11b10f},
+                                                      {"rgb10a2", LightBufferFormat::rgb10a2},
+                                                      {"rgba8", LightBufferFormat::rgba8},
+                                                      {"packed-rgba16f", LightBufferFormat::packed_rgba16f},
+                                                      {"packed-rgba8", LightBufferFormat::packed_rgba8}};
+constexpr ChoiceSetting<LightBufferFormat> buffer_setting{
+    "light-buffer", buffer_words, "rgba16f",
+    "diffuse and specular pair, or specular packed into alpha (equation 8.5.2)"};
 
-SpecularWay specular_way(const std::string& value) {
-    return value == "stored"          ? SpecularWay::stored
-           : value == "luv"           ? SpecularWay::luv
-           : value == "fifth-channel" ? SpecularWay::fifth_channel
-           : value == "luminance"     ? SpecularWay::luminance
-                                      : SpecularWay::bent;
-}
+constexpr Choice<SpecularWay> specular_words[] = {{"stored", SpecularWay::stored},
+                                                  {"luv", SpecularWay::luv},
+                                                  {"fifth-channel", SpecularWay::fifth_channel},
+                                                  {"luminance", SpecularWay::luminance},
+                                                  {"bent", SpecularWay::bent}};
+constexpr ChoiceSetting<SpecularWay> specular_setting{"specular", specular_words, "stored",
+                                                      "phong: where a material's own shininess comes in"};
+
+constexpr Choice<FresnelModel> buffer_model_words[] = {{"weighted", FresnelModel::weighted},
+                                                       {"nv", FresnelModel::nv},
+                                                       {"mono", FresnelModel::mono},
+                                                       {"full", FresnelModel::full}};
+/// Of a light buffer.
+constexpr ChoiceSetting<FresnelModel> buffer_model_setting{
+    "model", buffer_model_words, "auto", "Fresnel: mean over the lights, at N·V, or with monochrome specular (packed)",
+    true};
+
+constexpr Choice<FresnelModel> model_words[] = {{"full", FresnelModel::full}, {"nv", FresnelModel::nv}};
+/// Where each light meets its surface's material.
+constexpr ChoiceSetting<FresnelModel> model_setting_of_materials{"model", model_words, "full",
+                                                                 "Fresnel: of each light at V·H, or at N·V"};
 
 /// Ways 2 to 5 raise one channel of equation 8.5.2 to the material's exponent.
 void check_specular_way(Settings& settings, LightModel& model) {
@@ -49,7 +64,7 @@ void check_specular_way(Settings& settings, LightModel& model) {
     if (settings.given("light-buffer"))
         throw UsageError(fmt::format("{}: needs equation 8.5.2 in one target (light-buffer={})", asked, packed));
     settings.resolve("light-buffer", packed);
-    model.buffer = buffer_format(packed);
+    model.buffer = settings.value(buffer_setting);
 }
 
 /// What raises a sum of lights takes the exponent as the material says it: the first pass's roughness is not asked.
@@ -67,20 +82,18 @@ void choose_fresnel(Settings& settings, LightModel& model) {
         settings.refuse_without_effect(); // before what a form of Fresnel would need
     if (settings.is("model", "auto"))
         settings.resolve("model", model.packed() ? "mono" : model.has_alpha() ? "weighted" : "nv");
-    const std::string& fresnel = settings.get("model");
-    if (fresnel == "full")
+    const std::string& word = settings.get("model");
+    model.fresnel = settings.value(buffer_model_setting);
+    if (model.fresnel == FresnelModel::full)
         throw UsageError("--set model=full: a light buffer has no Fresnel of each light; renderer "
                          "reference has");
-    if (model.packed() != (fresnel == "mono"))
-        throw UsageError("--set model=" + fresnel + ": " +
+    if (model.packed() != (model.fresnel == FresnelModel::mono))
+        throw UsageError("--set model=" + word + ": " +
                          (model.packed() ? "a packed light buffer holds model=mono only"
                                          : "needs a packed light buffer (light-buffer=packed-rgba16f)"));
-    if (fresnel == "weighted" && !model.has_alpha())
+    if (model.fresnel == FresnelModel::weighted && !model.has_alpha())
         throw UsageError(fmt::format("--set model=weighted: light-buffer={} has no alpha for it (model=nv)",
                                      settings.get("light-buffer")));
-    model.fresnel = fresnel == "weighted" ? FresnelModel::weighted
-                    : fresnel == "nv"     ? FresnelModel::nv
-                                          : FresnelModel::mono;
 }
 
 /// Lights that are drawn one by one are blended; in a loop over all of them, or over a list, they are
@@ -107,10 +120,7 @@ void choose_writes(Settings& settings, const LightModel& model) {
 } // namespace
 
 std::vector<SettingInfo> light_model_settings() {
-    return {{"light-buffer",
-             {"rgba16f", "r11g11b10f", "rgb10a2", "rgba8", "packed-rgba16f", "packed-rgba8"},
-             "rgba16f",
-             "diffuse and specular pair, or specular packed into alpha (equation 8.5.2)"},
+    return {buffer_setting.info(),
             {"light-scale",
              {"auto", "0.01 … 1000"},
              "auto",
@@ -120,23 +130,34 @@ std::vector<SettingInfo> light_model_settings() {
              "auto",
              "lights blended one by one, or summed first and written once (fullscreen, tiles, clusters)"},
             light_sums_setting(),
-            {"specular",
-             {"stored", "luv", "fifth-channel", "luminance", "bent"},
-             "stored",
-             "phong: where a material's own shininess comes in"},
-            {"model",
-             {"auto", "weighted", "nv", "mono", "full"},
-             "auto",
-             "Fresnel: mean over the lights, at N·V, or with monochrome specular (packed)"},
-            {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"},
-            {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"},
+            specular_setting.info(),
+            buffer_model_setting.info(),
+            specular_gate_setting(),
+            specular_vector_setting(),
             {"ambient", {"material", "light"}, "material", "a material term, or a full-screen light"}};
+}
+
+SettingInfo model_setting() { return model_setting_of_materials.info(); }
+
+SettingInfo specular_gate_setting() {
+    return {"specular-gate", {"factor", "step"}, "factor", "phong: N·L times, or only where N·L > 0"};
+}
+
+SettingInfo specular_vector_setting() {
+    return {"specular-vector", {"half", "reflection"}, "half", "phong: N·H or R·V"};
+}
+
+passes::LightModel material_light_model(const Settings& settings) {
+    return {.shading = settings.shading(),
+            .fresnel = settings.value(model_setting_of_materials),
+            .step_gate = settings.is("specular-gate", "step"),
+            .reflection_vector = settings.is("specular-vector", "reflection")};
 }
 
 passes::LightModel light_model(Settings& settings, Shading shading) {
     LightModel model{.shading = shading,
-                     .buffer = buffer_format(settings.get("light-buffer")),
-                     .specular = specular_way(settings.get("specular")),
+                     .buffer = settings.value(buffer_setting),
+                     .specular = settings.value(specular_setting),
                      .step_gate = settings.is("specular-gate", "step"),
                      .reflection_vector = settings.is("specular-vector", "reflection"),
                      .ambient_as_light = settings.is("ambient", "light")};

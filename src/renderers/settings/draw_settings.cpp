@@ -5,19 +5,27 @@ namespace prelight {
 
 namespace {
 
+using resident::IndexTrimming;
+
+constexpr Choice<IndexTrimming> trimming_words[] = {
+    {"off", IndexTrimming::off}, {"host", IndexTrimming::host}, {"device", IndexTrimming::device}};
+constexpr ChoiceSetting<IndexTrimming> trimming_setting{
+    "index-trimming", trimming_words, "auto",
+    "triangles that face away, lie off screen or cover no sample are left out, by the host or in a compute pass", true};
+
 void resolve_trimming(Settings& settings, const gpu::Context& context) {
     // A software device's vertices and triangles cost the host more than the test does; a GPU's do not.
-    const char* const best = context.is_software() ? "host" : "off";
+    const IndexTrimming best = context.is_software() ? IndexTrimming::host : IndexTrimming::off;
     if (settings.is("index-trimming", "auto"))
-        settings.resolve("index-trimming", best);
+        settings.resolve(trimming_setting, best);
     if (context.features().first_instance_indirect)
         return;
-    if (settings.is("index-trimming", "device")) {
-        settings.resolve("index-trimming", best);
+    if (settings.value(trimming_setting) == IndexTrimming::device) {
+        settings.resolve(trimming_setting, best);
         settings.note(fmt::format("index-trimming=device: {} has no first instance in indirect draws, {} is taken",
-                                  context.name(), best));
+                                  context.name(), trimming_setting.word(best)));
     }
-    if (settings.all().contains("material-trimming") && settings.is("material-trimming", "depth")) {
+    if (settings.has("material-trimming") && settings.is("material-trimming", "depth")) {
         settings.resolve("material-trimming", "off");
         settings.note(
             fmt::format("material-trimming=depth: {} has no first instance in indirect draws", context.name()));
@@ -33,10 +41,7 @@ std::vector<SettingInfo> draw_settings(bool twice) {
          "indirect",
          "one draw an object; objects of the same mesh and material in one; the same from a buffer"},
         {"frustum-culling", {"on", "off"}, "on", "objects off screen are not drawn"},
-        {"index-trimming",
-         {"auto", "off", "host", "device"},
-         "auto",
-         "triangles that face away, lie off screen or cover no sample are left out, by the host or in a compute pass"}};
+        trimming_setting.info()};
     if (twice) {
         all.push_back({"occlusion",
                        {"off", "queries"},
@@ -58,7 +63,7 @@ SettingInfo specular_antialiasing_setting() {
 }
 
 void resolve_draw_settings(Settings& settings, const gpu::Context& context) {
-    if (!settings.all().contains("draws"))
+    if (!settings.has("draws"))
         return;
     resolve_trimming(settings, context);
     if (settings.is("draws", "indirect") && !context.features().first_instance_indirect) {
@@ -66,8 +71,7 @@ void resolve_draw_settings(Settings& settings, const gpu::Context& context) {
         settings.note(fmt::format("draws=indirect: {} has no first instance in indirect draws, instanced is taken",
                                   context.name()));
     }
-    if (settings.all().contains("occlusion") && settings.is("occlusion", "queries") &&
-        !context.features().conditional_rendering) {
+    if (settings.has("occlusion") && settings.is("occlusion", "queries") && !context.features().conditional_rendering) {
         settings.resolve("occlusion", "off");
         settings.note(
             fmt::format("occlusion=queries: {} has no VK_EXT_conditional_rendering, off is taken", context.name()));
@@ -75,16 +79,13 @@ void resolve_draw_settings(Settings& settings, const gpu::Context& context) {
 }
 
 resident::DrawOptions draw_options(const Settings& settings) {
-    if (!settings.all().contains("draws"))
+    if (!settings.has("draws"))
         return {};
-    using resident::IndexTrimming;
-    const bool twice = settings.all().contains("occlusion");
+    const bool twice = settings.has("occlusion");
     return {.frustum_culling = settings.is("frustum-culling", "on"),
             .instanced = !settings.is("draws", "direct"),
             .indirect = settings.is("draws", "indirect"),
-            .trimming = settings.is("index-trimming", "host")     ? IndexTrimming::host
-                        : settings.is("index-trimming", "device") ? IndexTrimming::device
-                                                                  : IndexTrimming::off,
+            .trimming = settings.value(trimming_setting),
             .counts_pixels = twice && settings.is("occlusion", "queries"),
             .trims_by_depth = twice && settings.is("material-trimming", "depth")};
 }

@@ -3,14 +3,22 @@
 #include <prelight/error.hpp>
 
 namespace prelight {
+namespace {
+
+using resident::ShadowFilter;
+
+constexpr Choice<ShadowFilter> filter_words[] = {
+    {"hard", ShadowFilter::hard}, {"pcf", ShadowFilter::pcf}, {"contact", ShadowFilter::contact}};
+constexpr ChoiceSetting<ShadowFilter> filter_setting{
+    "shadow-filter", filter_words, "pcf",
+    "one texel; a disc of 1.5 texels; a disc as wide as the light and its distance make the penumbra"};
+
+} // namespace
 
 std::vector<SettingInfo> shadow_settings(bool light_by_light) {
     std::vector<SettingInfo> settings{
         {"shadows", {"off", "on"}, "off", "shadow maps of every light that casts a shadow"},
-        {"shadow-filter",
-         {"hard", "pcf", "contact"},
-         "pcf",
-         "one texel; a disc of 1.5 texels; a disc as wide as the light and its distance make the penumbra"},
+        filter_setting.info(),
         {"shadow-budget",
          {"1 … 268435456"},
          "16777216",
@@ -31,7 +39,7 @@ void choose_shadow_memory(Settings& settings) {
     if (settings.is("light-culling", "auto"))
         settings.resolve("light-culling", "volumes");
     const bool asked = settings.given("shadow-memory");
-    const bool once = settings.all().contains("light-writes") && settings.is("light-writes", "once");
+    const bool once = settings.has("light-writes") && settings.is("light-writes", "once");
     if (!once && !settings.is("light-culling", "tiles") && !settings.is("light-culling", "clusters"))
         return;
     const std::string reason =
@@ -44,16 +52,13 @@ void choose_shadow_memory(Settings& settings) {
 }
 
 resident::ShadowOptions shadow_options(const Settings& settings) {
-    if (!settings.all().contains("shadows"))
+    if (!settings.has("shadows"))
         return {};
-    using resident::ShadowFilter;
     return {.on = settings.is("shadows", "on"),
-            .filter = settings.is("shadow-filter", "hard")  ? ShadowFilter::hard
-                      : settings.is("shadow-filter", "pcf") ? ShadowFilter::pcf
-                                                            : ShadowFilter::contact,
+            .filter = settings.value(filter_setting),
             .budget = static_cast<uint64_t>(settings.number("shadow-budget")),
             .detail = settings.number("shadow-detail"),
-            .reuse = settings.all().contains("shadow-memory") && settings.is("shadow-memory", "reuse"),
+            .reuse = settings.has("shadow-memory") && settings.is("shadow-memory", "reuse"),
             .cached = settings.is("shadow-cache", "on")};
 }
 

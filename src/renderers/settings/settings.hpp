@@ -2,6 +2,7 @@
 #include <map>
 #include <prelight/renderer.hpp>
 #include <set>
+#include <setting_values/choices.hpp>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,16 @@ public:
     bool given(const std::string& key) const { return given_.contains(key); }
     bool is(const std::string& key, const std::string& value) const { return get(key) == value; }
     double number(const std::string& key) const;
+    /// What the setting's word means. Throws Error: "auto" that nobody has resolved.
+    template <class T>
+    T value(const ChoiceSetting<T>& setting) const {
+        return setting.value(get(setting.key));
+    }
+    template <class T>
+    void resolve(const ChoiceSetting<T>& setting, T value) {
+        resolve(setting.key, setting.word(value));
+    }
+    bool has(const std::string& key) const { return values_.contains(key); }
     const std::map<std::string, std::string>& all() const { return values_; }
     /// The lighting model in force.
     Shading shading() const { return shading_; }
