@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Holds README and docs against the program: links, commands, and every figure that a command prints
-# (scripts/check_docs.py says how a page marks one).
+# (scripts/check_docs.py says how a page marks one); and the picture of folders against the code.
 #   scripts/check-docs.sh            fails where a page says something else
 #   scripts/check-docs.sh --update   writes such figures anew
 # Needs the program and test_cli: scripts/build.sh --tests.
@@ -8,6 +8,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/release
 status=0
+python3 scripts/draw_folders.py --check || status=1
 python3 scripts/check_docs.py --program "$PWD/$build/prelight" "$@" || status=1
 "$build/tests/test_cli" --gtest_filter='Docs.*' --gtest_brief=1 || status=1
 exit $status
