@@ -18,11 +18,11 @@ void main() {
     ForwardSurface s = forward_surface();
     if (is_masked(s.surface))
         discard;
-    LampSums sums = no_lamps();
+    ForwardSums sums = no_lights();
     uint contributing = 0u;
     for (uint i = 0u; i < batch.count; ++i) {
         bool contributes;
-        add_lamp(sums, s, lights[batch.lights[i]], contributes);
+        add_light_source(sums, s, lights[batch.lights[i]], contributes);
         contributing += contributes ? 1u : 0u;
     }
     count_lights(batch.count, contributing);

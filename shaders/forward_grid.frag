@@ -24,11 +24,11 @@ void main() {
     LightList list = list_of(cell_of(in_world), 0u);
     if (has(FEATURE_UNLIT))
         list.count = 0u;
-    LampSums sums = no_lamps();
+    ForwardSums sums = no_lights();
     uint contributing = 0u;
     for (uint i = 0u; i < list.count; ++i) {
         bool contributes;
-        add_lamp(sums, s, lights[listed_light(list, i)], contributes);
+        add_light_source(sums, s, lights[listed_light(list, i)], contributes);
         contributing += contributes ? 1u : 0u;
     }
     count_lights(list.count, contributing);

@@ -25,8 +25,8 @@ uint contributing[rows];
 uint evaluated = 0u;
 LightFront front;
 
-Lamp shuffled(Lamp mine, uint lane) {
-    return Lamp(shuffled(mine.position, lane), shuffled(mine.colour, lane), subgroupShuffle(mine.luminance, lane),
+LightSource shuffled(LightSource mine, uint lane) {
+    return LightSource(shuffled(mine.position, lane), shuffled(mine.colour, lane), subgroupShuffle(mine.luminance, lane),
                 subgroupShuffle(mine.inverse_range2, lane), shuffled(mine.axis, lane), shuffled(mine.cone, lane),
                 subgroupShuffle(mine.shininess, lane), subgroupShuffle(mine.falloff, lane),
                 subgroupShuffle(mine.distribution, lane)
@@ -38,7 +38,7 @@ Lamp shuffled(Lamp mine, uint lane) {
 
 // One light from each invocation that has one, and the lanes of those that have.
 struct Taken {
-    Lamp mine;
+    LightSource mine;
     uvec2 lanes;
 };
 
@@ -47,7 +47,7 @@ bool none(uvec2 lanes) { return (lanes.x | lanes.y) == 0u; }
 // The invocation's own light, if it is wanted and before the surfaces; of none, nothing comes. `shadowed`: those with
 // shadow maps, else those without.
 Taken take(LightData own, bool wanted, const bool shadowed) {
-    Lamp mine = lamp_of(own);
+    LightSource mine = light_source(own);
 #ifdef SHADOWS
     wanted = wanted && (mine.shadow > 0u) == shadowed;
     mine.shadow = shadowed && wanted ? mine.shadow : 0u;
@@ -72,12 +72,12 @@ void add_lights(Taken taken, const bool shadowed) {
         if (!real)
             break; // counts know no colour that is 0
 #endif
-        Lamp lamp = shuffled(taken.mine, lane);
+        LightSource source = shuffled(taken.mine, lane);
 #ifdef SHADOWS
-        lamp.shadow = shadowed ? lamp.shadow : 0u; // then nothing of shadow maps is compiled
+        source.shadow = shadowed ? source.shadow : 0u; // then nothing of shadow maps is compiled
 #endif
         for (int row = 0; row < rows; ++row)
-            contributing[row] += add_light(sums[row], pixels[row], lamp) && real ? 1u : 0u;
+            contributing[row] += add_light(sums[row], pixels[row], source) && real ? 1u : 0u;
     } while (!none(lanes));
 }
 

@@ -15,11 +15,11 @@ layout(local_size_x = LIST_GROUP) in;
 
 const uint no_light = 0xffffffffu;
 
-bool contributes(uvec2 tile, Lamp lamp) {
+bool contributes(uvec2 tile, LightSource source) {
     ivec2 low = ivec2(tile) * tile_size, high = min(low + tile_size, ivec2(frame.size.xy));
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x)
-            if (light_terms(lamp, read_pixel(ivec2(x, y)).point).contributes)
+            if (light_terms(source, read_pixel(ivec2(x, y)).point).contributes)
                 return true;
     return false;
 }
@@ -38,7 +38,7 @@ void main() {
     if (trim == LIST_TRIM_MARK) {
         uint begin = min(gl_GlobalInvocationID.y * some, cell.count), end = min(begin + some, cell.count);
         for (uint i = begin; i < end; ++i)
-            if (!contributes(uvec2(index % lists.cells.x, index / lists.cells.x), lamp_of(lights[light_entries[cell.first + i]])))
+            if (!contributes(uvec2(index % lists.cells.x, index / lists.cells.x), light_source(lights[light_entries[cell.first + i]])))
                 light_entries[cell.first + i] = no_light;
         return;
     }

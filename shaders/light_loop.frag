@@ -17,7 +17,7 @@ void main() {
     LitPixel p = read_pixel(pixel);
     uint contributing = 0u;
     for (uint i = loop.first; i < loop.end; ++i)
-        contributing += add_light(sums, p, lamp_of(lights[light_order[i]])) ? 1u : 0u;
+        contributing += add_light(sums, p, light_source(lights[light_order[i]])) ? 1u : 0u;
     count_lights(pixel, loop.end - loop.first, contributing);
     write_sums(pixel, sums);
 }

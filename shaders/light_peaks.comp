@@ -90,7 +90,7 @@ void main() {
         for (uint word = 0u; word < 2u; ++word)
             for (uint bits = words[word]; bits != 0u; bits &= bits - 1u) {
                 uint light = light_order[min(begin + word * 32u + uint(findLSB(bits)), light_count - 1u)];
-                contributing += add_light(sums, p, lamp_of(lights[light])) ? 1u : 0u;
+                contributing += add_light(sums, p, light_source(lights[light])) ? 1u : 0u;
             }
         barrier();
     }

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The alpha mask of a caster in a shadow map, as its glTF material says it. Beside a lamp interpolation may end far out
+// The alpha mask of a caster in a shadow map, as its glTF material says it. Beside a light interpolation may end far out
 // of a triangle's texture coordinates, where lavapipe's anisotropic filter walks over all texels between (minutes for
 // one leaf): coordinates are bounded, and the footprint is as wide as it is long.
 #define NO_WORLD

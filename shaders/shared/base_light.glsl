@@ -1,4 +1,4 @@
-// Light that needs no lamp: ambient as a term of the material, and emissive; an unlit surface's colour.
+// Light that needs no light: ambient as a term of the material, and emissive; an unlit surface's colour.
 #ifndef PRELIGHT_BASE_LIGHT_GLSL
 #define PRELIGHT_BASE_LIGHT_GLSL
 #include "shared/material_interface.glsl"
@@ -7,13 +7,13 @@ vec3 base_light(Point p, Surface s) {
     if (has(FEATURE_UNLIT))
         return s.base * frame.light_buffer.y;
 #ifdef OWN_MATERIAL
-    Light light = light_without_lamps(frame.ambient.rgb * s.occlusion, grazing_at_viewer(p, s));
+    Light light = light_of_ambient_alone(frame.ambient.rgb * s.occlusion, grazing_at_viewer(p, s));
     add_environment(light, p, s);
     return shade(p, s, light);
 #else  // shade() of no light: nothing adds up to this, but a software device would add it up
     Reflectance r = reflectance(s.base, s.metallic);
     if (has(FEATURE_ENVIRONMENT)) {
-        Light light = light_without_lamps(vec3(0.0), 0.0);
+        Light light = light_of_ambient_alone(vec3(0.0), 0.0);
         add_environment(light, p, s);
         return ambient_on(light, r.diffuse, r.f0) + s.emissive;
     }
@@ -31,7 +31,7 @@ struct BaseLight {
 BaseLight base_light_in_parts(Point p, Surface s) {
     if (has(FEATURE_UNLIT))
         return BaseLight(s.base * frame.light_buffer.y, vec3(0.0), vec3(0.0));
-    Light light = light_without_lamps(frame.ambient.rgb * s.occlusion, grazing_at_viewer(p, s));
+    Light light = light_of_ambient_alone(frame.ambient.rgb * s.occlusion, grazing_at_viewer(p, s));
     add_environment(light, p, s);
     Light dark = light, around = light;
     dark.ambient = dark.mirrored = vec3(0.0);

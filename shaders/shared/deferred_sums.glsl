@@ -13,10 +13,10 @@ struct LightSums {
 LightSums no_light() { return LightSums(vec3(0.0)); }
 
 // True when the light contributes.
-bool add_light(inout LightSums sums, LitPixel p, Lamp lamp) {
-    LightTerms terms = light_terms(lamp, p.point);
+bool add_light(inout LightSums sums, LitPixel p, LightSource source) {
+    LightTerms terms = light_terms(source, p.point);
     float schlick = schlick_weight(model == MODEL_FULL ? terms.vh : p.point.nv);
-    sums.light += p.takes_light ? reflected(lamp, terms, p.reflects, schlick) : vec3(0.0);
+    sums.light += p.takes_light ? reflected(source, terms, p.reflects, schlick) : vec3(0.0);
     return terms.contributes;
 }
 

@@ -1,5 +1,5 @@
-// Forward shading: a surface, and what lamps add to it. Fresnel of each light at V·H (model=full), or at N·V
-// (nv); a material of its own gets the lamps' sums, as the light buffer would hold them.
+// Forward shading: a surface, and what lights add to it. Fresnel of each light at V·H (model=full), or at N·V
+// (nv); a material of its own gets the lights' sums, as the light buffer would hold them.
 #ifndef PRELIGHT_FORWARD_LIGHT_GLSL
 #define PRELIGHT_FORWARD_LIGHT_GLSL
 #include "shared/lighting.glsl"
@@ -32,59 +32,59 @@ ForwardSurface forward_surface() {
 }
 
 #ifdef OWN_MATERIAL
-struct LampSums {
+struct ForwardSums {
     vec3 irradiance, specular;
     float grazing_diffuse, grazing_specular;  // weighted by luminance
 };
-LampSums no_lamps() { return LampSums(vec3(0.0), vec3(0.0), 0.0, 0.0); }
+ForwardSums no_lights() { return ForwardSums(vec3(0.0), vec3(0.0), 0.0, 0.0); }
 
-void add_lamp(inout LampSums sums, ForwardSurface s, LightData light, out bool contributes) {
-    Lamp lamp = lamp_of(light);
-    LightTerms terms = light_terms(lamp, s.point);
+void add_light_source(inout ForwardSums sums, ForwardSurface s, LightData light, out bool contributes) {
+    LightSource source = light_source(light);
+    LightTerms terms = light_terms(source, s.point);
     contributes = terms.contributes;
     float grazing = schlick_weight(terms.vh);
-    sums.irradiance += lamp.colour * terms.diffuse;
-    sums.specular += lamp.colour * terms.specular;
-    sums.grazing_diffuse += lamp.luminance * terms.diffuse * grazing;
-    sums.grazing_specular += lamp.luminance * terms.specular * grazing;
+    sums.irradiance += source.colour * terms.diffuse;
+    sums.specular += source.colour * terms.specular;
+    sums.grazing_diffuse += source.luminance * terms.diffuse * grazing;
+    sums.grazing_specular += source.luminance * terms.specular * grazing;
 }
 
-vec3 shade_lamps(ForwardSurface s, LampSums sums, vec3 ambient, bool with_base) {
-    Light light = light_without_lamps(ambient, s.schlick_nv);
+vec3 shade_lights(ForwardSurface s, ForwardSums sums, vec3 ambient, bool with_base) {
+    Light light = light_of_ambient_alone(ambient, s.schlick_nv);
     if (with_base)
         add_environment(light, s.at, s.surface);
     light.irradiance = sums.irradiance;
     light.diffuse = sums.irradiance / lambert_divisor;
     light.luminance = luminance(light.diffuse);
     light.specular = sums.specular;
-    if (shading == SHADING_GGX && model == MODEL_FULL) { // nv: as light_without_lamps() has it
+    if (shading == SHADING_GGX && model == MODEL_FULL) { // nv: as light_of_ambient_alone() has it
         light.grazing_diffuse = clamp(sums.grazing_diffuse / max(luminance(sums.irradiance), 1e-12), 0.0, 1.0);
         light.grazing_specular = clamp(sums.grazing_specular / max(luminance(sums.specular), 1e-12), 0.0, 1.0);
     }
     return shade(s.at, s.surface, light);
 }
 
-// With the base all of it at once; without, what these lamps add to a surface without any.
-vec3 forward_colour(ForwardSurface s, LampSums sums, bool with_base, float limit) {
+// With the base all of it at once; without, what these lights add to a surface without any.
+vec3 forward_colour(ForwardSurface s, ForwardSums sums, bool with_base, float limit) {
     if (with_base)
         return has(FEATURE_UNLIT) ? base_light(s.at, s.surface)
-                                  : min(shade_lamps(s, sums, frame.ambient.rgb * s.surface.occlusion, true), vec3(limit + 32752.0));
-    return clamp(shade_lamps(s, sums, vec3(0.0), false) - shade_lamps(s, no_lamps(), vec3(0.0), false), vec3(-limit), vec3(limit));
+                                  : min(shade_lights(s, sums, frame.ambient.rgb * s.surface.occlusion, true), vec3(limit + 32752.0));
+    return clamp(shade_lights(s, sums, vec3(0.0), false) - shade_lights(s, no_lights(), vec3(0.0), false), vec3(-limit), vec3(limit));
 }
 #else
-struct LampSums {
+struct ForwardSums {
     vec3 light;
 };
-LampSums no_lamps() { return LampSums(vec3(0.0)); }
+ForwardSums no_lights() { return ForwardSums(vec3(0.0)); }
 
-void add_lamp(inout LampSums sums, ForwardSurface s, LightData light, out bool contributes) {
-    Lamp lamp = lamp_of(light);
-    LightTerms terms = light_terms(lamp, s.point);
+void add_light_source(inout ForwardSums sums, ForwardSurface s, LightData light, out bool contributes) {
+    LightSource source = light_source(light);
+    LightTerms terms = light_terms(source, s.point);
     contributes = terms.contributes;
-    sums.light += reflected(lamp, terms, s.reflectance, model == MODEL_FULL ? schlick_weight(terms.vh) : s.schlick_nv);
+    sums.light += reflected(source, terms, s.reflectance, model == MODEL_FULL ? schlick_weight(terms.vh) : s.schlick_nv);
 }
 
-vec3 forward_colour(ForwardSurface s, LampSums sums, bool with_base, float limit) {
+vec3 forward_colour(ForwardSurface s, ForwardSums sums, bool with_base, float limit) {
     vec3 colour = min(sums.light, vec3(limit));
     if (with_base)
         colour += min(base_light(s.at, s.surface), vec3(32752.0));

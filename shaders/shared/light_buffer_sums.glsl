@@ -19,15 +19,15 @@ struct LightSums {
 LightSums no_light() { return LightSums(vec4(0.0), vec4(0.0), 0.0); }
 
 // True when the light contributes.
-bool add_light(inout LightSums sums, LitPixel p, Lamp lamp) {
-    LightTerms terms = light_terms(lamp, p.point);
+bool add_light(inout LightSums sums, LitPixel p, LightSource source) {
+    LightTerms terms = light_terms(source, p.point);
     float grazing = 0.0;
     if (shading == SHADING_GGX && model == MODEL_WEIGHTED)
         grazing = schlick_weight(terms.vh);
-    vec4 light = vec4(lamp.colour, lamp.luminance * grazing);
+    vec4 light = vec4(source.colour, source.luminance * grazing);
     sums.diffuse += light * terms.diffuse;
     sums.specular += light * terms.specular;
-    sums.fifth += lamp.luminance * terms.diffuse;
+    sums.fifth += source.luminance * terms.diffuse;
     return terms.contributes;
 }
 

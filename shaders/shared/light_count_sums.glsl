@@ -12,8 +12,8 @@ struct LightSums {
 
 LightSums no_light() { return LightSums(0.0, 0.0); }
 
-bool add_light(inout LightSums sums, LitPixel p, Lamp lamp) {
-    bool contributes = light_terms(lamp, p.point).contributes;
+bool add_light(inout LightSums sums, LitPixel p, LightSource source) {
+    bool contributes = light_terms(source, p.point).contributes;
     sums.evaluated += 1.0;
     sums.contributing += contributes ? 1.0 : 0.0;
     return contributes;

@@ -26,7 +26,7 @@ struct LitPoint {
     float shininess;  // [phong] the material's exponent
 #ifdef SHADOWS
     vec2 turn;        // of the disc that shadows are filtered with
-    uint sun;         // the shadow (as in Lamp) that needs no maps, for it is known here; 0: there is none
+    uint sun;         // the shadow (as in LightSource) that needs no maps, for it is known here; 0: there is none
     float sunlit;     // what comes past it
 #endif
 };
@@ -57,7 +57,7 @@ LitPoint lit_point(bool surface, vec3 world, vec3 n, vec3 v, float roughness, ve
 }
 
 // A light as points are lit by it, with everything that no point changes.
-struct Lamp {
+struct LightSource {
     vec4 position;         // xyz: as in LightData; w: 0 of a directional light, else 1
     vec3 colour;
     float luminance;       // of colour
@@ -72,9 +72,9 @@ struct Lamp {
 #endif
 };
 
-Lamp lamp_of(LightData light) {
+LightSource light_source(LightData light) {
     float at_a_point = (light.kind & LIGHT_DIRECTIONAL) == 0u ? 1.0 : 0.0;
-    return Lamp(vec4(light.position, at_a_point), light.colour, luminance(light.colour),
+    return LightSource(vec4(light.position, at_a_point), light.colour, luminance(light.colour),
                 light.inverse_range * light.inverse_range, light.axis, light.cone, light.shininess,
                 light.kind & LIGHT_FALLOFF_MASK, light.kind >> LIGHT_DISTRIBUTION_SHIFT
 #ifdef SHADOWS
@@ -85,18 +85,18 @@ Lamp lamp_of(LightData light) {
 
 // KHR_lights_punctual: clamp(1 − (d/range)⁴, 0, 1) / max(d, 0.01 m)², times the cone. `d2` is the squared
 // distance, `inverse` 1 / d, `l` the unit vector to the light; for a directional light the result is 1.
-float attenuation(Lamp lamp, float d2, float inverse, vec3 l) {
-    float x2 = d2 * lamp.inverse_range2;
+float attenuation(LightSource source, float d2, float inverse, vec3 l) {
+    float x2 = d2 * source.inverse_range2;
     float falloff = max(1.0 - x2 * x2, 0.0) * min(inverse * inverse, 1e4);
     if (may_be(LIGHT_KIND_OTHER_FALLOFF)) {
         float linear = clamp(1.0 - sqrt(x2), 0.0, 1.0);
         float quadratic = clamp(1.0 - x2, 0.0, 1.0);
-        falloff = lamp.falloff == LIGHT_FALLOFF_LINEAR      ? linear
-                  : lamp.falloff == LIGHT_FALLOFF_QUADRATIC ? quadratic
+        falloff = source.falloff == LIGHT_FALLOFF_LINEAR      ? linear
+                  : source.falloff == LIGHT_FALLOFF_QUADRATIC ? quadratic
                                                             : falloff;
     }
     if (may_be(LIGHT_KIND_SPOT)) {
-        float cone = clamp(-dot(lamp.axis, l) * lamp.cone.x + lamp.cone.y, 0.0, 1.0);
+        float cone = clamp(-dot(source.axis, l) * source.cone.x + source.cone.y, 0.0, 1.0);
         falloff *= cone * cone;
     }
     return falloff;
@@ -118,24 +118,24 @@ struct LightTerms {
 };
 
 // The half vector H is never made: with |L + V|² = 2 + 2 L·V, N·H = (N·L + N·V) / |L + V| and
-// V·H = |L + V| / 2. That saves a software device a third of the loop. `lamp` comes out with the colour that it sends to
+// V·H = |L + V| / 2. That saves a software device a third of the loop. `source` comes out with the colour that it sends to
 // this point.
-LightTerms light_terms(inout Lamp lamp, LitPoint p) {
-    vec3 to_light = lamp.position.xyz - p.world * (may_be(LIGHT_KIND_DIRECTIONAL) ? lamp.position.w : 1.0);
+LightTerms light_terms(inout LightSource source, LitPoint p) {
+    vec3 to_light = source.position.xyz - p.world * (may_be(LIGHT_KIND_DIRECTIONAL) ? source.position.w : 1.0);
     float d2 = dot(to_light, to_light);
     float inverse = inversesqrt(max(d2, 1e-12));
     vec3 l = to_light * inverse;
-    float att = attenuation(lamp, d2, inverse, l);
+    float att = attenuation(source, d2, inverse, l);
     float nl = clamp(dot(p.n, l), 0.0, 1.0);
     bool contributes = att > 0.0 && nl > 0.0;
     if (may_be(LIGHT_KIND_DISTRIBUTION)) {
-        for (bool once = contributes && lamp.distribution > 0u; once; once = false)
-            lamp.colour *= light_distribution(lamp.distribution, -l, pixel_on_surface(p.world, p.nv) * inverse);
-        lamp.luminance = luminance(lamp.colour);
+        for (bool once = contributes && source.distribution > 0u; once; once = false)
+            source.colour *= light_distribution(source.distribution, -l, pixel_on_surface(p.world, p.nv) * inverse);
+        source.luminance = luminance(source.colour);
     }
 #ifdef SHADOWS
-    bool known = p.sun > 0u && lamp.shadow == p.sun;
-    float unhidden = unshadowed(lamp.shadow, p.world, p.n, -to_light, nl, p.turn, contributes && !known);
+    bool known = p.sun > 0u && source.shadow == p.sun;
+    float unhidden = unshadowed(source.shadow, p.world, p.n, -to_light, nl, p.turn, contributes && !known);
     att *= known ? p.sunlit : unhidden;
 #endif
     float lv = dot(l, p.v);
@@ -153,16 +153,16 @@ LightTerms light_terms(inout Lamp lamp, LitPoint p) {
     } else {
         float base = reflection_vector ? 2.0 * nl * p.nv - lv : nh * inversesqrt(half2);
         float gate = specular_step_gate ? (nl > 0.0 ? att : 0.0) : diffuse;
-        specular = gate * pow(clamp(base, 1e-6, 1.0), lamp.shininess * p.shininess);
+        specular = gate * pow(clamp(base, 1e-6, 1.0), source.shininess * p.shininess);
     }
     return LightTerms(diffuse, specular, 0.5 * sqrt(half2), contributes);
 }
 
 // What a surface sends on to the viewer; `schlick` weighs 1 − F0 ([ggx] only).
-vec3 reflected(Lamp lamp, LightTerms terms, Reflectance r, float schlick) {
+vec3 reflected(LightSource source, LightTerms terms, Reflectance r, float schlick) {
     if (shading == SHADING_PHONG)
-        return lamp.colour * (r.diffuse * terms.diffuse + r.f0 * terms.specular);
+        return source.colour * (r.diffuse * terms.diffuse + r.f0 * terms.specular);
     vec3 fresnel = r.f0 + (1.0 - r.f0) * schlick;
-    return lamp.colour * (r.diffuse * (1.0 - fresnel) * (terms.diffuse / 3.14159265) + fresnel * terms.specular);
+    return source.colour * (r.diffuse * (1.0 - fresnel) * (terms.diffuse / 3.14159265) + fresnel * terms.specular);
 }
 #endif

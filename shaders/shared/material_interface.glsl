@@ -15,7 +15,7 @@ layout(constant_id = CONSTANT_SHADING) const int shading = SHADING_GGX;
 // no π.
 const float lambert_divisor = shading == SHADING_GGX ? 3.14159265 : 1.0;
 
-// The light on a surface, exposed: of all lamps, as the light buffer sums them, or a loop does.
+// The light on a surface, exposed: of all lights, as the light buffer sums them, or a loop does.
 struct Light {
     vec3 diffuse;     // what a white Lambert surface sends on: Σ N·L colour attenuation / lambert_divisor
     vec3 specular;    // what a mirror-coloured surface sends on: Σ … (N·H)^n, or N·L D V without Fresnel
@@ -23,8 +23,8 @@ struct Light {
                       // surface sends on
     float luminance;  // of `diffuse`
     vec3 irradiance;  // Σ N·L colour attenuation
-    // Mean (1 − V·H)⁵ of the lamps, weighted by their luminance in either sum: Schlick's Fresnel term is
-    // F0 + (1 − F0) times it. (1 − N·V)⁵ where V·H of each lamp is not known.
+    // Mean (1 − V·H)⁵ of the lights, weighted by their luminance in either sum: Schlick's Fresnel term is
+    // F0 + (1 − F0) times it. (1 − N·V)⁵ where V·H of each light is not known.
     float grazing_diffuse, grazing_specular;
     // What a mirror of this roughness shows of the environment, occlusion applied; and what of it a surface sends
     // on: F0 · reflectance.x + reflectance.y. Without an environment `ambient`, and 1 and 0.
@@ -39,8 +39,8 @@ float grazing_at_viewer(Point p, Surface s) {
     return m * m * m * m * m;
 }
 
-// Light that no lamp sends.
-Light light_without_lamps(vec3 ambient, float grazing) {
+// Light that no source sends.
+Light light_of_ambient_alone(vec3 ambient, float grazing) {
     return Light(vec3(0.0), vec3(0.0), ambient, 0.0, vec3(0.0), grazing, grazing, ambient, vec2(1.0, 0.0), 1.0);
 }
 

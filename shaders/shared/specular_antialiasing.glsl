@@ -7,7 +7,7 @@
 
 layout(constant_id = CONSTANT_SPECULAR_ANTIALIASING) const bool specular_antialiasing = false;
 
-// The roughness that lamps see; to be called where all pixels of a quad are still there. α² is twice the variance of
+// The roughness that lights see; to be called where all pixels of a quad are still there. α² is twice the variance of
 // slopes, of the surface without its decals; a pixel's footprint is a Gaussian of half a pixel; what a silhouette adds is limited.
 float antialiased_roughness(Point p, Surface s) {
     if (!specular_antialiasing)

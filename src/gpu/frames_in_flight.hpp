@@ -4,7 +4,7 @@
 
 namespace prelight::gpu {
 
-/// Frames that may be on their way at once: the host prepares one while the device works on another.
+/// Frames that may be in flight at once: the host prepares one while the device works on another.
 /// What the host writes or reads each frame exists as often, and the frames take turns.
 inline constexpr uint32_t frames_in_flight = 2;
 

@@ -31,7 +31,7 @@ private:
         uint64_t used = 0;
         UniqueCommandPool pool;
         VkCommandBuffer commands = VK_NULL_HANDLE;
-        uint64_t submitted = 0; ///< value of the timeline; 0: not on its way
+        uint64_t submitted = 0; ///< value of the timeline; 0: not in flight
     };
     void begin(uint64_t size);
     void submit();

@@ -161,9 +161,9 @@ public:
     /// frame, or reads after it, while the device may be busy with another frame.
     BufferId buffer(std::string name, const gpu::PerFrame<gpu::Buffer>& buffers);
     /// Puts another buffer of the caller's in the place of `id`, in barriers and descriptor sets: for
-    /// buffers that grow. Earlier frames that are still on their way keep the old one: see retire().
+    /// buffers that grow. Earlier frames that are still in flight keep the old one: see retire().
     void rebind(BufferId id, const gpu::Buffer& buffer);
-    /// Keeps a buffer alive until no frame on its way can use it any more.
+    /// Keeps a buffer alive until no frame in flight can use it any more.
     void retire(gpu::Buffer buffer);
     /// Called at the start of each recording, where rebind() and retire() are allowed.
     void before_frame(std::function<void()> callback) {

@@ -32,7 +32,7 @@ public:
         graph.before_frame([&graph, buffers = buffers_, entries = entries_](const gpu::FrameTurn& turn) {
             if (std::optional<gpu::Buffer> outgrown = buffers->update(turn)) {
                 graph.rebind(entries, buffers->entries);
-                graph.retire(std::move(*outgrown)); // frames on their way still read it
+                graph.retire(std::move(*outgrown)); // frames in flight still read it
             }
         });
         if (inputs.surface)

@@ -16,7 +16,7 @@ namespace prelight {
 
 /// What every architecture on a Vulkan device has in common: it takes a world in, builds its frame
 /// graph once, records it once a frame, and keeps the figures. An architecture adds its passes.
-/// render() comes back while frames are still on their way; whatever needs their end waits for it.
+/// render() comes back while frames are still in flight; whatever needs their end waits for it.
 class DeviceRenderer : public Renderer {
 public:
     void set_world(const World& world) final;
@@ -28,7 +28,7 @@ public:
     uint64_t max_lights() const final { return context_.limits().maxStorageBufferRange / sizeof(shared::LightData); }
 
 protected:
-    /// Waits for the frames on their way: for destructors of what owns objects that they use.
+    /// Waits for the frames in flight: for destructors of what owns objects that they use.
     void finish() noexcept;
     /// Throws UsageError and Error (a picture larger than the device can make).
     DeviceRenderer(Device& device, const RenderOptions& options, Settings settings);

@@ -27,7 +27,7 @@ FrameQueue::FrameQueue(const gpu::Context& context) : context_(context) {
 FrameQueue::~FrameQueue() {
     try {
         drain();
-    } catch (const Error&) { // the device is lost: nothing is on its way any more
+    } catch (const Error&) { // the device is lost: nothing is in flight any more
     }
 }
 

@@ -16,7 +16,7 @@ struct FrameSamples {
     std::vector<std::pair<std::string, std::vector<double>>> passes; ///< device time
 };
 
-/// Frames on their way: the host records one while the device works on the one before, and waits only
+/// Frames in flight: the host records one while the device works on the one before, and waits only
 /// for the frame whose buffers it needs again.
 ///
 /// The device finishes frames one after the other, so a frame's wall and CPU time are what passed
@@ -30,7 +30,7 @@ public:
     FrameQueue(const FrameQueue&) = delete;
     FrameQueue& operator=(const FrameQueue&) = delete;
 
-    /// Begins a run. Frames of the last one that are still on their way are in no run's samples.
+    /// Begins a run. Frames of the last one that are still in flight are in no run's samples.
     void start();
     /// Waits for the next slot's last frame and begins its commands. Throws Error.
     gpu::FrameTurn begin();
@@ -39,7 +39,7 @@ public:
     void submit(const graph::FrameGraph& graph);
     /// Waits for all frames. Throws Error.
     void drain();
-    /// Records commands, submits them and waits; no frame may be on its way, and none is counted.
+    /// Records commands, submits them and waits; no frame may be in flight, and none is counted.
     void run(const std::function<void(VkCommandBuffer)>& record);
     const FrameSamples& samples() const { return samples_; }
 

@@ -1,4 +1,4 @@
-// The yardstick F: one plain forward pass without lights, as cheap as it honestly can be. One draw an
+// The unit F: one plain forward pass without lights, as cheap as it honestly can be. One draw an
 // object that the view holds, nearest first; base colour under ambient light and emissive light, tone
 // mapping in the same shader, straight into the final picture. Everything else is measured in units of it,
 // so whatever makes it cheaper belongs here.
@@ -20,7 +20,7 @@ class PlainForward final : public DeviceRenderer {
 public:
     PlainForward(Device& device, const RenderOptions& options, Settings settings)
         : DeviceRenderer(device, options, std::move(settings)) {}
-    ~PlainForward() override { finish(); } // frames on their way use its pipelines
+    ~PlainForward() override { finish(); } // frames in flight use its pipelines
 
 private:
     uint64_t draws(const resident::View& view) const override { return view.visible().draws.size(); }

@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// The yardstick F of `bench --limit`, not an architecture: renderer_infos() does not list it.
+/// The unit F of `bench --limit`, not an architecture: renderer_infos() does not list it.
 std::unique_ptr<Renderer> make_plain_forward(Device& device, const RenderOptions& options);
 
 } // namespace prelight

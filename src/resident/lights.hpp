@@ -9,7 +9,7 @@ namespace prelight::resident {
 
 /// How lights find their pixels: the setting `light-culling`.
 enum class LightCulling {
-    fullscreen, ///< every light by a full-screen triangle, wherever it is: the yardstick
+    fullscreen, ///< every light by a full-screen triangle, wherever it is: the baseline
     rectangles, ///< the rectangle that its volume covers on the screen
     volumes,    ///< spheres and cones
     stencil,    ///< volumes that mark in stencil the pixels they hold, before they light them

@@ -156,7 +156,7 @@ TEST_P(FrameGraphBuffers, AReboundBufferTakesTheOldOnesPlace) {
         EXPECT_NE(barrier.buffer, first.handle());
 }
 
-// Two frames on their way, each with the buffers of its own slot.
+// Two frames in flight, each with the buffers of its own slot.
 TEST_P(FrameGraphBuffers, EachFrameInFlightHasItsOwn) {
     gpu::PerFrame<gpu::Buffer> first{make("first 0"), make("first 1")}, second{make("second 0"), make("second 1")};
     for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
@@ -190,7 +190,7 @@ TEST_P(FrameGraphBuffers, EachFrameInFlightHasItsOwn) {
         EXPECT_GT(graph.pass_times(slot).at(0).second, 0) << "slot " << slot;
 }
 
-// A buffer grows while a frame on its way still uses the old one: that stays until the frame is done.
+// A buffer grows while a frame in flight still uses the old one: that stays until the frame is done.
 TEST_P(FrameGraphBuffers, ARetiredBufferStaysForTheFrameOnItsWay) {
     gpu::Buffer first = make("first");
     const gpu::Buffer second = make("second"), grown = make("grown");

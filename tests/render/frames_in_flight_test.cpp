@@ -1,4 +1,4 @@
-// Frames on their way: the host prepares one while the device draws another, and nobody sees it.
+// Frames in flight: the host prepares one while the device draws another, and nobody sees it.
 #include "garden.hpp"
 #include "vulkan_calls.hpp"
 #include <gpu/context.hpp>
@@ -21,7 +21,7 @@ std::vector<Step> steps(const Garden& garden) {
     for (int i = 0; i < 6; ++i) {
         rotate_lights(step.lights, garden.at(0, 0, 0), 0.4);
         step.camera.position += glm::dvec3(0.2, 0.1, -0.1);
-        if (i == 2) // more than there is room for, and wider: lists grow while a frame is on its way
+        if (i == 2) // more than there is room for, and wider: lists grow while a frame is in flight
             for (int n = 0; n < 50; ++n)
                 step.lights.push_back({garden.point(6, 2), garden.at(0.18 * n - 4.5, 1, 2)});
         if (i == 4)

@@ -250,7 +250,7 @@ TEST(VisibleDraws, TheDeviceKeepsTheOrder) {
     EXPECT_EQ(stats.triangles_drawn, 1333u);
 }
 
-/// Frames on their way at once, and a camera that moves: nothing of the frame before shows.
+/// Frames in flight at once, and a camera that moves: nothing of the frame before shows.
 TEST(VisibleDraws, MovingCamera) {
     Hidden hidden;
     const RenderOptions options{.width = 160, .height = 90, .settings = all_at_once, .views = {}};
