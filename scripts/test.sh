@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Every test: installs what is missing, builds Release and the fuzz target, runs all test binaries.
-#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli docs fuzz …
-# One line for each binary; the last line counts the tests. The fuzz targets do a fixed number of runs from a fixed seed:
-# scripts/fuzz.sh fuzzes freely.
+#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli docs sanitized …
+# One line for each binary; the last line counts the tests. "sanitized": the fast binaries and the fuzz targets under the address
+# and undefined-behaviour sanitizers. Fuzz targets do a fixed number of runs from a fixed seed: scripts/fuzz.sh fuzzes freely.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
@@ -37,7 +37,7 @@ for binary in "$build"/tests/test_*; do
     [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
 done
 names=(format "${names[@]}" docs)
-[ -f scripts/fuzz.sh ] && names+=(fuzz)
+[ -f scripts/fuzz.sh ] && names+=(sanitized)
 if [ $# -gt 0 ]; then
     names=("$@")
 fi
@@ -55,12 +55,12 @@ names=("${parts[@]}")
 
 # Runs one GoogleTest binary, or a part of it (NAME-KofN), and writes "PASSED FAILED SKIPPED" to $logs/NAME.count. A test that
 # began and has no result (a crash, a timeout) counts as failed, and so does a binary that ran none.
-run_gtest() { # NAME
-    local log=$logs/$1.log status=0 announced passed failed skipped
+run_gtest() { # NAME [BINARY]
+    local log=$logs/$1.log status=0 announced passed failed skipped binary=${2:-$build/tests/test_${1%-*of*}}
     if [[ $1 =~ -([0-9]+)of([0-9]+)$ ]]; then
         export GTEST_SHARD_INDEX=$((BASH_REMATCH[1] - 1)) GTEST_TOTAL_SHARDS=${BASH_REMATCH[2]}
     fi
-    (cd "$root" && timeout --kill-after=10 2400 "$build/tests/test_${1%-*of*}" >"$log" 2>&1) || status=$?
+    (cd "$root" && timeout --kill-after=10 2400 "$binary" >"$log" 2>&1) || status=$?
     announced=$(sed -n 's/^\[==========\] Running \([0-9]*\) test.*/\1/p' "$log" | head -n 1)
     announced=${announced:-0}
     passed=$(grep -c '\[       OK \] .* ([0-9]* ms)$' "$log" || true)
@@ -74,15 +74,26 @@ run_gtest() { # NAME
     echo "$passed $failed $skipped" >"$logs/$1.count"
 }
 
-# Builds the fuzz targets with clang and runs each as often as always, on its seeds and all earlier finds: one test a target.
-run_fuzz() {
-    local log=$logs/fuzz.log target passed=0 failed=0
+# Builds with clang and sanitizers. Runs the fast test binaries, and each fuzz target as often as always, on its seeds and all
+# earlier finds: one test a target.
+run_sanitized() {
+    local log=$logs/sanitized.log target name passed=0 failed=0 skipped=0 p f s
     if ! command -v clang++ >/dev/null; then
         echo "clang++ is missing" >"$log"
-        echo "0 0 1" >"$logs/fuzz.count"
+        echo "0 0 1" >"$logs/sanitized.count"
         return
     fi
     : >"$log"
+    if cmake --preset fuzz >>"$log" 2>&1 && ninja -C build/fuzz test_image test_scene >>"$log" 2>&1; then
+        for name in image scene; do
+            run_gtest "sanitized-$name" "$root/build/fuzz/tests/test_$name"
+            cat "$logs/sanitized-$name.log" >>"$log"
+            read -r p f s <"$logs/sanitized-$name.count"
+            passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+        done
+    else
+        failed=1
+    fi
     for target in gltf:20000 pictures:40000 ies:40000; do
         echo "--- fuzz_${target%:*}" >>"$log"
         if timeout --kill-after=10 1500 sh scripts/fuzz.sh --runs "${target#*:}" "${target%:*}" >>"$log" 2>&1; then
@@ -91,7 +102,7 @@ run_fuzz() {
             failed=$((failed + 1))
         fi
     done
-    echo "$passed $failed 0" >"$logs/fuzz.count"
+    echo "$passed $failed $skipped" >"$logs/sanitized.count"
 }
 
 # A command that passes or fails: one test.
@@ -115,8 +126,8 @@ explain_failure() { # LOG
 
 run_one() { # NAME: runs it, then prints its line
     local began=$SECONDS passed failed skipped
-    if [ "$1" = fuzz ]; then
-        run_fuzz
+    if [ "$1" = sanitized ]; then
+        run_sanitized
     elif [ "$1" = docs ]; then # README and docs against the program
         run_command docs scripts/check-docs.sh
     elif [ "$1" = format ]; then # all C++ as .clang-format says
