@@ -25,9 +25,11 @@ function(prelight_shaders TARGET)
     set(out ${CMAKE_CURRENT_BINARY_DIR}/shaders)
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.vert ${folder}/*.frag ${folder}/*.comp)
     file(GLOB materials CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/materials/*.glsl)
-    add_custom_command(OUTPUT ${out}/${function}.cpp
+    # A file that comes in with an old time is a change of this list.
+    file(CONFIGURE OUTPUT ${out}/${function}.list CONTENT "${sources};${materials}")
+    add_custom_command(OUTPUT ${out}/${function}.cpp BYPRODUCTS ${out}/${function}.bin
         COMMAND compile_shaders ${folder} ${CMAKE_SOURCE_DIR}/shaders ${out} ${function}
-        DEPENDS compile_shaders ${sources} ${materials} DEPFILE ${out}/${function}.d
+        DEPENDS compile_shaders ${out}/${function}.list ${sources} ${materials} DEPFILE ${out}/${function}.d
         COMMENT "Shaders ${function}" VERBATIM)
     target_sources(${TARGET} PRIVATE ${out}/${function}.cpp)
     set_source_files_properties(${out}/${function}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)

@@ -8,7 +8,11 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/release
 status=0
-python3 scripts/draw_folders.py --check || status=1
+if [[ " $* " == *" --update "* ]]; then
+    python3 scripts/draw_folders.py
+else
+    python3 scripts/draw_folders.py --check || status=1
+fi
 python3 scripts/check_docs.py --program "$PWD/$build/prelight" "$@" || status=1
 "$build/tests/test_cli" --gtest_filter='Docs.*' --gtest_brief=1 || status=1
 exit $status

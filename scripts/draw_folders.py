@@ -54,6 +54,8 @@ def main():
         sys.exit(f"folders that include each other: {', '.join(circles)}")
     page = ROOT / "OVERVIEW.md"
     text = page.read_text()
+    if text.count(BEGIN) != 1 or text.count(END) != 1:
+        sys.exit("OVERVIEW.md: the two marks around the picture of folders are not there, once each")
     before, rest = text.split(BEGIN)
     old, after = rest.split(END)
     new = picture(graph)

@@ -3,8 +3,8 @@
 // variants: OWN_MATERIAL, OCCLUSION, DECALS
 // materials: all with OWN_MATERIAL
 // Deferred shading's geometry pass: all that lights need of the nearest surface, and the light
-// that needs no light. The only place that discards. A material's surface() fills it, and its shade() is asked
-// for what needs no light; of lights the G-buffer knows metallic-roughness only.
+// that no light source sends. The only place that discards. A material's surface() fills it, and its shade() is asked
+// for that light; light sources meet metallic-roughness only, which is all that the G-buffer knows.
 #include "shared/base_light.glsl"
 #include "shared/gbuffer_layout.glsl"
 #include "shared/specular_antialiasing.glsl"

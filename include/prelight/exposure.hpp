@@ -8,9 +8,9 @@ namespace prelight {
 /// The exposure in EV that suits a scene-linear picture, from the luminances of the pixels that count (`surface`, as
 /// many as there are pixels; where none counts, all of them). The mean of their logarithms becomes middle grey, 0.18:
 /// Reinhard and others, "Photographic Tone Reproduction for Digital Images", 2002. Where the brightest fiftieth would
-/// then exceed 1, the picture stays darker, by two stops at most: a street at night has bright lamps and remains night.
-/// Rounded to tenths; absent for a black picture. Twice the light gives one EV less. What is infinite counts as the
-/// largest half float, 65,504.
+/// then exceed 1, the picture stays darker, by two stops at most: a street at night has bright lights and remains
+/// night. Rounded to tenths; absent for a black picture. Twice the light gives one EV less. What is infinite counts as
+/// the largest half float, 65,504.
 std::optional<double> auto_exposure(const Image& linear, const std::vector<bool>& surface);
 
 /// How much of a picture has lost its values.

@@ -18,7 +18,7 @@ struct ReferenceForm {
     bool reflection_vector = false; ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
     bool ambient_as_light = false;  ///< ambient enters the diffuse sum (full-screen light)
     bool shadows = false;           ///< shadow rays for every light that casts one
-    /// Lamps see a rougher surface where its normals differ between the pixels of a 2×2 quad, all on the plane of the
+    /// Lights see a rougher surface where its normals differ between the pixels of a 2×2 quad, all on the plane of the
     /// triangle that the pixel's own ray hits: α² + min(½(|∂n/∂x|² + |∂n/∂y|²), 0.18). Differences within the
     /// pixel's row and column (Tokuyoshi and Kaplanyan 2019).
     bool specular_antialiasing = false;
@@ -29,10 +29,10 @@ struct ReferenceForm {
     /// [phong] `specular=`: how a material's own exponent comes in. All but `stored` raise a sum
     /// over the lights, and give specular light as luminance.
     enum class Specular { stored, luv, fifth_channel, luminance, bent } specular = Specular::stored;
-    /// What materials with a shader of their own make of lamps: all at once, as a light buffer sums them;
+    /// What materials with a shader of their own make of lights: all at once, as a light buffer sums them;
     /// each by itself, as a forward draw of one light at a time; or, where a G-buffer knows no such shader,
-    /// metallic-roughness, with the shader for what needs no lamp.
-    enum class OwnShaders { sums, each_light, no_lamps } own_shaders = OwnShaders::sums;
+    /// metallic-roughness, with the shader for what needs no light.
+    enum class OwnShaders { sums, each_light, no_lights } own_shaders = OwnShaders::sums;
     bool operator==(const ReferenceForm&) const = default;
 };
 

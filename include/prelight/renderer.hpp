@@ -156,9 +156,10 @@ public:
     /// another render() first. Throws Error before set_world(), or when the device
     /// cannot hold so many.
     virtual void set_lights(std::span<const PlacedLight> lights) = 0;
-    /// Pictures of another size, pixels, from the next render() on. What lies on the device of the world and its lights
-    /// stays; only what holds pixels is made anew. A read() needs another render() first. Throws Error when the size
-    /// is 0 or more than the device takes; the renderer is as before then.
+    /// Pictures of another size, pixels, from the next render() on. Geometry, textures and the
+    /// lights' maps stay on the device; images, lists of lights and shadow maps are rebuilt. A read() needs another
+    /// render() first; stats() stay those of the last one. Throws Error when the size is 0 or more than the device
+    /// takes, or when memory ends; the renderer is as before then.
     virtual void resize(uint32_t width, uint32_t height) = 0;
     /// Renders `frames` ≥ 1 frames. Where something was built since the last call, every pipeline is
     /// warmed first, by a frame of one pixel that counts in no figure. May come back while the device

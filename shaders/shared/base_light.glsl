@@ -1,4 +1,4 @@
-// Light that needs no light: ambient as a term of the material, and emissive; an unlit surface's colour.
+// What no light source sends: ambient as a term of the material, and emissive; an unlit surface's colour.
 #ifndef PRELIGHT_BASE_LIGHT_GLSL
 #define PRELIGHT_BASE_LIGHT_GLSL
 #include "shared/material_interface.glsl"
@@ -22,7 +22,7 @@ vec3 base_light(Point p, Surface s) {
 }
 
 #ifdef OCCLUSION
-// The same in parts, for what is occluded later: `own` needs no light; what comes from everywhere; and what an
+// The same in parts, for what is occluded later: `own`, emissive light; what comes from everywhere; and what an
 // environment is mirrored as.
 struct BaseLight {
     vec3 own, ambient, mirrored;

@@ -80,7 +80,7 @@ private:
     std::unique_ptr<ShadowDraws> maps_; ///< Shadows::reused
 };
 
-/// Makes `pass` draw with a Draws(frame, interface, inputs) that has a record().
+/// Makes `pass` draw with a Draws(view, interface, inputs) that has a record().
 template <class Draws>
 void draw_lights(graph::Pass& pass, const resident::View& view, const LightingInputs& inputs) {
     auto draws = std::make_shared<std::optional<Draws>>();

@@ -23,7 +23,7 @@ struct LightTarget {
 /// What every light pass gets, however it finds its pixels.
 struct LightingInputs {
     SurfaceBuffers surface;
-    graph::ImageId material{}, albedo{}; ///< "+deferred": RT2 and RT3 of the G-buffer
+    graph::ImageId material{}, albedo{}; ///< of a deferred target: RT2 and RT3 of the G-buffer
     LightModel model;
     LightTarget target;
     Shadows shadows;

@@ -7,7 +7,7 @@ namespace prelight::reference {
 class Decals {
 public:
     Decals(const World& world, glm::dvec3 origin, const Textures& textures);
-    /// Lays on the surface whatever decals hold its point, the lowest first. What lamps see of its roughness is to be
+    /// Lays on the surface whatever decals hold its point, the lowest first. What lights see of its roughness is to be
     /// found anew: set_lamp_roughness().
     void cover(Surface& surface) const;
 

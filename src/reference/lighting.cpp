@@ -133,14 +133,14 @@ glm::dvec3 Lighting::phong_specular(const LightSums& sums) const {
     return glm::dvec3(weight > 0 ? raised(channel4 / weight) * weight : 0);
 }
 
-glm::dvec3 Lighting::own_shader(const LightSums& sums, glm::dvec3 ambient, bool lamps, bool around) const {
+glm::dvec3 Lighting::own_shader(const LightSums& sums, glm::dvec3 ambient, bool lights, bool around) const {
     const EnvironmentLight* environment = around ? environment_ : nullptr;
     const bool ggx = form_.shading == Shading::ggx;
     const double at_viewer = fifth_power(1 - clamped_dot(surface_.normal, surface_.view));
     const double facing = clamped_dot(surface_.normal, surface_.view);
     const double e = luminance(sums.diffuse), s = luminance(sums.specular);
     const bool by_lamps =
-        lamps && ggx &&
+        lights && ggx &&
         (form_.fresnel == ReferenceForm::Fresnel::weighted || form_.fresnel == ReferenceForm::Fresnel::full);
     return shade_own({.surface = surface_,
                       .diffuse = sums.diffuse / (ggx ? pi : 1.0),
@@ -174,8 +174,8 @@ glm::dvec3 Lighting::radiance(glm::dvec3 ambient) {
         sums_.diffuse += form_.shading == Shading::ggx ? pi * ambient : ambient;
         return own_shader(sums_, glm::dvec3(0), true, false);
     }
-    const glm::dvec3 lamps = form_.own_shaders == Own::each_light ? each_ : standard(glm::dvec3(0), false);
-    return lamps + own_shader({}, ambient, false, true);
+    const glm::dvec3 lights = form_.own_shaders == Own::each_light ? each_ : standard(glm::dvec3(0), false);
+    return lights + own_shader({}, ambient, false, true);
 }
 
 glm::dvec3 Lighting::ambient_term(glm::dvec3 ambient) const {

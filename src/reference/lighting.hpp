@@ -39,10 +39,10 @@ private:
     void add_phong(const Incident& light, double nl);
     void add_one(const Incident& light, double nl);
     glm::dvec3 compose_ggx() const;
-    /// What a shader of the material's own makes of sums of lamps, and of ambient radiance.
-    /// `lamps`: false for what is drawn where no lamp is looked at.
+    /// What a shader of the material's own makes of sums of lights, and of ambient radiance.
+    /// `lights`: false for what is drawn where no light is looked at.
     /// `around`: with the environment.
-    glm::dvec3 own_shader(const LightSums& sums, glm::dvec3 ambient, bool lamps, bool around) const;
+    glm::dvec3 own_shader(const LightSums& sums, glm::dvec3 ambient, bool lights, bool around) const;
     glm::dvec3 standard(glm::dvec3 ambient, bool with_base);
     /// What metallic-roughness and Blinn-Phong make of ambient light.
     glm::dvec3 ambient_term(glm::dvec3 ambient) const;
@@ -58,7 +58,7 @@ private:
     double exposure_;
     const EnvironmentLight* environment_;
     LightSums sums_;
-    glm::dvec3 each_{0}; ///< OwnShaders::each_light: what the lamps added one by one
+    glm::dvec3 each_{0}; ///< OwnShaders::each_light: what the lights added one by one
 };
 
 } // namespace prelight::reference

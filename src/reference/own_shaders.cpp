@@ -39,7 +39,7 @@ Colours colours_of(const Surface& s) {
     return {s.base_colour * (1 - s.metallic), glm::mix(glm::dvec3(0.04), s.base_colour, s.metallic)};
 }
 
-/// Lamps on metallic-roughness; Schlick's Fresnel at the lamps' mean.
+/// Lights on metallic-roughness; Schlick's Fresnel at the lights' mean.
 glm::dvec3 lamps_on(const OwnLight& light, const Colours& c) {
     const glm::dvec3 at_diffuse = c.f0 + (1.0 - c.f0) * light.grazing_diffuse;
     const glm::dvec3 at_specular = c.f0 + (1.0 - c.f0) * light.grazing_specular;

@@ -26,7 +26,7 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
     if (settings.contains("ssao") && !is("ssao", "off"))
         form.occlusion_radius = std::strtod(settings.at("ssao-radius").c_str(), nullptr);
     using Own = ReferenceForm::OwnShaders;
-    form.own_shaders = settings.contains("g-buffer") ? Own::no_lamps
+    form.own_shaders = settings.contains("g-buffer") ? Own::no_lights
                        : is("lights-per-pass", "1")  ? Own::each_light
                                                      : Own::sums;
     using Specular = ReferenceForm::Specular;

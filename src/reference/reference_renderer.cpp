@@ -118,7 +118,7 @@ public:
         check_size(width, height);
         options_.width = width;
         options_.height = height;
-        stats_.frames = 0;
+        drawn_ = false;
     }
 
     void render(const PlacedCamera& camera, uint32_t frames) override {
@@ -132,13 +132,14 @@ public:
             cpu.push_back(process_ms() - cpu_start);
             wall.push_back(wall_ms() - wall_start);
         }
+        drawn_ = true;
         stats_.frames = static_cast<uint32_t>(wall.size());
         stats_.wall_ms = spread(wall);
         stats_.cpu_ms = spread(cpu);
     }
 
     Image read(std::string_view view) override {
-        if (stats_.frames == 0)
+        if (!drawn_)
             throw Error("reference: nothing has been rendered");
         if (view == "linear")
             return picture_.linear;
@@ -169,6 +170,7 @@ private:
 
     RenderOptions options_;
     ReferenceForm form_;
+    bool drawn_ = false;           ///< picture_ is of this size
     const World* world_ = nullptr; ///< the caller's, or relit_
     World relit_;                  ///< with the lights of set_lights()
     ReferencePicture picture_;
@@ -212,7 +214,7 @@ RendererInfo reference_info() {
                 {"specular-antialiasing",
                  {"off", "on"},
                  "on",
-                 "lamps see a rougher surface where normals differ under a pixel; not with a specular way other than "
+                 "lights see a rougher surface where normals differ under a pixel; not with a specular way other than "
                  "stored"},
                 {"ambient-occlusion", {"off", "on"}, "off", "rays find what occludes ambient light"},
                 {radius_key, {"0.01 … 100"}, "1", "metres within which surfaces occlude each other"},

@@ -26,7 +26,7 @@ struct Surface {
     glm::dvec3 emissive{0};     ///< linear radiance
     double metallic = 0;
     double roughness = 1;             ///< perceptual, ≥ 0.089
-    double environment_roughness = 1; ///< the same, without the least and the anti-aliasing of what lamps see
+    double environment_roughness = 1; ///< the same, without the least and the anti-aliasing of what lights see
     double gloss = 1;                 ///< of `detailed`: factor on all that it reflects
     double occlusion = 1;             ///< on ambient light; strength is worked in
     double visibility = 1;            ///< what nearby surfaces let through of ambient light
@@ -42,7 +42,7 @@ glm::dvec3 shading_normal(const RayScene& scene, const Textures& textures, const
 /// What α² grows by where normals beside it in the row and column of a quad of pixels are these:
 /// ReferenceForm::specular_antialiasing.
 double normal_spread(glm::dvec3 normal, glm::dvec3 across, glm::dvec3 down);
-/// What lamps see of the surface's roughness: as much rougher, and at least 0.089.
+/// What lights see of the surface's roughness: as much rougher, and at least 0.089.
 void set_lamp_roughness(Surface& surface, double spread);
 
 /// Reads the material at a hit. `view` points towards the viewer; `beside`: where the rays beside it meet the surface,

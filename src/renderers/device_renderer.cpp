@@ -5,6 +5,7 @@
 #include "settings/texture_settings.hpp"
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <fmt/format.h>
 #include <passes/background.hpp>
 #include <passes/index_trimming.hpp>
@@ -80,6 +81,8 @@ void DeviceRenderer::set_world(const World& world) {
     drop_graph(); // before what its passes refer to
     view_.reset();
     lights_.reset();
+    scene_.reset();
+    set_lights_ms_ = 0;
     world_ = nullptr; // until all of the new one is there
     scene_ = std::make_unique<resident::GpuScene>(context_, world, scene_settings());
     lights_ = std::make_unique<resident::LightSet>(*scene_);
@@ -115,13 +118,29 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
 
 void DeviceRenderer::resize(uint32_t width, uint32_t height) {
     check_size(width, height);
+    const uint32_t old_width = options_.width, old_height = options_.height;
+    try {
+        remake_view(width, height);
+    } catch (...) {
+        const std::exception_ptr reason = std::current_exception();
+        try {
+            remake_view(old_width, old_height);
+        } catch (const Error&) {
+            world_ = nullptr; // as after a set_world() that failed
+        }
+        std::rethrow_exception(reason);
+    }
+}
+
+void DeviceRenderer::remake_view(uint32_t width, uint32_t height) {
+    PairCounters counters(context_, height);
     drop_graph();
     options_.width = width;
     options_.height = height;
-    pair_counters_.emplace(context_, height);
+    pair_counters_ = std::move(counters);
     if (!world_)
         return;
-    view_.reset();
+    view_.reset(); // its memory may be what the next one needs
     view_ = std::make_unique<resident::View>(*scene_, *lights_, view_settings());
     build_graph();
 }

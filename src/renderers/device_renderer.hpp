@@ -68,12 +68,14 @@ protected:
 private:
     /// Throws Error.
     void check_size(uint32_t width, uint32_t height) const;
+    /// View, counters and graph for pictures of this size. Throws Error, and has taken down some of them.
+    void remake_view(uint32_t width, uint32_t height);
     /// Waits for all frames and lets the graph go.
     void drop_graph();
     void build_graph();
     void warm_up(const PlacedCamera& camera);
     void render_frame(const PlacedCamera& camera);
-    /// One more frame, pass by pass: adds each pass's CPU time to pass_cpu_.
+    /// One more frame, pass by pass: adds each pass's CPU time to costs_.
     void time_passes(const PlacedCamera& camera);
     void clear_counters(VkCommandBuffer commands) const;
     void tell_shadows(Stats& stats) const;

@@ -25,7 +25,7 @@ protected:
     /// A pass that draws into `colour`; the caller adds kinds and plan. Its draws are counted.
     passes::ForwardInputs shading(const char* name, graph::ImageId depth, graph::ImageId colour);
     /// Adds the other views that were asked for.
-    void add_views(Outputs& views, graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) const;
+    void add_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) const;
 
     passes::DecalBuffer decals_; ///< of the graph that is built: what shading() and add_views() draw with
 

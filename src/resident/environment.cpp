@@ -146,7 +146,7 @@ std::vector<LobeSample> lobe(double roughness, uint32_t samples) {
     return out;
 }
 
-/// What the mirror shows in each direction. A sample takes the mean of what it stands for, so that a small bright lamp
+/// What the mirror shows in each direction. A sample takes the mean of what it stands for, so that a small bright light
 /// is neither missed nor seen as many (Křivánek and Colbert, "Real-time Shading with Filtered Importance Sampling",
 /// 2008): rows of a map as coarse as that, and of them as many columns, which near the poles are narrow. All normals of
 /// a row look at the same places beside them, one sample is added to all at once. All widths are powers of two.

@@ -14,7 +14,8 @@ public:
     /// The world's own lights. Throws Error as check_lights() does, and when maps do not fit the device.
     explicit LightSet(const GpuScene& scene);
     /// Others in their place: with maps for them, and with room for some more than there are, so that adding one at a
-    /// time is cheap. For lights that the set does not hold(). Throws as above; the set stays as it is.
+    /// time is cheap. For checked lights that the set does not hold(). Throws Error when they do not fit the device;
+    /// the set stays as it is.
     LightSet with(std::span<const PlacedLight> lights) const;
 
     /// Whether replace() can take them.

@@ -37,6 +37,7 @@ TEST(ShaderAxes, OnceForEachMaterial) {
 
 TEST(ShaderAxes, OtherCommentsAreNoAxes) {
     EXPECT_EQ(keys_of("// Two variants: none of this counts\n// note: SHADOWS\n"), Keys{"a.frag"});
+    EXPECT_EQ(keys_of("#version 460\nvoid main() {}\n// variants: SHADOWS\n"), Keys{"a.frag"}) << "not at the top";
 }
 
 TEST(ShaderAxes, AnUnknownVariantIsNamed) {

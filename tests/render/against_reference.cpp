@@ -73,7 +73,7 @@ ReferenceForm form_of(const Shot& shot) {
     if (shot.settings.contains("ssao") && !is(shot, "ssao", "off"))
         form.occlusion_radius = shot.settings.contains("ssao-radius") ? std::stod(shot.settings.at("ssao-radius")) : 1;
     form.bilinear_level0 = !shot.settings.contains("texture-filter") || is(shot, "texture-filter", "bilinear");
-    form.own_shaders = shot.renderer == "deferred"    ? ReferenceForm::OwnShaders::no_lamps
+    form.own_shaders = shot.renderer == "deferred"    ? ReferenceForm::OwnShaders::no_lights
                        : shot.renderer == "multipass" ? ReferenceForm::OwnShaders::each_light
                                                       : ReferenceForm::OwnShaders::sums;
     return form;

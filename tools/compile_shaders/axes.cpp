@@ -57,8 +57,10 @@ bool allows(const ShaderAxes& axes, gpu::Variants set) {
 ShaderAxes read_axes(std::string_view source) {
     ShaderAxes axes;
     for (const std::string_view line : split(source, '\n')) {
-        if (!line.starts_with("//"))
+        if (line.starts_with("#version") || line.starts_with("#extension"))
             continue;
+        if (!line.starts_with("//"))
+            break; // axes stand at the top
         const std::string_view text = trimmed(line.substr(2));
         const size_t colon = text.find(':');
         if (colon == text.npos)

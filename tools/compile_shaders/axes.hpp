@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-/// What a shader's first lines say about its variants:
+/// What a shader's first comments say about its variants, beside #version and #extension:
 ///
 ///     // variants: ONE_TARGET|COUNT_TARGET, SHADOWS     one of the first two or none, and SHADOWS or not
 ///     // never: COUNT_TARGET SHADOWS, …                 these do not come together

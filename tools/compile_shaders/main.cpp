@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <glslang/build_info.h>
@@ -43,6 +44,19 @@ void write(const fs::path& path, std::string_view text) {
         throw std::runtime_error(path.string() + ": cannot be written");
 }
 
+/// As a depfile names a path.
+std::string escaped(const std::string& path) {
+    std::string out;
+    for (const char c : path) {
+        if (c == ' ' || c == '#')
+            out += '\\';
+        if (c == '$')
+            out += '$';
+        out += c;
+    }
+    return out;
+}
+
 /// Files by path, each read once; all that were asked for are what the output depends on.
 class Files {
 public:
@@ -59,7 +73,7 @@ public:
     std::string names() const {
         std::string out;
         for (const auto& [path, text] : texts_)
-            out += " " + path.string();
+            out += " " + escaped(path.string());
         return out;
     }
 
@@ -111,6 +125,14 @@ std::string hash_of(std::string_view text) {
     return out;
 }
 
+bool is_spirv(std::string_view code) {
+    uint32_t first = 0;
+    if (code.size() < 20 || code.size() % 4 != 0)
+        return false;
+    std::memcpy(&first, code.data(), sizeof first);
+    return first == 0x07230203u;
+}
+
 class Build {
 public:
     Build(fs::path folder, fs::path includes, fs::path out)
@@ -136,13 +158,19 @@ public:
     }
 
 private:
+    /// Not what an editor leaves beside it.
+    static bool is_source(const fs::directory_entry& file) {
+        return file.is_regular_file() && !file.path().filename().string().starts_with('.');
+    }
+
     void find_keys() {
         std::vector<std::string> materials;
         if (fs::exists(includes_ / "materials"))
             for (const fs::directory_entry& file : fs::directory_iterator(includes_ / "materials"))
-                materials.push_back(file.path().stem().string());
+                if (is_source(file) && file.path().extension() == ".glsl")
+                    materials.push_back(file.path().stem().string());
         for (const fs::directory_entry& file : fs::directory_iterator(folder_)) {
-            if (!kinds_.contains(file.path().extension().string()))
+            if (!is_source(file) || !kinds_.contains(file.path().extension().string()))
                 continue;
             try {
                 const auto keys =
@@ -184,7 +212,7 @@ private:
         const auto text = compiler.PreprocessGlsl(source, kind, path.c_str(), options);
         if (text.GetCompilationStatus() != shaderc_compilation_status_success)
             throw std::runtime_error(text.GetErrorMessage());
-        std::string all = "glslang " + std::to_string(GLSLANG_VERSION_MAJOR) + "." +
+        std::string all = "vulkan1.3 -O, glslang " + std::to_string(GLSLANG_VERSION_MAJOR) + "." +
                           std::to_string(GLSLANG_VERSION_MINOR) + "." + std::to_string(GLSLANG_VERSION_PATCH) + " " +
                           spvSoftwareVersionDetailsString() + "\n" + std::to_string(kind) + "\n";
         all.append(text.begin(), text.end());
@@ -194,7 +222,8 @@ private:
             used_.insert(kept);
         }
         if (fs::exists(kept))
-            return read(kept);
+            if (std::string code = read(kept); is_spirv(code))
+                return code;
         const auto result = compiler.CompileGlslToSpv(source, kind, path.c_str(), options);
         if (result.GetCompilationStatus() != shaderc_compilation_status_success)
             throw std::runtime_error(result.GetErrorMessage());
@@ -217,7 +246,7 @@ private:
         }
         const fs::path bin = out_ / (function + ".bin"), cpp = out_ / (function + ".cpp");
         write(bin, blob);
-        write(out_ / (function + ".d"), cpp.string() + ":" + files_.names() + "\n");
+        write(out_ / (function + ".d"), escaped(cpp.string()) + ":" + files_.names() + "\n");
         const std::string all = function == "find_shader"
                                     ? "std::span<const EmbeddedShader> all_shaders() { return table; }\n\n"
                                     : "std::span<const uint32_t> " + function + "(const ShaderKey& key);\n\n";
@@ -225,8 +254,9 @@ private:
 #include <gpu/shaders.hpp>
 #include <prelight/error.hpp>
 
-asm(".section .rodata\n.balign 4\nprelight_)" +
-                       function + R"(_code:\n.incbin \")" + bin.string() +
+asm(".section .rodata\n.balign 4\n.globl prelight_)" +
+                       function + R"(_code\n.hidden prelight_)" + function + R"(_code\nprelight_)" + function +
+                       R"(_code:\n.incbin \")" + bin.string() +
                        R"(\"\n.previous\n");
 extern "C" const uint32_t prelight_)" +
                        function + R"(_code[];

@@ -59,7 +59,7 @@ SettingInfo specular_antialiasing_setting() {
     return {"specular-antialiasing",
             {"off", "on"},
             "on",
-            "on: lamps see a rougher surface where normals differ under a pixel, so that highlights do not sparkle"};
+            "on: lights see a rougher surface where normals differ under a pixel, so that highlights do not sparkle"};
 }
 
 void resolve_draw_settings(Settings& settings, const gpu::Context& context) {
