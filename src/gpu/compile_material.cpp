@@ -2,16 +2,14 @@
 // is what this build was made of. What comes out is kept on disk, for the compiler takes a third of a second a stage.
 #include "compile_material.hpp"
 #include "cache_file.hpp"
+#include "glsl_compiler.hpp"
 #include "glsl_sources.hpp"
 #include "shaders.hpp"
 #include <cstring>
 #include <fmt/format.h>
-#include <glslang/build_info.h>
 #include <memory>
 #include <optional>
 #include <prelight/error.hpp>
-#include <shaderc/shaderc.hpp>
-#include <spirv-tools/libspirv.h>
 
 namespace prelight::gpu {
 namespace {
@@ -87,15 +85,9 @@ ShaderKey stage_of(const MaterialShader& shader, ShaderKey stage) {
 }
 
 std::vector<uint32_t> compile(const MaterialShader& shader, const ShaderKey& stage, Aim aim) {
-    shaderc::CompileOptions options;
-    options.SetTargetEnvironment(shaderc_target_env_vulkan, shaderc_env_version_vulkan_1_3);
-    options.SetOptimizationLevel(aim == Aim::draw ? shaderc_optimization_level_performance
-                                                  : shaderc_optimization_level_zero);
+    shaderc::CompileOptions options = glsl_options(stage, aim == Aim::draw);
     options.SetSuppressWarnings();
     options.SetIncluder(std::make_unique<Includer>(shader));
-    for (size_t v = 0; v < std::size(variant_macros); ++v)
-        if (stage.variants.has(static_cast<Variant>(v)))
-            options.AddMacroDefinition(std::string(variant_macros[v]));
     const std::string_view source = find_source(stage.file).value();
     const shaderc::SpvCompilationResult result = shaderc::Compiler().CompileGlslToSpv(
         source.data(), source.size(), shaderc_fragment_shader, stage.file.c_str(), options);
@@ -123,9 +115,8 @@ const std::string& hash_of_own_sources() {
 
 /// All that decides what comes out: the compiler, its options, every source. The file's name does not.
 std::string key_of(const MaterialShader& shader, const ShaderKey& stage, Aim aim) {
-    return fmt::format("glslang {}.{}.{}, {}, vulkan1.3 {}\n{}\n{}\n{}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR,
-                       GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString(), aim == Aim::draw ? "-O" : "-O0",
-                       hash_of_own_sources(), stage.text(), shader.source);
+    return fmt::format("{}\n{}\n{}\n{}", glsl_compiler_name(aim == Aim::draw), hash_of_own_sources(), stage.text(),
+                       shader.source);
 }
 
 /// A file holds the length of its key, the key, and then SPIR-V: two keys of one hash don't meet.

@@ -9,8 +9,4 @@ struct Raster {
     uint32_t samples = 1;
 };
 
-inline bool operator==(const Raster& a, const Raster& b) {
-    return a.extent.width == b.extent.width && a.extent.height == b.extent.height && a.samples == b.samples;
-}
-
 } // namespace prelight::gpu

@@ -1,9 +1,11 @@
 #pragma once
 #include <compare>
 #include <cstdint>
-#include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace prelight::gpu {
 
@@ -52,10 +54,6 @@ class Variants {
 public:
     constexpr Variants() = default;
     constexpr Variants(Variant one) : bits_(1u << static_cast<uint32_t>(one)) {}
-    constexpr Variants(std::initializer_list<Variants> all) {
-        for (const Variants one : all)
-            bits_ |= one.bits_;
-    }
     constexpr bool has(Variant one) const { return (bits_ & Variants(one).bits_) != 0; }
     constexpr bool has_all(Variants all) const { return (bits_ & all.bits_) == all.bits_; }
     constexpr bool empty() const { return bits_ == 0; }
@@ -68,15 +66,20 @@ public:
     constexpr friend Variants operator|(Variants a, Variants b) { return from_bits(a.bits_ | b.bits_); }
     constexpr Variants& operator|=(Variants more) { return *this = *this | more; }
     constexpr auto operator<=>(const Variants&) const = default;
-    /// The variants where `on`, else none.
-    constexpr Variants when(bool on) const { return on ? *this : Variants(); }
+    std::vector<std::string_view> macros() const {
+        std::vector<std::string_view> out;
+        for (size_t v = 0; v < std::size(variant_macros); ++v)
+            if (has(static_cast<Variant>(v)))
+                out.push_back(variant_macros[v]);
+        return out;
+    }
 
 private:
     uint32_t bits_ = 0;
 };
 constexpr Variants operator|(Variant a, Variant b) { return Variants(a) | Variants(b); }
-/// The variant where `on`.
-constexpr Variants when(bool on, Variants variants) { return variants.when(on); }
+/// The variants where `on`, else none.
+constexpr Variants when(bool on, Variants variants) { return on ? variants : Variants(); }
 
 /// Which SPIR-V: a file of shaders/, what it is compiled with, and whose surfaces it shades.
 struct ShaderKey {
@@ -94,9 +97,8 @@ struct ShaderKey {
     /// "light.frag ONE_TARGET SHADOWS", for messages and debug names.
     std::string text() const {
         std::string out = material.empty() ? file : material + "/" + file;
-        for (size_t v = 0; v < std::size(variant_macros); ++v)
-            if (variants.has(static_cast<Variant>(v)))
-                (out += ' ') += variant_macros[v];
+        for (const std::string_view macro : variants.macros())
+            (out += ' ') += macro;
         return out;
     }
     auto operator<=>(const ShaderKey&) const = default;

@@ -110,7 +110,7 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
 
 gpu::ShaderKey lighting_shader(const LightingInputs& inputs, const char* file) {
     return {file, inputs.target.variant | gpu::when(inputs.target.added, gpu::Variant::added) |
-                      shadow_variant(inputs.shadows).when(!inputs.target.counts()) |
+                      gpu::when(!inputs.target.counts(), shadow_variant(inputs.shadows)) |
                       gpu::when(inputs.surface.format.roughness_in_stencil, gpu::Variant::stencil_roughness)};
 }
 

@@ -49,9 +49,8 @@ uint32_t lights_a_turn(uint32_t tile_size) {
 
 /// Takes lights out of tiles' lists, in passes of their own: "NAME-lists perfect …" or "NAME-lists empty".
 void trim_lists(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
-                const LightingInputs& inputs, const LightLists& lists, const LightListRound& round,
-                ListContents contents) {
-    const uint32_t each = lights_a_turn(lists.tile_size);
+                const LightingInputs& inputs, const LightListRound& round, ListContents contents) {
+    const uint32_t each = lights_a_turn(inputs.lists->tile_size);
     const gpu::ShaderKey shader("light_lists_perfect.comp",
                                 gpu::when(inputs.surface.format.roughness_in_stencil, gpu::Variant::stencil_roughness));
     const auto add = [&](const char* what, uint32_t step) {
@@ -59,8 +58,6 @@ void trim_lists(graph::FrameGraph& graph, const resident::View& view, const std:
         declare_lit_surface(graph, pass, inputs);
         declare_light_lists(pass, round, true);
         gpu::Constants constants = lighting_constants(view, inputs);
-        for (const auto& constant : light_list_constants(lists))
-            constants.push_back(constant);
         constants.insert(constants.end(), {{CONSTANT_LIST_TRIM, step}, {CONSTANT_LIST_TRIM_LIGHTS, each}});
         dispatch_lists(pass, view, round.constants, shader, constants,
                        [=, cells = round.constants](const graph::PassContext& context) {
@@ -98,9 +95,12 @@ std::optional<LightLists> screen_light_lists(graph::FrameGraph& graph, const res
                            .everywhere = inputs.model.ambient_as_light,
                            .rounds = light_rounds(view, walk),
                            .first_room = options.first_room});
-    if (options.contents != ListContents::built)
+    if (options.contents != ListContents::built) {
+        LightingInputs listed = inputs;
+        listed.lists = lists;
         for (const LightListRound& round : lists.rounds)
-            trim_lists(graph, view, name, inputs, lists, round, options.contents);
+            trim_lists(graph, view, name, listed, round, options.contents);
+    }
     return lists;
 }
 

@@ -48,7 +48,6 @@ public:
     const GpuScene& scene() const { return scene_; }
     const gpu::Context& context() const { return scene_.context(); }
     const LightSet& lights() const { return lights_; }
-    const gpu::Raster& raster() const { return settings_.raster; }
     VkExtent2D extent() const { return settings_.raster.extent; }
 
     /// The lights that the camera of the last update() may see, by how they are drawn.

@@ -1,4 +1,6 @@
 #include "every_way.hpp"
+#include <algorithm>
+#include <cctype>
 
 namespace prelight {
 
@@ -30,6 +32,13 @@ std::string name_of(const Shot& shot) {
     std::string name = shot.renderer;
     for (const auto& [key, value] : shot.settings)
         name += " " + key + "=" + value;
+    return name;
+}
+
+std::string way_name(const testing::TestParamInfo<Shot>& info) {
+    std::string name = name_of(info.param);
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
     return name;
 }
 

@@ -15,5 +15,7 @@ struct Way {
 std::vector<Shot> every_way(const Shot& shot);
 /// Renderer and settings, for a test's trace.
 std::string name_of(const Shot& shot);
+/// The same of a test's parameter, as GoogleTest takes names.
+std::string way_name(const testing::TestParamInfo<Shot>& info);
 
 } // namespace prelight

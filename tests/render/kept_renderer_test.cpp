@@ -177,12 +177,6 @@ void expect_as_new(const Shot& shot, const std::vector<std::map<std::string, std
 
 class KeptRenderer : public testing::TestWithParam<Shot> {};
 
-std::string way_name(const testing::TestParamInfo<Shot>& info) {
-    std::string name = name_of(info.param);
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-    return name;
-}
 INSTANTIATE_TEST_SUITE_P(All, KeptRenderer, testing::ValuesIn(every_way({.width = 96, .height = 54})), way_name);
 
 /// Each way goes through other changes.

@@ -9,13 +9,7 @@ namespace {
 
 class Resized : public testing::TestWithParam<Shot> {};
 
-std::string name_of_way(const testing::TestParamInfo<Shot>& info) {
-    std::string name = name_of(info.param);
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-    return name;
-}
-INSTANTIATE_TEST_SUITE_P(All, Resized, testing::ValuesIn(every_way({.width = 96, .height = 54})), name_of_way);
+INSTANTIATE_TEST_SUITE_P(All, Resized, testing::ValuesIn(every_way({.width = 96, .height = 54})), way_name);
 
 Image fresh_picture(const Shot& shot) {
     const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));

@@ -7,19 +7,17 @@
 #include "axes.hpp"
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <glslang/build_info.h>
+#include <gpu/cache_file.hpp>
+#include <gpu/glsl_compiler.hpp>
 #include <iostream>
 #include <map>
 #include <mutex>
 #include <set>
-#include <shaderc/shaderc.hpp>
-#include <spirv-tools/libspirv.h>
-#include <sstream>
+#include <span>
 #include <stdexcept>
+#include <system/read_file.hpp>
 #include <thread>
 #include <tuple>
 
@@ -27,15 +25,6 @@ namespace {
 
 using namespace prelight;
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file)
-        throw std::runtime_error(path.string() + ": cannot be read");
-    return text.str();
-}
 
 void write(const fs::path& path, std::string_view text) {
     std::ofstream file(path, std::ios::binary);
@@ -45,7 +34,7 @@ void write(const fs::path& path, std::string_view text) {
 }
 
 /// As a depfile names a path.
-std::string escaped(const std::string& path) {
+std::string depfile_path(const std::string& path) {
     std::string out;
     for (const char c : path) {
         if (c == ' ' || c == '#')
@@ -66,14 +55,14 @@ public:
         if (found == texts_.end()) {
             if (!fs::exists(path))
                 return nullptr;
-            found = texts_.emplace(path, read(path)).first;
+            found = texts_.emplace(path, read_text_file(path, largest_file::material)).first;
         }
         return &found->second;
     }
     std::string names() const {
         std::string out;
         for (const auto& [path, text] : texts_)
-            out += " " + escaped(path.string());
+            out += " " + depfile_path(path.string());
         return out;
     }
 
@@ -111,27 +100,6 @@ private:
     fs::path folder_;
     std::string material_;
 };
-
-/// 128 bits of FNV-1a, twice 64 from different starts.
-std::string hash_of(std::string_view text) {
-    uint64_t a = 14695981039346656037u, b = 0x6c62272e07bb0142u;
-    for (const char c : text) {
-        a = (a ^ static_cast<unsigned char>(c)) * 1099511628211u;
-        b = (b ^ static_cast<unsigned char>(c)) * 1099511628211u + 0x9e3779b97f4a7c15u;
-    }
-    char out[40];
-    std::snprintf(out, sizeof out, "%016llx%016llx", static_cast<unsigned long long>(a),
-                  static_cast<unsigned long long>(b));
-    return out;
-}
-
-bool is_spirv(std::string_view code) {
-    uint32_t first = 0;
-    if (code.size() < 20 || code.size() % 4 != 0)
-        return false;
-    std::memcpy(&first, code.data(), sizeof first);
-    return first == 0x07230203u;
-}
 
 class Build {
 public:
@@ -195,16 +163,11 @@ private:
             }
     }
 
-    std::string compile(const gpu::ShaderKey& key) {
-        shaderc::CompileOptions options;
-        options.SetTargetEnvironment(shaderc_target_env_vulkan, shaderc_env_version_vulkan_1_3);
-        options.SetOptimizationLevel(shaderc_optimization_level_performance);
+    std::vector<std::byte> compile(const gpu::ShaderKey& key) {
+        shaderc::CompileOptions options = gpu::glsl_options(key);
         options.SetWarningsAsErrors();
         options.SetIncluder(
             std::make_unique<Includer>(files_, includes_, key.material.empty() ? "metallic_roughness" : key.material));
-        for (size_t v = 0; v < std::size(gpu::variant_macros); ++v)
-            if (key.variants.has(static_cast<gpu::Variant>(v)))
-                options.AddMacroDefinition(std::string(gpu::variant_macros[v]));
         const fs::path path = folder_ / key.file;
         const std::string& source = *files_.find(path);
         const shaderc_shader_kind kind = kinds_.at(path.extension().string());
@@ -212,28 +175,24 @@ private:
         const auto text = compiler.PreprocessGlsl(source, kind, path.c_str(), options);
         if (text.GetCompilationStatus() != shaderc_compilation_status_success)
             throw std::runtime_error(text.GetErrorMessage());
-        std::string all = "vulkan1.3 -O, glslang " + std::to_string(GLSLANG_VERSION_MAJOR) + "." +
-                          std::to_string(GLSLANG_VERSION_MINOR) + "." + std::to_string(GLSLANG_VERSION_PATCH) + " " +
-                          spvSoftwareVersionDetailsString() + "\n" + std::to_string(kind) + "\n";
-        all.append(text.begin(), text.end());
-        const fs::path kept = out_ / "cache" / (hash_of(all) + ".spv");
+        gpu::CacheKey all;
+        all.add(gpu::glsl_compiler_name());
+        all.add(path.extension().string());
+        all.add({text.begin(), text.end()});
+        const fs::path kept = out_ / "cache" / (all.text() + ".spv");
         {
             const std::lock_guard lock(mutex_);
             used_.insert(kept);
         }
-        if (fs::exists(kept))
-            if (std::string code = read(kept); is_spirv(code))
-                return code;
+        if (std::vector<std::byte> code = gpu::read_cache(kept); !code.empty())
+            return code;
         const auto result = compiler.CompileGlslToSpv(source, kind, path.c_str(), options);
         if (result.GetCompilationStatus() != shaderc_compilation_status_success)
             throw std::runtime_error(result.GetErrorMessage());
-        const size_t number = ++compiled_;
-        const std::string code(reinterpret_cast<const char*>(result.begin()),
-                               reinterpret_cast<const char*>(result.end()));
-        const fs::path half = kept.string() + "." + std::to_string(number); // threads may make the same
-        write(half, code);
-        fs::rename(half, kept);
-        return code;
+        ++compiled_;
+        const std::span<const std::byte> code = std::as_bytes(std::span(result.begin(), result.end()));
+        gpu::write_cache(kept, code);
+        return {code.begin(), code.end()};
     }
 
     void write_all(const std::string& function) const {
@@ -242,15 +201,17 @@ private:
             table += "    {\"" + keys_[k].file + "\", \"" + keys_[k].material + "\", " +
                      std::to_string(keys_[k].variants.bits()) + ", " + std::to_string(blob.size() / 4) + ", " +
                      std::to_string(codes_[k].size() / 4) + "},\n";
-            blob += codes_[k];
+            blob.append(reinterpret_cast<const char*>(codes_[k].data()), codes_[k].size());
         }
         const fs::path bin = out_ / (function + ".bin"), cpp = out_ / (function + ".cpp");
         write(bin, blob);
-        write(out_ / (function + ".d"), escaped(cpp.string()) + ":" + files_.names() + "\n");
+        write(out_ / (function + ".d"), depfile_path(cpp.string()) + ":" + files_.names() + "\n");
         const std::string all = function == "find_shader"
                                     ? "std::span<const EmbeddedShader> all_shaders() { return table; }\n\n"
                                     : "std::span<const uint32_t> " + function + "(const ShaderKey& key);\n\n";
-        write(cpp, "// Written by tools/compile_shaders. " + hash_of(blob) + R"(
+        gpu::CacheKey hash; // another blob is another text
+        hash.add(blob);
+        write(cpp, "// Written by tools/compile_shaders. " + hash.text() + R"(
 #include <gpu/shaders.hpp>
 #include <prelight/error.hpp>
 
@@ -285,7 +246,7 @@ const EmbeddedShader table[] = {
     fs::path folder_, includes_, out_;
     Files files_;
     std::vector<gpu::ShaderKey> keys_;
-    std::vector<std::string> codes_;
+    std::vector<std::vector<std::byte>> codes_;
     std::atomic<size_t> next_ = 0, compiled_ = 0;
     std::mutex mutex_;
     std::string mistakes_;
