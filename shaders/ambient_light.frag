@@ -4,18 +4,18 @@
 #include "shared/gbuffer.glsl"
 #include "shared/mirror_visibility.glsl"
 
-layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform texture2D visibility_buffer;
-layout(set = SET_INPUTS, binding = INPUT_AMBIENT_LIGHT) uniform texture2D ambient_buffer;
-layout(set = SET_INPUTS, binding = INPUT_MIRRORED_LIGHT) uniform texture2D mirrored_buffer;
+layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform PIXEL_IMAGE visibility_buffer;
+layout(set = SET_INPUTS, binding = INPUT_AMBIENT_LIGHT) uniform PIXEL_IMAGE ambient_buffer;
+layout(set = SET_INPUTS, binding = INPUT_MIRRORED_LIGHT) uniform PIXEL_IMAGE mirrored_buffer;
 layout(location = 0) out vec4 out_light;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 world;
     read_position(pixel, world);
-    float visibility = texelFetch(visibility_buffer, pixel, 0).r, nv = clamp(dot(read_normal(pixel), to_viewer(world)), 0.0, 1.0);
-    vec4 mirrored = texelFetch(mirrored_buffer, pixel, 0);
-    vec3 light = texelFetch(ambient_buffer, pixel, 0).rgb * visibility + mirrored.rgb * mirror_visibility(nv, visibility, mirrored.a);
+    float visibility = pixel_read(visibility_buffer, pixel).r, nv = clamp(dot(read_normal(pixel), to_viewer(world)), 0.0, 1.0);
+    vec4 mirrored = pixel_read(mirrored_buffer, pixel);
+    vec3 light = pixel_read(ambient_buffer, pixel).rgb * visibility + mirrored.rgb * mirror_visibility(nv, visibility, mirrored.a);
     vec3 stored = min(light / frame.light_buffer.x, vec3(frame.ambient.w));
     out_light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
 }

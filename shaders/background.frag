@@ -3,14 +3,14 @@
 // The environment behind everything: drawn at the far end, where the depth test finds nothing.
 #include "shared/display.glsl"
 #include "shared/environment_map.glsl"
-#include "shared/frame.glsl"
+#include "shared/pixel_reads.glsl"
 
 layout(early_fragment_tests) in;
 layout(set = SET_MATERIAL, binding = MATERIAL_SKY) uniform sampler2D sky_map;
 layout(location = 0) out vec4 out_colour;
 
 void main() {
-    vec2 clip = gl_FragCoord.xy * frame.size.zw * 2.0 - 1.0;
+    vec2 clip = clip_of(gl_FragCoord.xy);
     vec3 across = clip.x * frame.ray_right.xyz + clip.y * frame.ray_up.xyz;
     vec3 direction = normalize(across * frame.forward.w + frame.forward.xyz); // orthographic: all alike
     vec3 radiance = textureLod(sky_map, environment_place(direction), 0.0).rgb * environment.levels.y;

@@ -16,7 +16,7 @@ layout(location = 3) out vec4 out_metallic;  // r
 // How the place changes from this pixel to the next one to the right or below: to the neighbour on the side where it
 // changes less, for the other may show something else. What derivatives between pixels give there would be a seam.
 vec3 step_along(ivec2 pixel, ivec2 along, vec3 world) {
-    ivec2 last = ivec2(frame.size.xy) - 1;
+    ivec2 last = last_pixel();
     vec3 after, before;
     bool there_after = read_position(min(pixel + along, last), after);
     bool there_before = read_position(max(pixel - along, ivec2(0)), before);

@@ -33,7 +33,7 @@ void main() {
     if (any(greaterThanEqual(at, lists.cells.xyz)))
         return;
     at = min(at, lists.cells.xyz - 1u);
-    ivec2 low = ivec2(at.xy) * tile_size, last = ivec2(frame.size.xy) - 1;
+    ivec2 low = ivec2(at.xy) * tile_size, last = last_pixel();
     float least = 3e38, most = 0.0; // stored depth
     uint depths = 0u;
     // Loops that are left at their end: see light_list.comp.

@@ -29,7 +29,7 @@ layout(location = 5) out vec4 out_mirrored; // alpha: the roughness that it was 
 // Pixels from the picture's middle. A point behind the camera has no place there: it is very far out.
 vec2 on_picture(mat4 clip_from_world, vec3 world) {
     vec4 clip = clip_from_world * vec4(world, 1.0);
-    return clip.xy / max(clip.w, 1e-6) * 0.5 * frame.size.xy;
+    return clip.xy / max(clip.w, 1e-6) * 0.5 * raster.size.xy;
 }
 
 // Pixels since the previous state, right and down positive. Both places are interpolated alike, so that

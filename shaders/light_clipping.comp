@@ -1,15 +1,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_samplerless_texture_functions : require
 // Counts the pixels of a fixed-point light buffer that hold its largest value in some channel: their light may be more.
-#include "shared/bindings.h"
 #include "shared/light_scale.h"
+#include "shared/pixel_reads.glsl"
 
 layout(constant_id = CONSTANT_CLIPPING_FIRST) const uint first_channels = 7u;
 layout(constant_id = CONSTANT_CLIPPING_SECOND) const uint second_channels = 7u;
 layout(local_size_x = LIGHT_CLIP_GROUP, local_size_y = LIGHT_CLIP_GROUP) in;
-layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform texture2D first_sum;
-layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform texture2D second_sum;
+layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform PIXEL_IMAGE first_sum;
+layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform PIXEL_IMAGE second_sum;
 layout(set = SET_INPUTS, binding = INPUT_LIGHT_SCALE, std430) buffer ResultBlock { LightScaleResult result; };
 
 bool is_full(vec4 texel, uint channels) {
@@ -19,11 +18,11 @@ bool is_full(vec4 texel, uint channels) {
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, textureSize(first_sum, 0))))
+    if (any(greaterThan(pixel, last_pixel())))
         return;
-    bool clipped = is_full(texelFetch(first_sum, pixel, 0), first_channels);
+    bool clipped = is_full(pixel_read(first_sum, pixel), first_channels);
     if (second_channels != 0u)
-        clipped = clipped || is_full(texelFetch(second_sum, pixel, 0), second_channels);
+        clipped = clipped || is_full(pixel_read(second_sum, pixel), second_channels);
     if (clipped)
         atomicAdd(result.clipped, 1u);
 }

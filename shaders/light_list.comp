@@ -147,7 +147,7 @@ void main() {
     uint index = lit_blocks[min(number, max(lit_count, 1u) - 1u)];
     uvec2 block = number < lit_count ? uvec2(index % lists.blocks.x, index / lists.blocks.x) : uvec2(0u);
     ivec2 first = ivec2(block) * LIT_BLOCK + ivec2(gl_LocalInvocationID.x, gl_LocalInvocationID.y * uint(rows));
-    ivec2 last = ivec2(frame.size.xy) - 1;
+    ivec2 last = last_pixel();
     for (int row = 0; row < rows; ++row) {
         pixels[row] = read_pixel(min(first + ivec2(0, row), last));
         sums[row] = no_light();

@@ -16,7 +16,7 @@ layout(local_size_x = LIST_GROUP) in;
 const uint no_light = 0xffffffffu;
 
 bool contributes(uvec2 tile, LightSource source) {
-    ivec2 low = ivec2(tile) * tile_size, high = min(low + tile_size, ivec2(frame.size.xy));
+    ivec2 low = ivec2(tile) * tile_size, high = min(low + tile_size, ivec2(raster.size.xy));
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x)
             if (light_terms(source, read_pixel(ivec2(x, y)).point).contributes)

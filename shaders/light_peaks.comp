@@ -2,9 +2,6 @@
 #extension GL_GOOGLE_include_directive : require
 // variants: DEFERRED_TARGET, SHADOWS, STENCIL_ROUGHNESS
 // never: DEFERRED_TARGET STENCIL_ROUGHNESS
-#ifdef DEFERRED_TARGET
-#define SMALL_PICTURE
-#endif
 // How bright the lights' sums are: a histogram over some of the picture's surfaces, for light_scale.comp. A workgroup is
 // 8 × 8 pixels, one out of each `pixel_step` squared; it tests 64 lights at a time against the box around them. Lights are
 // added in the frame's order and counts do not depend on who comes first, so two runs give the same bytes.
@@ -29,12 +26,12 @@ int ordered(float value) {
 float from_ordered(int bits) { return intBitsToFloat(bits ^ ((bits >> 31) & 0x7fffffff)); }
 
 #ifdef DEFERRED_TARGET  // whose surfaces have been drawn small: what they send without lights is in the sum
-layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform texture2D own_light;
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE own_light;
 #endif
 
 // Another pixel of each block, so that no line of a regular picture is missed as a whole.
 ivec2 sampled_pixel() {
-#ifdef SMALL_PICTURE
+#ifdef DEFERRED_TARGET  // drawn small already
     return ivec2(gl_GlobalInvocationID.xy);
 #endif
     uvec2 block = gl_GlobalInvocationID.xy;
@@ -63,7 +60,7 @@ void main() {
     if (me < 2u)
         wanted[me] = 0u;
     barrier();
-    ivec2 pixel = sampled_pixel(), last = textureSize(depth_buffer, 0) - 1;
+    ivec2 pixel = sampled_pixel(), last = last_pixel();
     LitPixel p = read_pixel(min(pixel, last));
     p.point.surface = p.point.surface && all(lessThanEqual(pixel, last));
     for (int axis = 0; axis < 3; ++axis)
@@ -97,7 +94,7 @@ void main() {
     if (!p.point.surface)
         return;
 #ifdef DEFERRED_TARGET
-    float diffuse = largest(sums.light + texelFetch(own_light, pixel, 0).rgb), specular = 0.0;
+    float diffuse = largest(sums.light + pixel_read(own_light, pixel).rgb), specular = 0.0;
 #else
     if (ambient_as_light)
         add_ambient(sums);

@@ -15,14 +15,14 @@ const float pi = 3.14159265;
 float arc(float h, float gamma, float cosine, float sine) { return 0.25 * (cosine - cos(2.0 * h - gamma) + 2.0 * h * sine); }
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy), pixel = at * occlusion_scale, last = ivec2(frame.size.xy) - 1;
+    ivec2 at = ivec2(gl_FragCoord.xy), pixel = at * occlusion_scale, last = last_pixel();
     vec3 world;
     bool surface = read_position(pixel, world);
     vec3 n = read_normal(pixel), v = to_viewer(world);
     float z = dot(world, frame.forward.xyz);
     vec3 right = normalize(frame.ray_right.xyz), down = normalize(frame.ray_up.xyz); // of one step of clip space
     // Where the camera is very near, the search goes no farther than half of the picture.
-    float reach = min(occlusion_radius / pixel_metres(z), 0.5 * frame.size.y);
+    float reach = min(occlusion_radius / pixel_metres(z), 0.5 * raster.size.y);
     // 4×4 pixels search in different directions and at different distances; the blur brings them together.
     float turn = float((((at.x + at.y) & 3) << 2) | (at.x & 3)) / 16.0, start = (float((at.y - at.x) & 3) + 0.5) / 4.0;
 

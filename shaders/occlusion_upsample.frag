@@ -5,7 +5,7 @@
 #include "shared/gbuffer.glsl"
 #include "shared/occlusion.glsl"
 
-layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform texture2D occlusion;
+layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform PIXEL_IMAGE occlusion;
 layout(location = 0) out float out_visibility;
 
 void main() {
@@ -18,7 +18,7 @@ void main() {
     float sum = 0.0, weights = 0.0;
     for (int i = 0; i < 4; ++i) {
         ivec2 step = ivec2(i & 1, i >> 1);
-        vec2 there = texelFetch(occlusion, min(corner + step, last), 0).xy;
+        vec2 there = pixel_read(occlusion, min(corner + step, last)).xy;
         float off = there.y > 0.0 ? abs(view_depth_of(there.y) - z) : 1e9;
         // Where none lies on the plane all count a little: a surface thinner than two pixels has no better.
         float weight = mix(1.0 - part.x, part.x, float(step.x)) * mix(1.0 - part.y, part.y, float(step.y)) *

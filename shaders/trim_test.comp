@@ -1,11 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // variants: BY_DEPTH
-#extension GL_EXT_samplerless_texture_functions : require
 // Which triangles of a group may show. The tests and the room for rounding are those of
 // src/resident/trim_indices.cpp; with BY_DEPTH a triangle of a few pixels is left out too when at each of them
 // stands something nearer.
-#include "shared/frame.glsl"
+#include "shared/pixel_reads.glsl"
 #include "shared/trimming.glsl"
 
 layout(constant_id = CONSTANT_TRIM_SUBPIXEL_BITS) const uint subpixel_bits = 8u;
@@ -13,7 +12,7 @@ layout(set = SET_INPUTS, binding = INPUT_TRIM_OBJECTS, std430) readonly buffer O
 layout(set = SET_INPUTS, binding = INPUT_TRIM_POSITIONS, std430) readonly buffer PositionBlock { float positions[]; };
 layout(set = SET_INPUTS, binding = INPUT_TRIM_MASKS, std430) writeonly buffer MaskBlock { TrimMask masks[]; };
 #ifdef BY_DEPTH
-layout(set = SET_INPUTS, binding = INPUT_DEPTH) uniform texture2D depth_buffer;
+layout(set = SET_INPUTS, binding = INPUT_DEPTH) uniform PIXEL_IMAGE depth_buffer;
 #endif
 shared uint kept[TRIM_WORDS];
 
@@ -49,7 +48,7 @@ View view_of(ObjectData object, vec3 largest) {
 
 Corner corner_at(View view, uint vertex) {
     vec4 p = view.clip * vec4(positions[3u * vertex], positions[3u * vertex + 1u], positions[3u * vertex + 2u], 1.0);
-    vec2 slack = view.error.xy + 2.0 * view.error.w, half_size = 0.5 * frame.size.xy;
+    vec2 slack = view.error.xy + 2.0 * view.error.w, half_size = 0.5 * raster.size.xy;
     vec2 beyond = 1.0 + 1e-4 + margin / half_size;
     float rounding = 1e-4 * (abs(p.z) + abs(p.w)) + view.error.z + view.error.w;
     uint outside = (p.x < -p.w * beyond.x - slack.x ? OUTSIDE_LEFT : 0u) |
@@ -91,7 +90,7 @@ bool covers(vec2 a, vec2 b, vec2 c, ivec2 first, ivec2 last, float nearest) {
         vec3 centre = vec3(vec2(pixel) + 0.5, 1.0);
         bool inside = dot(ab, centre) >= 0.0 && dot(bc, centre) >= 0.0 && dot(ca, centre) >= 0.0;
 #ifdef BY_DEPTH
-        inside = inside && texelFetch(depth_buffer, clamp(pixel, ivec2(0), ivec2(frame.size.xy) - 1), 0).r <= nearest;
+        inside = inside && pixel_read(depth_buffer, clamp(pixel, ivec2(0), last_pixel())).r <= nearest;
 #endif
         any_inside = any_inside || inside;
     } while (++i < pixels);
@@ -119,7 +118,7 @@ bool may_show(View view, uint state, uvec3 vertices) {
     // off by their gradient's rounding, and 1/1000 is kept for the rest.
     float most = max(a.depth, max(b.depth, c.depth)), least = min(a.depth, min(b.depth, c.depth));
     float sure_area = abs(area) - 4.0 * margin * (around + margin);
-    float rounding = 2.5e-7 * max(frame.size.x, frame.size.y) * (most - least) * around / sure_area;
+    float rounding = 2.5e-7 * max(raster.size.x, raster.size.y) * (most - least) * around / sure_area;
     nearest = sure_area > 0.0 && least >= 0.0 && most <= 1.0 ? most * 1.001 + rounding : nearest;
 #endif
     return !known || pixels > most_pixels || covers(a.place, b.place, c.place, first, last, nearest);

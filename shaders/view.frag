@@ -10,7 +10,7 @@ layout(constant_id = CONSTANT_VIEW) const int view = VIEW_DEPTH;
 layout(location = 0) out vec4 out_colour;
 #ifdef LIGHT_PAIR
 #include "shared/light_pair.glsl"
-layout(set = SET_INPUTS, binding = INPUT_MATERIAL) uniform utexture2D pair_buffer;
+layout(set = SET_INPUTS, binding = INPUT_MATERIAL) uniform PIXEL_IMAGE_BITS pair_buffer;
 #endif
 
 // Black, blue, cyan, green, yellow, red, white at 0, 1, 4, 16, 64, 256, 1,024 lights.
@@ -35,10 +35,10 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     // Of the inputs, INPUT_NORMAL holds the buffer that is looked at.
 #ifdef LIGHT_PAIR
-    uvec4 bits = texelFetch(pair_buffer, pixel, 0);
+    uvec4 bits = pixel_read(pair_buffer, pixel);
     vec4 value = half_floats(view == VIEW_SECOND_LIGHT ? bits.zw : bits.xy);
 #else
-    vec4 value = texelFetch(normal_buffer, pixel, 0);
+    vec4 value = pixel_read(normal_buffer, pixel);
 #endif
     vec3 world;
     bool surface = read_position(pixel, world);

@@ -41,6 +41,10 @@ Json stats_entry(const std::string& scene, const std::string& renderer, const Re
                           {"cpu_ms", pass.cpu_ms ? spread_json(*pass.cpu_ms) : Json(nullptr)},
                           {"bytes_read", pass.bytes_read},
                           {"bytes_written", pass.bytes_written}});
+    Json choices = Json::array();
+    for (const SettingChoice& choice : stats.choices)
+        choices.push_back(
+            {{"setting", choice.key}, {"asked", choice.asked}, {"taken", choice.taken}, {"why", choice.why}});
     Json entry{
         {"device", stats.device},
         {"driver", stats.driver},
@@ -48,6 +52,7 @@ Json stats_entry(const std::string& scene, const std::string& renderer, const Re
         {"renderer", renderer},
         {"preset", options.preset.empty() ? Json(nullptr) : Json(options.preset)},
         {"settings", Json(stats.settings)},
+        {"choices", choices},
         {"size", {options.width, options.height}},
         {"msaa", options.msaa},
         {"exposure", options.exposure},

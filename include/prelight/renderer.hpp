@@ -118,9 +118,18 @@ struct LightBufferStats {
     uint64_t clipped_pixels = 0; ///< with a channel at the largest value: their light may have been more
 };
 
+/// A setting that has not the value asked for: that was "auto", or what the device or other settings rule out.
+struct SettingChoice {
+    std::string key;
+    std::string asked; ///< by the user, the preset or the default
+    std::string taken;
+    std::string why; ///< a phrase
+};
+
 struct Stats {
     std::string device, driver;
     std::map<std::string, std::string> settings; ///< every setting with the value in force
+    std::vector<SettingChoice> choices;          ///< by key
     Shading shading = Shading::ggx;              ///< in force
     std::vector<std::string> notes;              ///< what the device could not give as asked for, one line each
     uint64_t lights = 0, triangles = 0, draws = 0;

@@ -16,6 +16,7 @@
 #define FRAME_DISTRIBUTION_MAPS 9
 
 #define SET_INPUTS 1
+#define INPUT_RASTER 63  // in every pass
 // light pass
 #define INPUT_DEPTH 0
 #define INPUT_NORMAL 1

@@ -13,7 +13,4 @@ float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722));
 
 // Unit vector from a world position to the viewer; all parallel for an orthographic camera.
 vec3 to_viewer(vec3 world) { return normalize(mix(-frame.forward.xyz, -world, frame.forward.w)); }
-
-// Metres across a pixel of the picture at this view depth.
-float pixel_metres(float z) { return 2.0 * length(frame.ray_up.xyz) * frame.size.w * mix(1.0, z, frame.forward.w); }
 #endif

@@ -15,7 +15,6 @@ struct FrameConstants {
     vec4 ray_up;           // xyz: the same for clip y
     vec4 forward;          // xyz: unit; w: 1 perspective, 0 orthographic
     vec4 depth;            // x, y: clip.z = −x · view depth + y
-    vec4 size;             // width, height, 1/width, 1/height in pixels
     vec4 ambient;          // rgb: radiance × exposure; w: largest value that one light stores
     vec4 light_buffer;     // x: scale that stored light is divided by (32 for float formats);
                            // y: exposure factor; z: x of specular light

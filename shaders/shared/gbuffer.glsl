@@ -2,23 +2,23 @@
 // by their encoding.
 #ifndef PRELIGHT_GBUFFER_GLSL
 #define PRELIGHT_GBUFFER_GLSL
-#extension GL_EXT_samplerless_texture_functions : require
 #include "shared/frame.glsl"
 #include "shared/gbuffer_layout.glsl"
 #include "shared/linear_depth.h"
 #include "shared/normal_encoding.h"
+#include "shared/pixel_reads.glsl"
 
 layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMAL_OCT24;
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
 layout(constant_id = CONSTANT_DEPTH_SOURCE) const int depth_source = DEPTH_ATTACHMENT;
 layout(constant_id = CONSTANT_POSITION_FROM_RAY) const bool position_from_ray = true;
 
-layout(set = SET_INPUTS, binding = INPUT_DEPTH) uniform texture2D depth_buffer;
-layout(set = SET_INPUTS, binding = INPUT_NORMAL) uniform texture2D normal_buffer;
+layout(set = SET_INPUTS, binding = INPUT_DEPTH) uniform PIXEL_IMAGE depth_buffer;
+layout(set = SET_INPUTS, binding = INPUT_NORMAL) uniform PIXEL_IMAGE normal_buffer;
 #ifdef STENCIL_ROUGHNESS  // as a code of eight bits
-layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform utexture2D roughness_buffer;
+layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform PIXEL_IMAGE_BITS roughness_buffer;
 #else
-layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform texture2D roughness_buffer;
+layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform PIXEL_IMAGE roughness_buffer;
 #endif
 
 // Device depth (1 near, 0 far) → view depth in metres. clip.z = −x·z + y, clip.w = z or 1.
@@ -33,34 +33,30 @@ float device_depth(float z) {
 }
 
 vec3 read_normal(ivec2 pixel) {
-    vec3 n = normal_decode(normal_encoding, texelFetch(normal_buffer, pixel, 0));
+    vec3 n = normal_decode(normal_encoding, pixel_read(normal_buffer, pixel));
     return view_space ? n * mat3(frame.view_from_world) : n;
 }
 
 float read_roughness(ivec2 pixel) {
 #ifdef STENCIL_ROUGHNESS
-    return roughness_decode(float(texelFetch(roughness_buffer, pixel, 0).r) / 255.0);
+    return roughness_decode(float(pixel_read(roughness_buffer, pixel).r) / 255.0);
 #else
     if (gbuffer_layout == GBUFFER_KILLZONE2)
-        return roughness_decode(texelFetch(roughness_buffer, pixel, 0).b);
-    return normal_holds_roughness(normal_encoding) ? roughness_decode(texelFetch(normal_buffer, pixel, 0).a)
-                                                   : texelFetch(roughness_buffer, pixel, 0).r;
+        return roughness_decode(pixel_read(roughness_buffer, pixel).b);
+    return normal_holds_roughness(normal_encoding) ? roughness_decode(pixel_read(normal_buffer, pixel).a)
+                                                   : pixel_read(roughness_buffer, pixel).r;
 #endif
 }
 
 // Stored depth is reversed device depth, or view depth (linear_depth); 0 where no surface is.
 const bool linear_depth = depth_source != DEPTH_ATTACHMENT;
-float read_depth(ivec2 pixel) { return linear_depth_decode(depth_source, texelFetch(depth_buffer, pixel, 0)); }
+float read_depth(ivec2 pixel) { return linear_depth_decode(depth_source, pixel_read(depth_buffer, pixel)); }
 
 // False where no surface is.
 bool read_position(ivec2 pixel, out vec3 world) {
     float stored = read_depth(pixel);
     bool surface = stored > 0.0;
-#ifdef SMALL_PICTURE  // of another size than the frame's
-    vec2 clip = (vec2(pixel) + 0.5) / vec2(textureSize(depth_buffer, 0)) * 2.0 - 1.0;
-#else
-    vec2 clip = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
-#endif
+    vec2 clip = clip_of(vec2(pixel) + 0.5);
     if (position_from_ray) {
         float z = !surface ? 1.0 : linear_depth ? stored : view_depth(stored);
         vec3 across = clip.x * frame.ray_right.xyz + clip.y * frame.ray_up.xyz;

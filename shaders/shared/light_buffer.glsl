@@ -1,20 +1,20 @@
 // The light buffer as a material sees it.
 #ifndef PRELIGHT_LIGHT_BUFFER_GLSL
 #define PRELIGHT_LIGHT_BUFFER_GLSL
-#extension GL_EXT_samplerless_texture_functions : require
 #include "shared/frame.glsl"
 #include "shared/luv.glsl"
+#include "shared/pixel_reads.glsl"
 
 layout(constant_id = CONSTANT_PACKED_LIGHT) const bool packed_light = false;
 layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_STORED;
 #if defined(LIGHT_BITS) || defined(LIGHT_PAIR)  // half floats as they lie in memory
 #include "shared/light_pair.glsl"
-#define LIGHT_TEXTURE utexture2D
+#define LIGHT_IMAGE PIXEL_IMAGE_BITS
 #else
-#define LIGHT_TEXTURE texture2D
+#define LIGHT_IMAGE PIXEL_IMAGE
 #endif
-layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform LIGHT_TEXTURE diffuse_light;
-layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform LIGHT_TEXTURE specular_light;
+layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform LIGHT_IMAGE diffuse_light;
+layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform LIGHT_IMAGE specular_light;
 
 struct StoredLight {
     vec4 first, second;
@@ -22,12 +22,12 @@ struct StoredLight {
 
 StoredLight fetch_light(ivec2 pixel) {
 #ifdef LIGHT_PAIR
-    uvec4 bits = texelFetch(diffuse_light, pixel, 0);
+    uvec4 bits = pixel_read(diffuse_light, pixel);
     return StoredLight(half_floats(bits.xy), half_floats(bits.zw));
 #elif defined(LIGHT_BITS)  // graph::Pass::sample_bits()
-    return StoredLight(half_floats(texelFetch(diffuse_light, pixel, 0).rg), half_floats(texelFetch(specular_light, pixel, 0).rg));
+    return StoredLight(half_floats(pixel_read(diffuse_light, pixel).rg), half_floats(pixel_read(specular_light, pixel).rg));
 #else
-    return StoredLight(texelFetch(diffuse_light, pixel, 0), texelFetch(specular_light, pixel, 0));
+    return StoredLight(pixel_read(diffuse_light, pixel), pixel_read(specular_light, pixel));
 #endif
 }
 

@@ -12,8 +12,8 @@ layout(constant_id = CONSTANT_LIST_TILE_SIZE) const int tile_size = 16;
 
 // Pixels of the picture from `low` to `high`, at view depths from `nearest` to `farthest`.
 Piece screen_piece(vec2 low, vec2 high, float nearest, float farthest) {
-    vec2 clip_low = low * frame.size.zw * 2.0 - 1.0;
-    vec2 clip_high = min(high * frame.size.zw, vec2(1.0)) * 2.0 - 1.0;
+    vec2 clip_low = clip_of(low);
+    vec2 clip_high = min(high * raster.size.zw, vec2(1.0)) * 2.0 - 1.0;
     vec2 clip = 0.5 * (clip_low + clip_high);
     vec3 right = frame.ray_right.xyz, up = frame.ray_up.xyz, forward = frame.forward.xyz;
     vec3 middle = right * clip.x + up * clip.y;
@@ -75,7 +75,7 @@ void light_extent(LightBounds light, out ivec3 low, out ivec3 high) {
         from = before ? from / mix(vec2(far), vec2(near), lessThan(from, vec2(0.0))) : vec2(-1.0);
         to = before ? to / mix(vec2(near), vec2(far), lessThan(to, vec2(0.0))) : vec2(1.0);
     }
-    vec2 coarse = 0.5 * frame.size.xy / float(LIST_COARSE_TILES * tile_size);
+    vec2 coarse = 0.5 * raster.size.xy / float(LIST_COARSE_TILES * tile_size);
     vec2 most = vec2(lists.coarse.xy);
     low = ivec3(clamp(floor((from + 1.0) * coarse - 0.01), vec2(0.0), most), 0);
     high = ivec3(clamp(floor((to + 1.0) * coarse + 0.01), vec2(-1.0), most - 1.0), 0);
@@ -112,7 +112,7 @@ uint slices_in_use(uvec3 at, LightCell cell) {
     if (!sliced)
         return 1u;
     ivec2 low = ivec2(at.xy) * tile_size;
-    ivec2 high = min(low + tile_size, ivec2(frame.size.xy));
+    ivec2 high = min(low + tile_size, ivec2(raster.size.xy));
     uint slices = 0u;
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x) {

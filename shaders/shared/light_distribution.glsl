@@ -3,7 +3,7 @@
 // cookie follows from the angle that a pixel covers, which compute shaders know as well as others.
 #ifndef PRELIGHT_LIGHT_DISTRIBUTION_GLSL
 #define PRELIGHT_LIGHT_DISTRIBUTION_GLSL
-#include "shared/frame.glsl"
+#include "shared/pixel_reads.glsl"
 
 layout(set = SET_FRAME, binding = FRAME_DISTRIBUTIONS, std430) readonly buffer DistributionBlock { DistributionData distributions[]; };
 layout(set = SET_FRAME, binding = FRAME_DISTRIBUTION_LEVELS, std430) readonly buffer DistributionLevelBlock { DistributionLevel distribution_levels[]; };

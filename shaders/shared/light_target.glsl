@@ -1,8 +1,7 @@
 // Where a light pass puts a pixel's sums: colour attachments, or storage images of a compute pass.
 #ifndef PRELIGHT_LIGHT_TARGET_GLSL
 #define PRELIGHT_LIGHT_TARGET_GLSL
-#include "shared/bindings.h"
-#extension GL_EXT_samplerless_texture_functions : require
+#include "shared/pixel_reads.glsl"
 
 #ifdef NO_TARGET  // the sums are looked at and go nowhere
 void write_first(ivec2 pixel, vec4 value) {}
@@ -22,15 +21,15 @@ void write_second(ivec2 pixel, vec4 value) { imageStore(second_target, pixel, va
 #endif
 // What the targets held, for passes that add to it; draws blend instead.
 #if defined(ADDED) && defined(LIGHT_PAIR)
-layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform utexture2D pair_before;
-vec4 first_before(ivec2 pixel) { return half_floats(texelFetch(pair_before, pixel, 0).xy); }
-vec4 second_before(ivec2 pixel) { return half_floats(texelFetch(pair_before, pixel, 0).zw); }
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE_BITS pair_before;
+vec4 first_before(ivec2 pixel) { return half_floats(pixel_read(pair_before, pixel).xy); }
+vec4 second_before(ivec2 pixel) { return half_floats(pixel_read(pair_before, pixel).zw); }
 #elif defined(ADDED) || defined(DEFERRED_TARGET)
-layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform texture2D target_before;
-vec4 first_before(ivec2 pixel) { return texelFetch(target_before, pixel, 0); }
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE target_before;
+vec4 first_before(ivec2 pixel) { return pixel_read(target_before, pixel); }
 #ifndef ONE_TARGET
-layout(set = SET_INPUTS, binding = INPUT_SECOND_BEFORE) uniform texture2D second_target_before;
-vec4 second_before(ivec2 pixel) { return texelFetch(second_target_before, pixel, 0); }
+layout(set = SET_INPUTS, binding = INPUT_SECOND_BEFORE) uniform PIXEL_IMAGE second_target_before;
+vec4 second_before(ivec2 pixel) { return pixel_read(second_target_before, pixel); }
 #endif
 #endif
 #else

@@ -11,8 +11,8 @@ layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
 layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCounters { uint pair_counters[]; };
 
 #ifdef DEFERRED_TARGET
-layout(set = SET_INPUTS, binding = INPUT_MATERIAL) uniform texture2D material_buffer;  // RT2
-layout(set = SET_INPUTS, binding = INPUT_ALBEDO) uniform texture2D albedo_buffer;      // RT3
+layout(set = SET_INPUTS, binding = INPUT_MATERIAL) uniform PIXEL_IMAGE material_buffer;  // RT2
+layout(set = SET_INPUTS, binding = INPUT_ALBEDO) uniform PIXEL_IMAGE albedo_buffer;      // RT3
 #endif
 
 struct LitPixel {
@@ -30,8 +30,8 @@ LitPixel read_pixel(ivec2 pixel) {
     p.point = lit_point(surface, world, read_normal(pixel), to_viewer(world), max(read_roughness(pixel), 0.089),
                         vec2(pixel) + 0.5);
 #ifdef DEFERRED_TARGET
-    vec4 albedo = texelFetch(albedo_buffer, pixel, 0);
-    p.takes_light = stored_reflectance(texelFetch(material_buffer, pixel, 0), albedo, p.reflects);
+    vec4 albedo = pixel_read(albedo_buffer, pixel);
+    p.takes_light = stored_reflectance(pixel_read(material_buffer, pixel), albedo, p.reflects);
 #ifdef SHADOWS
     if (gbuffer_layout == GBUFFER_KILLZONE2) {
         p.point.sun = uint(frame.sun.x);

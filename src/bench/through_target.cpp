@@ -17,7 +17,7 @@ void draw_everywhere(graph::Pass& pass, const gpu::Context& context, const char*
         desc.vertex = "fullscreen.vert";
         desc.fragment = fragment;
         desc.constants = constants;
-        desc.colour_formats = interface.colour_formats;
+        desc.attachments = interface.attachments;
         desc.sets = {interface.inputs};
         *pipeline = gpu::GraphicsPipeline(context, desc);
     });

@@ -60,7 +60,7 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
     }
     state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
     state.colorWriteMask = desc.fragment.empty() ? 0 : desc.blend == Blend::alpha_only ? VK_COLOR_COMPONENT_A_BIT : 0xf;
-    return std::vector<VkPipelineColorBlendAttachmentState>(desc.colour_formats.size(), state);
+    return std::vector<VkPipelineColorBlendAttachmentState>(desc.attachments.colours.size(), state);
 }
 
 std::shared_ptr<const BuiltPipeline> build(const Context& context, const GraphicsPipelineDesc& desc) {
@@ -100,7 +100,7 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     raster.depthBiasSlopeFactor = -desc.slope_bias; // reversed depth
     raster.depthClampEnable = desc.depth_clamp && context.features().depth_clamp;
     VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.attachments.samples);
     VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc.depth);
     depth.depthBoundsTestEnable = desc.depth_bounds;
     set_stencil(depth, desc.stencil);
@@ -117,10 +117,10 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     dynamic.pDynamicStates = dynamic_states.data();
 
     VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
-    rendering.colorAttachmentCount = static_cast<uint32_t>(desc.colour_formats.size());
-    rendering.pColorAttachmentFormats = desc.colour_formats.data();
-    rendering.depthAttachmentFormat = desc.depth_format;
-    rendering.stencilAttachmentFormat = desc.stencil_format;
+    rendering.colorAttachmentCount = static_cast<uint32_t>(desc.attachments.colours.size());
+    rendering.pColorAttachmentFormats = desc.attachments.colours.data();
+    rendering.depthAttachmentFormat = desc.attachments.depth;
+    rendering.stencilAttachmentFormat = desc.attachments.stencil;
 
     VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
     info.stageCount = static_cast<uint32_t>(stages.size());

@@ -1,4 +1,5 @@
 #pragma once
+#include "raster.hpp"
 #include "shader_stage.hpp"
 #include <array>
 #include <compare>
@@ -46,9 +47,7 @@ struct GraphicsPipelineDesc {
     std::vector<uint32_t> vertex_strides; ///< one per vertex buffer binding
     uint32_t instance_binding = ~0u;      ///< the one that steps once an instance
     std::vector<VertexAttribute> attributes;
-    std::vector<VkFormat> colour_formats;
-    VkFormat depth_format = VK_FORMAT_UNDEFINED;
-    VkFormat stencil_format = VK_FORMAT_UNDEFINED;
+    Attachments attachments;
     Blend blend = Blend::none;
     DepthTest depth = DepthTest::none;
     bool depth_bounds = false; ///< vkCmdSetDepthBounds comes before each draw

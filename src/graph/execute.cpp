@@ -112,16 +112,15 @@ void FrameGraph::draw_between(VkCommandBuffer commands, uint32_t index, VkExtent
     depth.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
     depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-    info.renderArea = {{0, 0}, image.desc.extent};
+    info.renderArea = {{0, 0}, image.desc.raster.extent};
     info.layerCount = 1;
     info.pDepthAttachment = &depth;
     vkCmdBeginRendering(commands, &info);
-    cover(commands, image.desc.extent, image.desc.extent);
+    cover(commands, image.desc.raster.extent, image.desc.raster.extent);
     draw();
     vkCmdEndRendering(commands);
     between(Access::depth_write(), Access::sampled(true));
-    const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
-    const VkExtent2D extent = images_[target.index].desc.extent;
+    const VkExtent2D extent = raster(*pass.target()).extent;
     begin_rendering(commands, index, extent, true);
     cover(commands, extent, drawn);
 }
@@ -153,11 +152,10 @@ void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_
     // Before the barrier: lavapipe notes the time when it next waits, and a dispatch waits for nothing.
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query);
     barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
-    const bool renders = !pass.colours_.empty() || pass.depth_;
+    const std::optional<ImageId> target = pass.target();
     PassContext pass_context{commands, pass.sets_[turn_.slot], {}, turn_.slot, one_pixel};
-    if (renders) {
-        const ImageId target = pass.colours_.empty() ? pass.depth_->image : pass.colours_[0].image;
-        pass_context.extent = images_[target.index].desc.extent;
+    if (target) {
+        pass_context.extent = raster(*target).extent;
         if (pass.before_rendering_)
             pass.before_rendering_(pass_context);
         begin_rendering(commands, index, pass_context.extent);
@@ -169,7 +167,7 @@ void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_
             };
     }
     pass.record_(pass_context);
-    if (renders)
+    if (target)
         vkCmdEndRendering(commands);
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query + 1);
     context_.end_label(commands);
@@ -240,7 +238,7 @@ std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
     const GraphImage& image = images_[id.index];
     if (!image.kept || !image.usage)
         throw Error("frame graph: image " + image.name + " was not kept");
-    const VkExtent2D extent = image.desc.extent;
+    const VkExtent2D extent = image.desc.raster.extent;
     const bool depth = is_depth(image.desc.format); // copied alone, in 4 bytes
     const uint64_t size = uint64_t(extent.width) * extent.height * (depth ? 4 : texel_bytes(image.desc.format));
     const gpu::Buffer target(context_, "readback", size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferPlace::readback);

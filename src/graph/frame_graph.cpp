@@ -1,8 +1,11 @@
 #include "frame_graph.hpp"
 #include <algorithm>
+#include <cstring>
 #include <fmt/format.h>
 #include <gpu/check.hpp>
 #include <prelight/error.hpp>
+#include <shared/bindings.h>
+#include <shared/raster.h>
 #include <utility>
 
 namespace prelight::graph {
@@ -114,6 +117,11 @@ Pass& Pass::before_rendering(std::function<void(const PassContext&)> callback) {
     return *this;
 }
 
+Pass& Pass::raster(const gpu::Raster& raster) {
+    raster_ = raster;
+    return *this;
+}
+
 Pass& Pass::prepare(std::function<void(const PassInterface&)> callback) {
     prepare_ = std::move(callback);
     return *this;
@@ -132,7 +140,7 @@ ImageId FrameGraph::image(std::string name, const ImageDesc& desc) {
     return {static_cast<uint32_t>(images_.size() - 1)};
 }
 
-ImageId FrameGraph::image(std::string name, VkExtent2D extent, std::span<const VkFormat> formats) {
+ImageId FrameGraph::image(std::string name, const gpu::Raster& raster, std::span<const VkFormat> formats) {
     for (const VkFormat format : formats) {
         const VkFormatFeatureFlags target =
             is_depth(format) ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
@@ -141,7 +149,7 @@ ImageId FrameGraph::image(std::string name, VkExtent2D extent, std::span<const V
         if (format != formats.front())
             note(fmt::format("{}: {} is no target on {}, {} is taken", name, format_name(formats.front()),
                              context_.name(), format_name(format)));
-        return image(std::move(name), {format, extent});
+        return image(std::move(name), {format, raster});
     }
     throw Error(fmt::format("{}: {} has no format for it", context_.name(), name));
 }
@@ -271,23 +279,47 @@ VkImageView FrameGraph::sampled_view(const Pass& pass, uint32_t binding, const G
     return has_stencil(image.desc.format) ? image.depth_only_view : image.view;
 }
 
+gpu::Raster FrameGraph::raster_of(const Pass& pass) const {
+    return pass.raster_ ? *pass.raster_ : pass.target() ? raster(*pass.target()) : gpu::Raster{};
+}
+
+void FrameGraph::write_rasters() {
+    raster_stride_ = std::max<uint64_t>(sizeof(shared::RasterConstants),
+                                        context_.limits().minUniformBufferOffsetAlignment); // both powers of two
+    std::vector<std::byte> bytes(raster_stride_ * std::max<size_t>(passes_.size(), 1));
+    for (size_t p = 0; p < passes_.size(); ++p) {
+        const VkExtent2D extent = raster_of(*passes_[p]).extent;
+        const glm::dvec2 size(extent.width, extent.height);
+        const shared::RasterConstants constants{glm::vec4(size, 1.0 / glm::max(size, 1.0))};
+        std::memcpy(&bytes[p * raster_stride_], &constants, sizeof constants);
+    }
+    rasters_ = gpu::make_device_buffer(context_, "rasters", bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+}
+
 void FrameGraph::prepare_passes() {
-    for (const auto& pass : passes_) {
+    write_rasters();
+    for (size_t p = 0; p < passes_.size(); ++p) {
+        const auto& pass = passes_[p];
         std::vector<std::vector<gpu::Binding>> sets;
-        for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+        for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot) {
             sets.push_back(bindings(*pass, slot));
+            sets.back().push_back(gpu::Binding::uniform(INPUT_RASTER, rasters_.handle(), p * raster_stride_,
+                                                        sizeof(shared::RasterConstants)));
+        }
         pass->layout_ = gpu::make_set_layout(context_, pass->name_, sets[0]);
         pass->sets_ = gpu::DescriptorSets(context_, pass->name_, pass->layout_, sets);
 
         PassInterface interface {
-            .inputs = pass->layout_, .colour_formats = {}
+            .inputs = pass->layout_, .attachments = {}
         };
         for (const Pass::Attachment& attachment : pass->colours_)
-            interface.colour_formats.push_back(images_[attachment.image.index].desc.format);
+            interface.attachments.colours.push_back(desc(attachment.image).format);
         if (pass->depth_)
-            interface.depth_format = images_[pass->depth_->image.index].desc.format;
+            interface.attachments.depth = desc(pass->depth_->image).format;
         if (pass->stencil_)
-            interface.stencil_format = interface.depth_format;
+            interface.attachments.stencil = interface.attachments.depth;
+        if (pass->target())
+            interface.attachments.samples = raster(*pass->target()).samples;
         if (pass->prepare_)
             pass->prepare_(interface);
     }

@@ -14,12 +14,10 @@
 namespace prelight::graph {
 
 /// What a pass knows when its pipelines are made: the layout of descriptor set `inputs` (one binding
-/// for each sample() and storage()), and the formats of its attachments.
+/// for each sample() and storage(), and INPUT_RASTER), and what its attachments are.
 struct PassInterface {
     VkDescriptorSetLayout inputs = VK_NULL_HANDLE;
-    std::vector<VkFormat> colour_formats;
-    VkFormat depth_format = VK_FORMAT_UNDEFINED;
-    VkFormat stencil_format = VK_FORMAT_UNDEFINED; ///< only of passes with stencil()
+    gpu::Attachments attachments; ///< a stencil format only with stencil()
 };
 
 /// What a pass gets when it records a frame. Inside, dynamic rendering has begun when the pass has
@@ -75,6 +73,9 @@ public:
     Pass& copy_to(BufferId buffer);
     /// A depth image that the pass draws into between its own draws (PassContext::between), and samples at `binding`.
     Pass& draws_between(uint32_t binding, ImageId image);
+    /// What the shader finds as `raster` in set `inputs`: that of the images which it reads or writes by pixel. Without
+    /// it, the attachments'; a pass that has none, and names none, has an empty one.
+    Pass& raster(const gpu::Raster& raster);
     Pass& prepare(std::function<void(const PassInterface&)> callback);
     /// Commands that may not stand inside of rendering, recorded before it begins.
     Pass& before_rendering(std::function<void(const PassContext&)> callback);
@@ -101,6 +102,12 @@ private:
         VkBufferMemoryBarrier2 barrier; ///< without its buffer: each slot may have another
     };
     void use(ImageId image, const Access& access);
+    /// The attachment whose raster is that of all.
+    std::optional<ImageId> target() const {
+        return !colours_.empty() ? std::optional(colours_[0].image)
+               : depth_          ? std::optional(depth_->image)
+                                 : std::nullopt;
+    }
 
     std::string name_;
     std::vector<Attachment> colours_;
@@ -116,6 +123,7 @@ private:
     std::vector<uint32_t> bits_;     ///< bindings of `sampled_` that sample_bits() made
     std::vector<uint32_t> stencils_; ///< and sample_stencil()
     std::vector<std::pair<uint32_t, BufferId>> storages_;
+    std::optional<gpu::Raster> raster_; ///< raster()
     std::function<void(const PassInterface&)> prepare_;
     std::function<void(const PassContext&)> before_rendering_, record_;
 
@@ -146,9 +154,9 @@ public:
     ImageId image(std::string name, const ImageDesc& desc);
     /// A colour or depth image in the first of `formats` that the device can draw into and sample;
     /// notes() names what was missing. Throws Error when it has none of them.
-    ImageId image(std::string name, VkExtent2D extent, std::span<const VkFormat> formats);
-    ImageId image(std::string name, VkExtent2D extent, std::initializer_list<VkFormat> formats) {
-        return image(std::move(name), extent, std::span(formats.begin(), formats.size()));
+    ImageId image(std::string name, const gpu::Raster& raster, std::span<const VkFormat> formats);
+    ImageId image(std::string name, const gpu::Raster& raster, std::initializer_list<VkFormat> formats) {
+        return image(std::move(name), raster, std::span(formats.begin(), formats.size()));
     }
     /// What is not as asked for, one line each.
     const std::vector<std::string>& notes() const { return notes_; }
@@ -179,6 +187,7 @@ public:
     /// image is 0, a depth image undefined. It shares memory with none.
     void persist(ImageId image);
     const ImageDesc& desc(ImageId image) const { return images_[image.index].desc; }
+    const gpu::Raster& raster(ImageId image) const { return desc(image).raster; }
     const std::string& name(ImageId image) const { return images_[image.index].name; }
 
     /// Removes passes that nothing needs, places the images, derives the barriers, makes descriptor
@@ -247,6 +256,8 @@ private:
     void derive_image_barriers(GraphImage& image, uint32_t index);
     void derive_buffer_barriers(uint32_t index);
     Access everything_that_shares_memory(const GraphImage& image) const;
+    gpu::Raster raster_of(const Pass& pass) const;
+    void write_rasters();
     void prepare_passes();
     std::vector<gpu::Binding> bindings(const Pass& pass, uint32_t slot) const;
     void bind_anew(BufferId id, uint32_t slot);
@@ -275,6 +286,8 @@ private:
     gpu::PerFrame<std::vector<BufferId>> stale_; ///< rebound, and not yet in the slot's sets
     std::vector<Retired> retired_;
     gpu::Allocation memory_;
+    gpu::Buffer rasters_;        ///< RasterConstants of the living passes
+    uint64_t raster_stride_ = 0; ///< bytes
     gpu::UniqueQueryPool queries_;
 };
 

@@ -54,9 +54,9 @@ void FrameGraph::create_images() {
         VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
         info.imageType = VK_IMAGE_TYPE_2D;
         info.format = image.desc.format;
-        info.extent = {image.desc.extent.width, image.desc.extent.height, 1};
+        info.extent = {image.desc.raster.extent.width, image.desc.raster.extent.height, 1};
         info.mipLevels = info.arrayLayers = 1;
-        info.samples = VK_SAMPLE_COUNT_1_BIT;
+        info.samples = static_cast<VkSampleCountFlagBits>(image.desc.raster.samples);
         info.usage = image.usage;
         const VkFormat formats[] = {image.desc.format, bits_format};
         const VkImageFormatListCreateInfo list{VK_STRUCTURE_TYPE_IMAGE_FORMAT_LIST_CREATE_INFO, nullptr, 2, formats};

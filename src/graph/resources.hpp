@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <gpu/raster.hpp>
 #include <string>
 #include <vulkan/vulkan_core.h>
 
@@ -17,7 +18,7 @@ struct BufferId {
 
 struct ImageDesc {
     VkFormat format = VK_FORMAT_UNDEFINED;
-    VkExtent2D extent{};
+    gpu::Raster raster{};
 };
 
 /// What an attachment holds when a pass begins.

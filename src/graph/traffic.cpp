@@ -6,7 +6,8 @@ namespace prelight::graph {
 
 uint64_t FrameGraph::texels_bytes(ImageId image) const {
     const ImageDesc& desc = images_[image.index].desc;
-    return uint64_t(desc.extent.width) * desc.extent.height * texel_bytes(desc.format);
+    const auto& [extent, samples] = desc.raster;
+    return uint64_t(extent.width) * extent.height * samples * texel_bytes(desc.format);
 }
 
 uint64_t FrameGraph::unshared_bytes() const {

@@ -17,8 +17,7 @@ void background_pass(graph::FrameGraph& graph, const resident::View& view, graph
         desc.vertex = "fullscreen.vert"; // at depth 0, which is what depth is cleared to
         desc.fragment = "background.frag";
         desc.constants = constants;
-        desc.colour_formats = interface.colour_formats;
-        desc.depth_format = interface.depth_format;
+        desc.attachments = interface.attachments;
         desc.depth = gpu::DepthTest::equal;
         desc.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
         *pipeline = gpu::GraphicsPipeline(view.context(), desc);
@@ -26,6 +25,7 @@ void background_pass(graph::FrameGraph& graph, const resident::View& view, graph
     pass.record([=, &view](const graph::PassContext& context) {
         pipeline->bind(context.commands);
         pipeline->bind_set(context.commands, SET_FRAME, view.set());
+        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
         pipeline->bind_set(context.commands, SET_MATERIAL,
                            view.scene().materials().sets[0]); // each holds the environment
         vkCmdDraw(context.commands, 3, 1, 0, 0);

@@ -21,8 +21,7 @@ public:
         gpu::GraphicsPipelineDesc desc;
         desc.vertex = "decals.vert";
         desc.fragment = "decals.frag";
-        desc.colour_formats = interface.colour_formats;
-        desc.depth_format = interface.depth_format;
+        desc.attachments = interface.attachments;
         desc.blend = gpu::Blend::over;
         desc.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
         desc.push_bytes = sizeof(shared::DecalConstants);
@@ -79,7 +78,9 @@ private:
 DecalBuffer decal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface) {
     if (view.scene().decals().empty())
         return {};
-    const auto target = [&](const char* name, VkFormat format) { return graph.image(name, {format, view.extent()}); };
+    const auto target = [&](const char* name, VkFormat format) {
+        return graph.image(name, {format, graph.raster(surface.depth)});
+    };
     const DecalBuffer out{
         target("decal colour", VK_FORMAT_R16G16B16A16_SFLOAT), target("decal normal", VK_FORMAT_R16G16B16A16_SFLOAT),
         target("decal roughness", VK_FORMAT_R16G16_SFLOAT), target("decal metallic", VK_FORMAT_R16_SFLOAT)};

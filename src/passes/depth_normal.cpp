@@ -26,14 +26,14 @@ const Info& find_named(std::span<const Info> all, const char* key, std::string_v
 
 /// View depth in a colour target, or in the next one where the device lacks it. Sets `source` to what was
 /// taken.
-graph::ImageId linear_depth_target(graph::FrameGraph& graph, VkExtent2D extent, DepthSource& source) {
+graph::ImageId linear_depth_target(graph::FrameGraph& graph, const gpu::Raster& raster, DepthSource& source) {
     const std::span<const DepthSourceInfo> chain = depth_sources();
     const auto first =
         std::find_if(chain.begin(), chain.end(), [&](const DepthSourceInfo& info) { return info.source == source; });
     std::vector<VkFormat> formats;
     for (auto info = first; info != chain.end(); ++info)
         formats.push_back(info->format);
-    const graph::ImageId image = graph.image("linear depth", extent, formats);
+    const graph::ImageId image = graph.image("linear depth", raster, formats);
     const VkFormat taken = graph.desc(image).format;
     source =
         std::find_if(first, chain.end(), [&](const DepthSourceInfo& info) { return info.format == taken; })->source;
@@ -46,8 +46,8 @@ void depth_pass(graph::FrameGraph& graph, const resident::View& view, SurfaceBuf
         out.depth = out.depth_source = depth_only_pass(graph, view, out.format.stencil);
         return;
     }
-    out.depth = make_depth(graph, view.extent(), out.format.stencil);
-    out.depth_source = linear_depth_target(graph, view.extent(), out.format.depth);
+    out.depth = make_depth(graph, view.raster(), out.format.stencil);
+    out.depth_source = linear_depth_target(graph, view.raster(), out.format.depth);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(out.depth).colour(out.depth_source, graph::Load::clear);
     draw_surfaces(graph, pass, view,
@@ -97,18 +97,18 @@ gpu::Constants SurfaceFormat::constants() const {
             {CONSTANT_SPECULAR_ANTIALIASING, specular_antialiasing}};
 }
 
-graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool stencil) {
-    return stencil ? graph.image("depth", extent, {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT})
-                   : graph.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
+graph::ImageId make_depth(graph::FrameGraph& graph, const gpu::Raster& raster, bool stencil) {
+    return stencil ? graph.image("depth", raster, {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT})
+                   : graph.image("depth", {VK_FORMAT_D32_SFLOAT, raster});
 }
 
 SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceFormat& format) {
-    const VkExtent2D extent = view.extent();
+    const gpu::Raster& raster = view.raster();
     SurfaceBuffers out{format};
     if (format.two_passes)
         depth_pass(graph, view, out);
     else
-        out.depth = out.depth_source = make_depth(graph, extent, format.stencil);
+        out.depth = out.depth_source = make_depth(graph, raster, format.stencil);
 
     gpu::Variants variants;
     graph::Pass& pass = graph.pass(format.two_passes ? "normal" : "depth-normal");
@@ -118,18 +118,18 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View&
         pass.depth_test(out.depth);
     for (const NormalEncodingInfo& info : normal_encodings())
         if (info.encoding == format.normals)
-            out.normal = out.roughness = graph.image("normal", extent, info.formats);
+            out.normal = out.roughness = graph.image("normal", raster, info.formats);
     pass.colour(out.normal, graph::Load::clear);
     if (format.roughness_in_stencil) {
         (format.two_passes ? pass.stencil(out.depth) : pass).keeps_stencil(graph::Load::clear);
         variants |= gpu::Variant::stencil_roughness;
     } else if (!shared::normal_holds_roughness(static_cast<int>(format.normals))) {
-        out.roughness = graph.image("roughness", extent, {VK_FORMAT_R16_SFLOAT, VK_FORMAT_R32_SFLOAT});
+        out.roughness = graph.image("roughness", raster, {VK_FORMAT_R16_SFLOAT, VK_FORMAT_R32_SFLOAT});
         pass.colour(out.roughness, graph::Load::clear);
         variants |= gpu::Variant::roughness_target;
     }
     if (!format.two_passes && format.depth != DepthSource::attachment) {
-        out.depth_source = linear_depth_target(graph, extent, out.format.depth);
+        out.depth_source = linear_depth_target(graph, raster, out.format.depth);
         pass.colour(out.depth_source, graph::Load::clear);
         variants |= gpu::Variant::depth_target;
     }

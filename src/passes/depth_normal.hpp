@@ -78,7 +78,7 @@ struct SurfaceBuffers {
 };
 
 /// The depth attachment of a renderer: D32F, with `stencil` D32F_S8 or what the device has instead.
-graph::ImageId make_depth(graph::FrameGraph& graph, VkExtent2D extent, bool stencil);
+graph::ImageId make_depth(graph::FrameGraph& graph, const gpu::Raster& raster, bool stencil);
 
 /// Depth, shading normals and roughness of the nearest surface. At once, with MRT; or depth [and
 /// linear depth] first, then normals [and roughness, where the encoding has no room for it] with depth

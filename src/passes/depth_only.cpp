@@ -6,7 +6,7 @@
 namespace prelight::passes {
 
 graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::View& view, bool stencil) {
-    const graph::ImageId depth = make_depth(graph, view.extent(), stencil);
+    const graph::ImageId depth = make_depth(graph, view.raster(), stencil);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(depth);
     draw_surfaces(graph, pass, view,

@@ -94,7 +94,7 @@ void forward_pass(graph::FrameGraph& graph, const resident::View& view, const Fo
 
 graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
                                    const DecalBuffer& decals) {
-    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.extent()});
+    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.raster()});
     graph::Pass& pass = graph.pass("albedo");
     pass.colour(target, graph::Load::clear).depth_test(depth);
     declare_decals(pass, decals);

@@ -13,7 +13,7 @@ void draw_fullscreen(graph::Pass& pass, const resident::View& view, const gpu::S
         desc.fragment = fragment;
         desc.constants = constants;
         desc.blend = blend;
-        desc.colour_formats = interface.colour_formats;
+        desc.attachments = interface.attachments;
         desc.sets = {view.layout(), interface.inputs};
         *pipeline = gpu::GraphicsPipeline(view.context(), desc);
     });

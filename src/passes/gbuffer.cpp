@@ -10,14 +10,14 @@ namespace prelight::passes {
 namespace {
 
 /// Four bytes each for RT0 … RT3, depth and stencil: Valient's layout.
-void make_killzone2(graph::FrameGraph& graph, VkExtent2D extent, bool, bool, GBuffer& out) {
+void make_killzone2(graph::FrameGraph& graph, const gpu::Raster& raster, bool, bool, GBuffer& out) {
     out.surface.format.normals = NormalEncoding::xy16f;
     out.surface.format.view_space = true;
     out.surface.format.stencil = true;
-    out.surface.depth = graph.image("depth", extent, {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT});
-    out.surface.normal = graph.image("normal", {VK_FORMAT_R16G16_SFLOAT, extent});
-    out.motion = graph.image("motion and specular", {VK_FORMAT_R8G8B8A8_UNORM, extent});
-    out.albedo = graph.image("albedo", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    out.surface.depth = graph.image("depth", raster, {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT});
+    out.surface.normal = graph.image("normal", {VK_FORMAT_R16G16_SFLOAT, raster});
+    out.motion = graph.image("motion and specular", {VK_FORMAT_R8G8B8A8_UNORM, raster});
+    out.albedo = graph.image("albedo", {VK_FORMAT_R8G8B8A8_UNORM, raster});
     out.surface.roughness = out.motion;
 }
 
@@ -29,12 +29,12 @@ bool has_gloss(const Scene& scene) {
 }
 
 /// What the lighting model needs to be exact.
-void make_wide(graph::FrameGraph& graph, VkExtent2D extent, bool stencil, bool gloss, GBuffer& out) {
+void make_wide(graph::FrameGraph& graph, const gpu::Raster& raster, bool stencil, bool gloss, GBuffer& out) {
     out.surface.format.stencil = stencil;
-    out.surface.depth = make_depth(graph, extent, stencil);
-    out.surface.normal = graph.image("normal", {VK_FORMAT_R8G8B8A8_UNORM, extent});
-    out.motion = graph.image("motion", {gloss ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R16G16_SFLOAT, extent});
-    out.albedo = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
+    out.surface.depth = make_depth(graph, raster, stencil);
+    out.surface.normal = graph.image("normal", {VK_FORMAT_R8G8B8A8_UNORM, raster});
+    out.motion = graph.image("motion", {gloss ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R16G16_SFLOAT, raster});
+    out.albedo = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, raster});
     out.surface.roughness = out.surface.normal;
 }
 
@@ -53,22 +53,23 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::View& view, const
     out.surface.format.position_from_ray = format.position_from_ray;
     out.surface.format.specular_antialiasing = format.specular_antialiasing;
     const auto reduced = [&](uint32_t size) { return (size + format.reduction - 1) / format.reduction; };
-    const VkExtent2D extent{reduced(view.extent().width), reduced(view.extent().height)};
+    const auto [width, height] = view.raster().extent;
+    const gpu::Raster raster{{reduced(width), reduced(height)}, view.raster().samples};
     const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
-    make(graph, extent, format.stencil, has_gloss(*view.scene().world().scene), out);
+    make(graph, raster, format.stencil, has_gloss(*view.scene().world().scene), out);
     out.surface.depth_source = out.surface.depth;
     const VkFormat light = format.light_in_bytes ? VK_FORMAT_R8G8B8A8_UNORM
                            : format.wide_light   ? VK_FORMAT_R32G32B32A32_SFLOAT
                                                  : VK_FORMAT_R16G16B16A16_SFLOAT;
-    out.light = graph.image("accumulated light", {light, extent});
+    out.light = graph.image("accumulated light", {light, raster});
 
     out.ambient_apart = format.ambient_apart;
     if (format.ambient_apart) {
         if (view.context().limits().maxColorAttachments < 6)
             throw Error(fmt::format("{}: ambient light apart needs 6 colour attachments, and the device has {}",
                                     view.context().name(), view.context().limits().maxColorAttachments));
-        out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
-        out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, extent});
+        out.ambient = graph.image("ambient light", {VK_FORMAT_R16G16B16A16_SFLOAT, raster});
+        out.mirrored = graph.image("mirrored light", {VK_FORMAT_R16G16B16A16_SFLOAT, raster});
     }
     graph::Pass& pass = graph.pass(format.pass);
     pass.depth_write(out.surface.depth);

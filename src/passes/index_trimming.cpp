@@ -57,6 +57,7 @@ void trim(graph::FrameGraph& graph, const resident::View& view, const std::strin
                                    {CONSTANT_TRIM_AGAIN, source.commands.has_value()}};
     graph::Pass& test = graph.pass(name + " test");
     declare(test, true);
+    test.raster(view.raster());
     test.storage(INPUT_TRIM_OBJECTS, graph.buffer("objects", view.object_buffers()), false)
         .storage(INPUT_TRIM_POSITIONS, graph.buffer("positions", view.scene().geometry().positions), false);
     if (depth)

@@ -12,8 +12,8 @@ gpu::Buffer make_storage(const resident::View& view, const char* name, uint64_t 
     const uint64_t limit = view.context().limits().maxStorageBufferRange;
     if (size > limit)
         throw Error(fmt::format("{}: {} for {} lights and {}x{} pixels need {} bytes, and the device's limit is {}",
-                                view.context().name(), name, view.lights().capacity(), view.extent().width,
-                                view.extent().height, size, limit));
+                                view.context().name(), name, view.lights().capacity(), view.raster().extent.width,
+                                view.raster().extent.height, size, limit));
     return gpu::Buffer(view.context(), name, size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, place);
 }
 

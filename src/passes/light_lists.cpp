@@ -116,6 +116,8 @@ private:
 
     graph::Pass& add(const std::string& name, const gpu::ShaderKey& shader, Groups groups, gpu::Constants own = {}) {
         graph::Pass& pass = graph_.pass(name + ending_);
+        if (inputs_.surface)
+            pass.raster(graph_.raster(inputs_.surface->depth));
         own.insert(own.end(), constants_.begin(), constants_.end());
         dispatch_lists(pass, view_, buffers_->constants(), shader, own,
                        [groups, constants = buffers_->constants()](const graph::PassContext& context) {
@@ -161,10 +163,10 @@ LightLists build_light_lists(graph::FrameGraph& graph, const resident::View& vie
     layout.lights.w = mask_words(std::min<uint64_t>(view.lights().capacity(), inputs.rounds.lights));
     LightGrid grid;
     if (inputs.surface) {
-        const uint32_t across = groups_of(view.extent().width, inputs.tile_size);
-        const uint32_t down = groups_of(view.extent().height, inputs.tile_size);
+        const auto [width, height] = graph.raster(inputs.surface->depth).extent;
+        const uint32_t across = groups_of(width, inputs.tile_size), down = groups_of(height, inputs.tile_size);
         layout.cells = {across, down, 1, 0};
-        layout.blocks = {groups_of(view.extent().width, LIT_BLOCK), groups_of(view.extent().height, LIT_BLOCK), 1, 0};
+        layout.blocks = {groups_of(width, LIT_BLOCK), groups_of(height, LIT_BLOCK), 1, 0};
         layout.coarse = {groups_of(across, LIST_COARSE_TILES), groups_of(down, LIST_COARSE_TILES), 1, 0};
     } else {
         grid = light_grid(view.scene().geometry().draws);

@@ -25,7 +25,8 @@ void light_pass(graph::FrameGraph& graph, const resident::View& view, const std:
 }
 
 graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::View& view, LightingInputs inputs) {
-    inputs.target = make_light_counts(graph, view, inputs.lists && inputs.lists->walk == LightWalk::compute);
+    inputs.target =
+        make_light_counts(graph, view, inputs.surface.depth, inputs.lists && inputs.lists->walk == LightWalk::compute);
     inputs.count_pairs = false;
     light_pass(graph, view, "light-count", inputs);
     return inputs.target.images[0];

@@ -77,7 +77,7 @@ LightScale::LightScale(const resident::View& view, const FixedPoint& form, bool 
     for (gpu::Buffer& result : shared_->results)
         result = gpu::Buffer(view.context(), "light scale", sizeof(shared::LightScaleResult),
                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::readback);
-    shared_->pixels = uint64_t(view.extent().width) * view.extent().height;
+    shared_->pixels = uint64_t(view.raster().extent.width) * view.raster().extent.height;
     if (measured)
         shared_->histogram = gpu::make_device_buffer(
             view.context(), "light histogram",
@@ -101,7 +101,7 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::View& view, c
     if (deferred)
         peaks.sample(INPUT_COLOUR_BEFORE, lighting.target.images[0]);
     peaks.storage(INPUT_LIGHT_HISTOGRAM, histogram, true);
-    const uint32_t step = shared::light_sample_step(view.extent().width, view.extent().height);
+    const uint32_t step = shared::light_sample_step(view.raster().extent.width, view.raster().extent.height);
     gpu::Constants constants = lighting_constants(view, inputs);
     constants.emplace_back(CONSTANT_LIGHT_SAMPLE_STEP, step);
     dispatches(
@@ -110,7 +110,7 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::View& view, c
                                                   const gpu::ComputePipeline& pipeline) {
             const auto lights = static_cast<uint32_t>(view.light_groups().order.size());
             pipeline.push(context.commands, std::as_bytes(std::span(&lights, 1)));
-            const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : view.extent();
+            const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : view.raster().extent;
             vkCmdDispatch(context.commands, groups_of(all.width, side), groups_of(all.height, side), 1);
         },
         sizeof(uint32_t));
@@ -141,13 +141,14 @@ void LightScale::count_clipped(graph::FrameGraph& graph, const resident::View& v
         shared->results[turn.slot].mapped<shared::LightScaleResult>()->clipped = 0;
     });
     graph::Pass& pass = graph.pass("light-clipping");
-    pass.sample(INPUT_DIFFUSE_LIGHT, first)
+    pass.raster(graph.raster(first))
+        .sample(INPUT_DIFFUSE_LIGHT, first)
         .sample(INPUT_SPECULAR_LIGHT, second)
         .storage(INPUT_LIGHT_SCALE, graph.buffer("light scale", shared_->results), true);
     dispatches(pass, view, "light_clipping.comp",
                {{CONSTANT_CLIPPING_FIRST, form_.first}, {CONSTANT_CLIPPING_SECOND, form_.second}},
                [&view](const graph::PassContext& context, const gpu::ComputePipeline&) {
-                   const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : view.extent();
+                   const VkExtent2D all = context.one_pixel ? VkExtent2D{1, 1} : view.raster().extent;
                    vkCmdDispatch(context.commands, groups_of(all.width, LIGHT_CLIP_GROUP),
                                  groups_of(all.height, LIGHT_CLIP_GROUP), 1);
                });

@@ -7,24 +7,24 @@ namespace prelight::passes {
 namespace {
 
 /// The next format is taken where the device cannot draw into one, or not blend in it.
-graph::ImageId target(graph::FrameGraph& graph, const resident::View& view, const char* name, LightBufferFormat format,
-                      bool wide) {
+graph::ImageId target(graph::FrameGraph& graph, const gpu::Context& context, const gpu::Raster& raster,
+                      const char* name, LightBufferFormat format, bool wide) {
     if (wide)
-        return graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.extent()});
+        return graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, raster});
     switch (format) {
     case LightBufferFormat::r11g11b10f:
-        if (view.context().supports(VK_FORMAT_B10G11R11_UFLOAT_PACK32, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
-            return graph.image(name, {VK_FORMAT_B10G11R11_UFLOAT_PACK32, view.extent()});
-        graph.note(fmt::format("{}: R11G11B10F does not blend on {}, RGBA16F is taken", name, view.context().name()));
+        if (context.supports(VK_FORMAT_B10G11R11_UFLOAT_PACK32, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
+            return graph.image(name, {VK_FORMAT_B10G11R11_UFLOAT_PACK32, raster});
+        graph.note(fmt::format("{}: R11G11B10F does not blend on {}, RGBA16F is taken", name, context.name()));
         break;
     case LightBufferFormat::rgb10a2:
-        return graph.image(name, view.extent(), {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM});
+        return graph.image(name, raster, {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_R8G8B8A8_UNORM});
     case LightBufferFormat::rgba8:
-    case LightBufferFormat::packed_rgba8: return graph.image(name, {VK_FORMAT_R8G8B8A8_UNORM, view.extent()});
+    case LightBufferFormat::packed_rgba8: return graph.image(name, {VK_FORMAT_R8G8B8A8_UNORM, raster});
     case LightBufferFormat::rgba16f:
     case LightBufferFormat::packed_rgba16f: break;
     }
-    return graph.image(name, {VK_FORMAT_R16G16B16A16_SFLOAT, view.extent()});
+    return graph.image(name, {VK_FORMAT_R16G16B16A16_SFLOAT, raster});
 }
 
 /// What the shader rounds to.
@@ -47,45 +47,48 @@ bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R32G32B32A32_UINT;
 }
 
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model, bool pair,
-                              bool wide) {
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
+                              const LightModel& model, bool pair, bool wide) {
+    const gpu::Raster& raster = graph.raster(surface.depth);
     LightBuffer out;
     if (pair) {
-        out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, view.extent()});
+        out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, raster});
         out.target = {.variant = gpu::Variant::light_pair,
                       .images = {out.diffuse},
                       .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
         return out;
     }
     wide = wide && !model.fixed_point();
-    out.diffuse = out.specular = target(graph, view, "diffuse light", model.buffer, wide);
+    out.diffuse = out.specular = target(graph, view.context(), raster, "diffuse light", model.buffer, wide);
     out.target.images = {out.diffuse};
     out.target.constants = {{CONSTANT_LIGHT_STORAGE, storage_of(graph.desc(out.diffuse).format)}};
     if (model.specular == SpecularWay::fifth_channel)
         out.specular = graph.image("fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM
                                                      : wide              ? VK_FORMAT_R32_SFLOAT
                                                                          : VK_FORMAT_R16_SFLOAT,
-                                                     view.extent()});
+                                                     raster});
     else if (model.packed())
         out.target.variant = gpu::Variant::one_target;
     else
-        out.specular = target(graph, view, "specular light", model.buffer, wide);
+        out.specular = target(graph, view.context(), raster, "specular light", model.buffer, wide);
     if (out.specular != out.diffuse)
         out.target.images.push_back(out.specular);
     return out;
 }
 
-graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::View& view, bool stored) {
+graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
+                                 bool stored) {
     const auto can = [&](VkFormat format) {
         return view.context().supports(format, stored ? VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT
                                                       : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT);
     };
     const VkFormat wider = stored ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
-    return graph.image("light count", {can(VK_FORMAT_R32G32_SFLOAT) ? VK_FORMAT_R32G32_SFLOAT : wider, view.extent()});
+    return graph.image("light count",
+                       {can(VK_FORMAT_R32G32_SFLOAT) ? VK_FORMAT_R32G32_SFLOAT : wider, graph.raster(depth)});
 }
 
-LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& view, bool stored) {
-    return {.variant = gpu::Variant::count_target, .images = {light_count_image(graph, view, stored)}};
+LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth, bool stored) {
+    return {.variant = gpu::Variant::count_target, .images = {light_count_image(graph, view, depth, stored)}};
 }
 
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
@@ -95,7 +98,8 @@ void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const Lightin
 }
 
 void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
-    pass.sample(INPUT_DEPTH, inputs.surface.depth_source)
+    pass.raster(graph.raster(inputs.surface.depth))
+        .sample(INPUT_DEPTH, inputs.surface.depth_source)
         .sample(INPUT_NORMAL, inputs.surface.normal)
         .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
     if (inputs.surface.format.roughness_in_stencil)
@@ -132,9 +136,7 @@ gpu::GraphicsPipelineDesc lighting_pipeline(const resident::View& view, const gr
     gpu::GraphicsPipelineDesc desc;
     desc.fragment = lighting_shader(inputs, fragment);
     desc.constants = lighting_constants(view, inputs);
-    desc.colour_formats = interface.colour_formats;
-    desc.depth_format = interface.depth_format;
-    desc.stencil_format = interface.stencil_format;
+    desc.attachments = interface.attachments;
     desc.sets = {view.layout(), interface.inputs};
     return desc;
 }

@@ -43,16 +43,18 @@ struct LightBuffer {
 bool is_pair_of_halves(const LightModel& model);
 /// `pair`: one image of pairs (is_light_pair()), where is_pair_of_halves() and compute_walks(). `wide`: full floats in
 /// the place of half floats and smaller ones, for sums of many lights.
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model,
-                              bool pair = false, bool wide = false);
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
+                              const LightModel& model, bool pair = false, bool wide = false);
 /// An image of pairs: four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel
 /// (shaders/shared/light_pair.glsl), which only a light pass that writes each pixel once can fill.
 bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image);
 
 /// Lights evaluated in R, contributing in G, for --view light-count: full floats, for half floats count to 2,048.
 /// `stored`: a compute pass writes them; else they are blended.
-graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::View& view, bool stored = false);
-LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& view, bool stored);
+/// A count for each pixel of `depth`.
+graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
+                                 bool stored = false);
+LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth, bool stored);
 
 /// The inputs as the pass's attachments and bindings.
 void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);

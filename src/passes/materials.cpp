@@ -60,13 +60,13 @@ graph::ImageId material_pass(graph::FrameGraph& graph, const resident::View& vie
 graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                               bool specular) {
     const char* name = specular ? "specular-sum" : "diffuse-sum";
-    const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.extent()});
+    const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.raster()});
     draw(graph, view, inputs, name, target, specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM);
     return target;
 }
 
 graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs) {
-    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.extent()});
+    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.raster()});
     draw(graph, view, inputs, "albedo", target, MATERIAL_OUTPUT_ALBEDO);
     return target;
 }

@@ -32,7 +32,7 @@ public:
         gpu::GraphicsPipelineDesc desc;
         desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), 3 * sizeof(glm::vec4)};
         desc.instance_binding = caster_rows;
-        desc.depth_format = shadow_format;
+        desc.attachments.depth = shadow_format;
         desc.depth = gpu::DepthTest::write_nearer;
         desc.push_bytes = sizeof(shared::ShadowTileConstants);
         desc.push_stage = VK_SHADER_STAGE_VERTEX_BIT;
@@ -40,7 +40,7 @@ public:
         desc.sets = {view.layout(), inputs, view.scene().materials().layout};
         clear_ = gpu::GraphicsPipeline(view.context(), {.name = "shadow tile clear",
                                                         .vertex = "fullscreen.vert",
-                                                        .depth_format = shadow_format,
+                                                        .attachments = {.colours = {}, .depth = shadow_format},
                                                         .depth = gpu::DepthTest::overwrite});
         for (const Draw& draw : view.scene().geometry().draws) {
             const uint32_t features = key(draw);

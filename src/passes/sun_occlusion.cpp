@@ -18,7 +18,7 @@ public:
         add_shadow_constants(desc.constants, view);
         desc.constants.emplace_back(CONSTANT_LIGHT_KINDS, view.lights().kinds());
         desc.blend = gpu::Blend::alpha_only;
-        desc.colour_formats = interface.colour_formats;
+        desc.attachments = interface.attachments;
         desc.sets = {view.layout(), interface.inputs};
         pipeline_ = gpu::GraphicsPipeline(view.context(), desc);
         if (shadows.reused)

@@ -63,10 +63,9 @@ SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterfac
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
                                sizeof(shared::ObjectData)};
     pipeline.instance_binding = objects;
-    pipeline.colour_formats = interface.colour_formats;
-    pipeline.depth_format = interface.depth_format;
-    pipeline.stencil_format = interface.stencil_format;
-    pipeline.stencil = interface.stencil_format == VK_FORMAT_UNDEFINED ? gpu::Stencil::none : gpu::Stencil::exported;
+    pipeline.attachments = interface.attachments;
+    pipeline.stencil =
+        interface.attachments.stencil == VK_FORMAT_UNDEFINED ? gpu::Stencil::none : gpu::Stencil::exported;
     pipeline.depth = desc.depth;
     pipeline.blend = desc.blend;
     pipeline.push_bytes = desc.push_bytes;

@@ -10,9 +10,9 @@ graph::ImageId picture_image(graph::FrameGraph& graph, const resident::View& vie
         !view.context().is_software() &&
         view.context().supports(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT);
     return display ? graph.image("final",
-                                 {target_encodes ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, view.extent()})
+                                 {target_encodes ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, view.raster()})
                    : graph.image("linear",
-                                 {wide ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT, view.extent()});
+                                 {wide ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT, view.raster()});
 }
 
 gpu::Constants display_constants(Display display, VkFormat target) {

@@ -7,7 +7,7 @@ namespace prelight::passes {
 
 graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name, ViewKind kind,
                          const SurfaceBuffers& surface, graph::ImageId buffer) {
-    const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, view.extent()});
+    const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, view.raster()});
     graph::Pass& pass = graph.pass("view-" + name);
     const bool pair = is_light_pair(graph, buffer);
     pass.colour(target, graph::Load::discard)

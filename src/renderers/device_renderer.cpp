@@ -239,6 +239,7 @@ Stats DeviceRenderer::stats() const {
     stats.device = context_.name();
     stats.driver = context_.driver();
     stats.settings = settings_.all();
+    stats.choices = settings_.choices();
     stats.shading = settings_.shading();
     stats.notes = graph_->notes();
     for (std::string& note : resident::notes_on_large_textures(*world_->scene, context_.limits().maxImageDimension2D))
@@ -296,7 +297,7 @@ Image DeviceRenderer::read(std::string_view view) {
         throw UsageError(fmt::format("--view {}: was not asked for when the renderer was made", view));
     const graph::ImageDesc& desc = graph_->desc(found->second);
     queue_->drain();
-    return unpack(graph_->read_back(found->second), desc.format, desc.extent);
+    return unpack(graph_->read_back(found->second), desc.format, desc.raster.extent);
 }
 
 } // namespace prelight

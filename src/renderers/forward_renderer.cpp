@@ -63,7 +63,7 @@ void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, cons
     if (wants("light-count")) {
         passes::ForwardInputs counts{.name = "light-count",
                                      .depth = depth,
-                                     .colour = passes::light_count_image(graph, view),
+                                     .colour = passes::light_count_image(graph, view, depth),
                                      .kinds = {passes::StepKind::lights},
                                      .plan =
                                          [](const resident::LightReach& reach) {

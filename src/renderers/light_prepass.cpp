@@ -41,10 +41,8 @@ void choose_roughness(Settings& settings, const Device& device) {
             "--set roughness=stencil: light-culling=stencil marks lights there (any other value does not)");
     if (dynamic_cast<const gpu::Context&>(device).features().stencil_export)
         return;
-    settings.resolve("roughness", "normal");
-    settings.note(
-        fmt::format("roughness=stencil: {} has no VK_EXT_shader_stencil_export that can be relied on, normal is taken",
-                    device.name()));
+    settings.fall_back("roughness", "normal",
+                       device.name() + " has no VK_EXT_shader_stencil_export that can be relied on");
 }
 
 class LightPrepass final : public DeviceRenderer {
@@ -75,7 +73,7 @@ private:
         const passes::ScreenListOptions lists = screen_list_options(settings());
         const bool pair =
             passes::is_pair_of_halves(model_) && !light_sums().wide() && passes::compute_walks(view, lists.shading);
-        const auto light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide());
+        const auto light = passes::make_light_buffer(graph, view, surface, model_, pair, light_sums().wide());
         passes::LightingInputs lighting{.surface = surface,
                                         .model = model_,
                                         .target = light.target,

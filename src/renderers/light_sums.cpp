@@ -25,7 +25,8 @@ void LightSums::choose(Settings& settings, graph::FrameGraph& graph, const gpu::
             "light-sums: RGBA32F does not blend on {}, up to {} lights are added up in half floats, which lose "
             "some of the light (light-culling=tiles and lights=grid do not)",
             context.name(), adds));
-    settings.resolve("light-sums", wide_ ? "float32" : "target");
+    settings.resolve("light-sums", wide_ ? "float32" : "target",
+                     wanted == wide_ ? fmt::format("up to {} lights are added up", adds) : "RGBA32F does not blend");
 }
 
 bool LightSums::holds(uint32_t adds) const {

@@ -26,9 +26,9 @@ private:
     uint64_t draws(const resident::View& view) const override { return view.visible().draws.size(); }
 
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
-        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, view.extent()});
+        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, view.raster()});
         // What encodes while it stores saves the shader a power for each channel.
-        const auto final = graph.image("final", view.extent(), {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM});
+        const auto final = graph.image("final", view.raster(), {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM});
         graph.pass("plain-forward")
             .colour(final, graph::Load::clear)
             .depth_write(depth)
@@ -43,8 +43,7 @@ private:
         gpu::GraphicsPipelineDesc desc;
         desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(shared::ObjectData)};
         desc.instance_binding = 2;
-        desc.colour_formats = interface.colour_formats;
-        desc.depth_format = interface.depth_format;
+        desc.attachments = interface.attachments;
         desc.depth = gpu::DepthTest::write_nearer;
         desc.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
         for (const resident::Draw& draw : view.scene().geometry().draws) {
@@ -69,7 +68,7 @@ private:
             }
             desc.constants = {{CONSTANT_MATERIAL_FEATURES, kind},
                               {CONSTANT_TONEMAP, static_cast<uint32_t>(options().tonemap)},
-                              {CONSTANT_TARGET_ENCODES, desc.colour_formats[0] == VK_FORMAT_R8G8B8A8_SRGB}};
+                              {CONSTANT_TARGET_ENCODES, desc.attachments.colours[0] == VK_FORMAT_R8G8B8A8_SRGB}};
             pipelines_.emplace(kind, gpu::GraphicsPipeline(view.context(), desc));
         }
     }

@@ -214,10 +214,11 @@ ScreenBounds ScreenBoundsOf::operator()(const PlacedLight& placed) const {
     return out;
 }
 
-shared::LightScreenBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants) {
+shared::LightScreenBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants,
+                                       VkExtent2D extent) {
     // Vertices snap to a sixteenth of a pixel or finer, and float clip space is as coarse in pictures
     // of thousands of pixels.
-    const double pad_x = 0.125 * double(constants.size.z), pad_y = 0.125 * double(constants.size.w);
+    const double pad_x = 0.125 / extent.width, pad_y = 0.125 / extent.height;
     const auto device_depth = [&](double z, double sign) {
         const double w = double(constants.forward.w) > 0.5 ? z : 1.0;
         const double offset = constants.depth.y, slope = constants.depth.x;

@@ -42,6 +42,7 @@ inline ScreenBounds screen_bounds(const PlacedLight& light, const PlacedCamera& 
 }
 
 /// The device's record: cut to the picture, with room for what rounding does to pixels and depth.
-shared::LightScreenBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants);
+shared::LightScreenBounds light_bounds(const ScreenBounds& bounds, const shared::FrameConstants& constants,
+                                       VkExtent2D extent);
 
 } // namespace prelight::resident

@@ -132,10 +132,10 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
 }
 
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, LightCulling culling, bool depth_clamp,
-                         bool spot_boxes) {
+                         const shared::FrameConstants& constants, VkExtent2D extent, LightCulling culling,
+                         bool depth_clamp, bool spot_boxes) {
     const bool rectangles = culling == LightCulling::rectangles, lists = builds_lists(culling);
-    const ScreenBoundsOf screen_bounds(camera, double(constants.size.x) / double(constants.size.y));
+    const ScreenBoundsOf screen_bounds(camera, double(extent.width) / extent.height);
     std::vector<shared::LightScreenBounds> bounds(rectangles ? lights.size() : 0);
     std::array<std::vector<uint32_t>, light_group_count> members;
     LightGroups groups;
@@ -153,7 +153,7 @@ LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera
                 const ScreenBounds screen = screen_bounds(light);
                 if (screen.empty())
                     continue;
-                bounds[i] = light_bounds(screen, constants);
+                bounds[i] = light_bounds(screen, constants, extent);
             }
             if (lists) {
                 group = LightGroup::listed;

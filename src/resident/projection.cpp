@@ -56,7 +56,6 @@ void fill_camera(shared::FrameConstants& constants, const PlacedCamera& placed, 
     constants.ray_up = glm::vec4(-up * half_height, 0);
     constants.forward = glm::vec4(forward, perspective ? 1 : 0);
     constants.depth = glm::vec4(map.scale, map.offset, 0, 0);
-    constants.size = glm::vec4(width, height, 1.0 / width, 1.0 / height);
 }
 
 } // namespace prelight::resident

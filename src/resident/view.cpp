@@ -153,7 +153,8 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
     const Slot& target = slots_[slot];
     shared::FrameConstants next{};
     eye_ = camera.position;
-    fill_camera(next, camera, extent().width, extent().height);
+    const VkExtent2D extent = raster().extent;
+    fill_camera(next, camera, extent.width, extent.height);
     // One light is clamped at the largest half float, and what is stored is divided by light_scale, so
     // that blended sums of that many such lights stay finite.
     const World& world = scene_.world();
@@ -165,14 +166,14 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
 
     const double start = thread_ms();
     const std::span trimmed(trimmed_[slot].mapped<uint32_t>(), trimmed_[slot].size() / sizeof(uint32_t));
-    find_visible(visible_, scene_.geometry(), world, next, eye_, context().limits().subPixelPrecisionBits,
+    find_visible(visible_, scene_.geometry(), world, next, extent, eye_, context().limits().subPixelPrecisionBits,
                  settings_.draws,
                  {objects_[slot].mapped<shared::ObjectData>(), target.commands.mapped<VkDrawIndexedIndirectCommand>(),
                   trimmed, most_trimmed});
     if (device_trimming_)
         device_trimming_->update(slot, visible_, scene_.geometry());
     const double objects_end = thread_ms();
-    groups_ = group_lights(lights_.placed(), camera, next, settings_.culling, context().features().depth_clamp,
+    groups_ = group_lights(lights_.placed(), camera, next, extent, settings_.culling, context().features().depth_clamp,
                            settings_.volumes.spot_boxes);
     std::copy(groups_.order.begin(), groups_.order.end(), target.order.mapped<uint32_t>());
     std::copy(groups_.bounds.begin(), groups_.bounds.end(), target.bounds.mapped<shared::LightScreenBounds>());
@@ -187,7 +188,7 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
 }
 
 void View::update_shadows(const PlacedCamera& camera, shared::FrameConstants& constants) {
-    shadows_->update(lights_.placed(), groups_.order, camera, extent().width, extent().height);
+    shadows_->update(lights_.placed(), groups_.order, camera, raster().extent.width, raster().extent.height);
     if (const auto sun = shadows_->sun())
         constants.sun = glm::vec4(sun->first_tile + 1, sun->light, 0, 0);
     const std::vector<shared::ShadowData>& records = shadows_->records();

@@ -48,7 +48,8 @@ public:
     const GpuScene& scene() const { return scene_; }
     const gpu::Context& context() const { return scene_.context(); }
     const LightSet& lights() const { return lights_; }
-    VkExtent2D extent() const { return settings_.raster.extent; }
+    /// Of the picture. What a pass writes has the raster of what it reads, where it reads a surface by pixel.
+    const gpu::Raster& raster() const { return settings_.raster; }
 
     /// The lights that the camera of the last update() may see, by how they are drawn.
     const LightGroups& light_groups() const { return groups_; }

@@ -83,7 +83,7 @@ bool may_show(const Draw& draw, const glm::mat4& clip_from_world, glm::dvec3 eye
 }
 
 void find_visible(VisibleDraws& out, const Geometry& geometry, const World& world,
-                  const shared::FrameConstants& constants, glm::dvec3 eye, uint32_t subpixel_bits,
+                  const shared::FrameConstants& constants, VkExtent2D extent, glm::dvec3 eye, uint32_t subpixel_bits,
                   const DrawOptions& options, const DrawBuffers& buffers) {
     const std::vector<Draw>& all = geometry.draws;
     out.draws.clear();
@@ -95,7 +95,8 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
             out.draws.push_back({d, 0, all[d].first_index, all[d].index_count});
     sort_by_distance(out.draws, all, eye, glm::dvec3(constants.forward));
 
-    IndexTrimmer trimmer({constants.clip_from_world, constants.size.x, constants.size.y, subpixel_bits});
+    IndexTrimmer trimmer({constants.clip_from_world, static_cast<float>(extent.width),
+                          static_cast<float>(extent.height), subpixel_bits});
     size_t used = 0, device_used = 0;
     uint32_t kept = 0;
     for (VisibleDraw one : out.draws) {

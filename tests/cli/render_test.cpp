@@ -127,6 +127,9 @@ TEST(Render, StatsHoldWhatTheContractNames) {
     EXPECT_TRUE(stats.at("preset").is_null());
     EXPECT_TRUE(stats.at("settings").is_object());
     EXPECT_GE(stats.at("settings").size(), 1u);
+    EXPECT_EQ(stats.at("choices").at(0).at("setting"), "index-trimming");
+    EXPECT_EQ(stats.at("choices").at(0).at("asked"), "auto");
+    EXPECT_TRUE(stats.at("choices").at(0).at("why").is_string());
     EXPECT_EQ(stats.at("size"), Json({64, 36}));
     EXPECT_EQ(stats.at("msaa"), 1);
     EXPECT_EQ(stats.at("shading"), "ggx");

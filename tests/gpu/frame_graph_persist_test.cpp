@@ -61,7 +61,7 @@ TEST_P(FrameGraphPersistTest, AColourImageIsEmptyBeforeItsFirstFrame) {
     pass.colour(image, Load::keep).sample(0, early);
     auto program = std::make_shared<std::unique_ptr<Program>>();
     pass.prepare([=, this](const graph::PassInterface& interface) {
-        *program = std::make_unique<Program>(context(), "constant.frag", interface.inputs, interface.colour_formats);
+        *program = std::make_unique<Program>(context(), "constant.frag", interface.inputs, interface.attachments);
     });
     pass.record([=, &column](const graph::PassContext& c) {
         const VkRect2D one{{column, 0}, {1, 32}};
@@ -93,7 +93,7 @@ TEST_P(FrameGraphPersistTest, DrawsBetweenThePassesOwn) {
     pass.colour(target, Load::clear, {9}).draws_between(0, maps).sample(1, zero).sample(2, zero);
     std::optional<Program> program;
     pass.prepare([&](const graph::PassInterface& interface) {
-        program.emplace(context(), "mix.frag", interface.inputs, interface.colour_formats);
+        program.emplace(context(), "mix.frag", interface.inputs, interface.attachments);
     });
     pass.record([&](const graph::PassContext& now) {
         for (int strip = 0; strip < 3; ++strip) { // the fourth stays cleared

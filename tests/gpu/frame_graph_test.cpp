@@ -139,7 +139,7 @@ TEST_P(FrameGraphTest, ImagesThatAreAliveTogetherNeverOverlap) {
         graph.compile();
         shared += graph.memory_bytes();
         for (const ImageId image : images)
-            sum += uint64_t(graph.desc(image).extent.width) * graph.desc(image).extent.height * 4;
+            sum += uint64_t(graph.raster(image).extent.width) * graph.raster(image).extent.height * 4;
         for (int frame = 0; frame < 2; ++frame) {
             run_frame(context(), graph);
             for (const size_t k : kept)
@@ -162,9 +162,8 @@ TEST_P(FrameGraphTest, LoadKeepsOrClears) {
         pass.colour(image, load, {16, 16, 16, 16});
         auto program = std::make_shared<std::unique_ptr<Program>>();
         pass.prepare([=, this](const graph::PassInterface& interface) {
-            EXPECT_THAT(interface.colour_formats, ElementsAre(colours.format));
-            *program =
-                std::make_unique<Program>(context(), "constant.frag", interface.inputs, interface.colour_formats);
+            EXPECT_THAT(interface.attachments.colours, ElementsAre(colours.format));
+            *program = std::make_unique<Program>(context(), "constant.frag", interface.inputs, interface.attachments);
         });
         pass.record([=](const graph::PassContext& c) {
             EXPECT_EQ(c.extent.width, 64);

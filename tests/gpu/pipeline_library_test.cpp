@@ -11,7 +11,7 @@ gpu::GraphicsPipelineDesc tonemap_like() {
     return {.name = "a",
             .vertex = "fullscreen.vert",
             .fragment = "background.frag",
-            .colour_formats = {VK_FORMAT_R8G8B8A8_UNORM}};
+            .attachments = {.colours = {VK_FORMAT_R8G8B8A8_UNORM}}};
 }
 
 class Library : public OnDevice {
@@ -57,9 +57,9 @@ TEST_F(Library, EqualPipelinesAreBuiltOnce) {
              [](auto& d) {
                  d.constants = {{0, 1}};
              },
-             [](auto& d) { d.colour_formats = {VK_FORMAT_R16G16B16A16_SFLOAT}; },
-             [](auto& d) { d.depth_bounds = true; }, [](auto& d) { d.slope_bias = 1; },
-             [](auto& d) { d.push_stage = VK_SHADER_STAGE_VERTEX_BIT; },
+             [](auto& d) { d.attachments.colours = {VK_FORMAT_R16G16B16A16_SFLOAT}; },
+             [](auto& d) { d.attachments.samples = 4; }, [](auto& d) { d.depth_bounds = true; },
+             [](auto& d) { d.slope_bias = 1; }, [](auto& d) { d.push_stage = VK_SHADER_STAGE_VERTEX_BIT; },
              [](auto& d) { d.attributes = {{.offset = 4}}; }, [](auto& d) { d.blend = gpu::Blend::add; }}) {
         desc = tonemap_like();
         change(desc);

@@ -27,7 +27,7 @@ VkPipelineShaderStageCreateInfo stage_info(VkShaderStageFlagBits stage, VkShader
 } // namespace
 
 Program::Program(const gpu::Context& context, std::string_view shader, VkDescriptorSetLayout set,
-                 std::span<const VkFormat> colour_formats) {
+                 const gpu::Attachments& attachments) {
     const VkPushConstantRange range{push_stages, 0, 16};
     VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     info.setLayoutCount = 1;
@@ -38,10 +38,10 @@ Program::Program(const gpu::Context& context, std::string_view shader, VkDescrip
     gpu::check(vkCreatePipelineLayout(context.device(), &info, nullptr, &layout), shader);
     layout_ = {context.device(), layout};
     const gpu::UniqueShaderModule code = make_module(context, gpu::find_test_shader(std::string(shader)));
-    if (colour_formats.empty())
+    if (attachments.colours.empty())
         make_compute(context, code);
     else
-        make_graphics(context, code, colour_formats);
+        make_graphics(context, code, attachments);
 }
 
 void Program::make_compute(const gpu::Context& context, VkShaderModule shader) {
@@ -54,8 +54,7 @@ void Program::make_compute(const gpu::Context& context, VkShaderModule shader) {
     pipeline_ = {context.device(), handle};
 }
 
-void Program::make_graphics(const gpu::Context& context, VkShaderModule shader,
-                            std::span<const VkFormat> colour_formats) {
+void Program::make_graphics(const gpu::Context& context, VkShaderModule shader, const gpu::Attachments& attachments) {
     point_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
     const gpu::UniqueShaderModule vertex = make_module(context, gpu::find_shader("fullscreen.vert"));
     const std::array stages{stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex),
@@ -68,10 +67,10 @@ void Program::make_graphics(const gpu::Context& context, VkShaderModule shader,
     VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.lineWidth = 1;
     VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(attachments.samples);
     VkPipelineColorBlendAttachmentState write_all{};
     write_all.colorWriteMask = 0xf;
-    const std::vector<VkPipelineColorBlendAttachmentState> writes(colour_formats.size(), write_all);
+    const std::vector<VkPipelineColorBlendAttachmentState> writes(attachments.colours.size(), write_all);
     VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blend.attachmentCount = static_cast<uint32_t>(writes.size());
     blend.pAttachments = writes.data();
@@ -80,8 +79,8 @@ void Program::make_graphics(const gpu::Context& context, VkShaderModule shader,
     dynamic.dynamicStateCount = static_cast<uint32_t>(states.size());
     dynamic.pDynamicStates = states.data();
     VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
-    rendering.colorAttachmentCount = static_cast<uint32_t>(colour_formats.size());
-    rendering.pColorAttachmentFormats = colour_formats.data();
+    rendering.colorAttachmentCount = static_cast<uint32_t>(attachments.colours.size());
+    rendering.pColorAttachmentFormats = attachments.colours.data();
     VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
     info.stageCount = static_cast<uint32_t>(stages.size());
     info.pStages = stages.data();
@@ -114,7 +113,7 @@ void run_program(graph::Pass& pass, const gpu::Context& context, const std::stri
                  uint32_t groups_x, uint32_t groups_y) {
     auto program = std::make_shared<std::unique_ptr<Program>>();
     pass.prepare([=, &context](const graph::PassInterface& interface) {
-        *program = std::make_unique<Program>(context, shader, interface.inputs, interface.colour_formats);
+        *program = std::make_unique<Program>(context, shader, interface.inputs, interface.attachments);
     });
     pass.record([=](const graph::PassContext& pass_context) {
         (*program)->run(pass_context.commands, pass_context.inputs, push, groups_x, groups_y);

@@ -17,16 +17,16 @@ namespace prelight {
 /// floats. The test shaders are small on purpose: what a pass computes here can be done in the head.
 class Program {
 public:
-    /// A .comp shader when `colour_formats` is empty, else a .frag shader that draws everywhere.
+    /// A .comp shader without `attachments`, else a .frag shader that draws everywhere.
     Program(const gpu::Context& context, std::string_view shader, VkDescriptorSetLayout set,
-            std::span<const VkFormat> colour_formats = {});
+            const gpu::Attachments& attachments = {});
     /// One workgroup for each of x × y × 1, or one full-screen triangle.
     void run(VkCommandBuffer commands, VkDescriptorSet set, std::array<float, 4> push = {}, uint32_t groups_x = 1,
              uint32_t groups_y = 1) const;
 
 private:
     void make_compute(const gpu::Context& context, VkShaderModule shader);
-    void make_graphics(const gpu::Context& context, VkShaderModule shader, std::span<const VkFormat> colour_formats);
+    void make_graphics(const gpu::Context& context, VkShaderModule shader, const gpu::Attachments& attachments);
     gpu::UniquePipelineLayout layout_;
     gpu::UniquePipeline pipeline_;
     VkPipelineBindPoint point_ = VK_PIPELINE_BIND_POINT_COMPUTE;

@@ -139,7 +139,7 @@ TEST(LightPrepassPresets, AWayOfPhongIsNotTakenInGgxAndThatIsSaid) {
     const Rendered ours = render_with(garden.world, garden.camera, options_for("engel", Shading::ggx));
     EXPECT_EQ(ours.stats.settings.at("specular"), "stored");
     ASSERT_EQ(ours.stats.notes.size(), 1u);
-    EXPECT_THAT(ours.stats.notes[0], testing::HasSubstr("specular=luminance is for phong"));
+    EXPECT_THAT(ours.stats.notes[0], testing::HasSubstr("specular=luminance: is a way of --shading phong"));
 }
 
 TEST(LightPrepassPresets, PrelightingPutsNormalsIntoTheMemoryOfTheFrame) {
@@ -171,7 +171,7 @@ TEST(LightPrepassPresets, PrelightingReusesShadowMemoryLightByLight) {
     const Stats lists = render_with(garden.world, garden.camera, options).stats;
     EXPECT_EQ(lists.settings.at("shadow-memory"), "atlas");
     EXPECT_THAT(lists.notes,
-                testing::Contains(testing::HasSubstr("shadow-memory=reuse is for lights that are drawn one by one")));
+                testing::Contains(testing::HasSubstr("shadow-memory=reuse: is for lights that are drawn one by one")));
     options.settings["shadow-memory"] = "reuse";
     EXPECT_THROW(create_renderer("light-prepass", &test_device(), options), UsageError);
     expect_validation_clean(test_device());

@@ -137,14 +137,44 @@ TEST(Presets, WhatIsWithoutEffectInTheOtherModelGivesWayAndIsTold) {
     };
     const Stats ggx = stats_of({.width = 16, .height = 16, .shading = Shading::ggx, .preset = "round2"});
     EXPECT_EQ(ggx.settings.at("specular-vector"), "half");
-    EXPECT_THAT(ggx.notes,
-                testing::Contains(HasSubstr("specular-vector=reflection of preset round2: needs --shading phong")));
+    EXPECT_THAT(ggx.notes, testing::Contains(HasSubstr("specular-vector=reflection: needs --shading phong")));
     const Stats tiles =
         stats_of({.width = 16, .height = 16, .preset = "round2", .settings = {{"light-culling", "tiles"}}});
     EXPECT_EQ(tiles.settings.at("volume-depth-test"), "on");
-    EXPECT_THAT(tiles.notes,
-                testing::Contains(HasSubstr("volume-depth-test=off of preset round2: needs light-culling=volumes")));
+    EXPECT_THAT(tiles.notes, testing::Contains(HasSubstr("volume-depth-test=off: needs light-culling=volumes")));
     EXPECT_EQ(tiles.settings.at("model"), "mono");
+}
+
+TEST(Settings, WhatWasChosenIsToldWithItsReason) {
+    Garden garden;
+    const auto choices_of = [&](const std::string& name, const RenderOptions& options) {
+        const auto renderer = create_renderer(name, &test_device(), options);
+        renderer->set_world(garden.world);
+        renderer->render(garden.camera);
+        std::map<std::string, SettingChoice> all;
+        const Stats stats = renderer->stats();
+        for (const SettingChoice& choice : stats.choices) {
+            EXPECT_FALSE(choice.why.empty()) << choice.key;
+            EXPECT_NE(choice.asked, choice.taken) << choice.key;
+            EXPECT_EQ(stats.settings.at(choice.key), choice.taken);
+            all.emplace(choice.key, choice);
+        }
+        for (const auto& [key, value] : stats.settings) // no "auto" is left, and none goes without a reason
+            EXPECT_TRUE(value != "auto" || key == "light-scale") << key;
+        return all;
+    };
+    const auto ours = choices_of("light-prepass", {.width = 16, .height = 16});
+    ASSERT_TRUE(ours.contains("light-culling"));
+    EXPECT_EQ(ours.at("light-culling").asked, "auto");
+    EXPECT_EQ(ours.at("light-culling").taken, "tiles");
+    EXPECT_EQ(ours.at("texture-filter").taken, "trilinear");
+    EXPECT_EQ(ours.at("light-writes").taken, "once");
+    const auto blended =
+        choices_of("light-prepass", {.width = 16, .height = 16, .settings = {{"light-culling", "volumes"}}});
+    EXPECT_FALSE(blended.contains("light-culling")) << "asked for by name";
+    EXPECT_EQ(blended.at("light-writes").taken, "blended");
+    for (const char* name : {"deferred", "multipass", "z-prepass"})
+        choices_of(name, {.width = 16, .height = 16});
 }
 
 } // namespace

@@ -23,7 +23,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HostTimes, lights, culling, objects, record)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShadowStats, budget, texels, lights, lights_reduced, lights_without, smallest,
                                    largest, tiles_drawn, tiles_reused, casters_drawn)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightBufferStats, diffuse_scale, specular_scale, clipped_pixels)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stats, device, driver, settings, shading, notes, lights, triangles, draws,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SettingChoice, key, asked, taken, why)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stats, device, driver, settings, choices, shading, notes, lights, triangles, draws,
                                    triangles_drawn, draws_skipped, triangles_skipped, frames, wall_ms, cpu_ms, gpu_ms,
                                    passes, attachment_bytes, device_bytes, device_bytes_peak, created, host_ms, shadows,
                                    light_buffer, attachment_bytes_unshared, pairs_evaluated, pairs_contributing,

@@ -1,5 +1,4 @@
 #include "draw_settings.hpp"
-#include <fmt/format.h>
 
 namespace prelight {
 
@@ -13,23 +12,23 @@ constexpr ChoiceSetting<IndexTrimming> trimming_setting{
     "index-trimming", trimming_words, "auto",
     "triangles that face away, lie off screen or cover no sample are left out, by the host or in a compute pass", true};
 
+std::string no_first_instance(const gpu::Context& context) {
+    return context.name() + " has no first instance in indirect draws";
+}
+
 void resolve_trimming(Settings& settings, const gpu::Context& context) {
     // A software device's vertices and triangles cost the host more than the test does; a GPU's do not.
     const IndexTrimming best = context.is_software() ? IndexTrimming::host : IndexTrimming::off;
     if (settings.is("index-trimming", "auto"))
-        settings.resolve(trimming_setting, best);
+        settings.resolve(trimming_setting, best,
+                         context.is_software() ? "a software device's triangles cost more than the host's test"
+                                               : "a GPU's triangles cost less than the test");
     if (context.features().first_instance_indirect)
         return;
-    if (settings.value(trimming_setting) == IndexTrimming::device) {
-        settings.resolve(trimming_setting, best);
-        settings.note(fmt::format("index-trimming=device: {} has no first instance in indirect draws, {} is taken",
-                                  context.name(), trimming_setting.word(best)));
-    }
-    if (settings.has("material-trimming") && settings.is("material-trimming", "depth")) {
-        settings.resolve("material-trimming", "off");
-        settings.note(
-            fmt::format("material-trimming=depth: {} has no first instance in indirect draws", context.name()));
-    }
+    if (settings.value(trimming_setting) == IndexTrimming::device)
+        settings.fall_back(trimming_setting.key, trimming_setting.word(best), no_first_instance(context));
+    if (settings.has("material-trimming") && settings.is("material-trimming", "depth"))
+        settings.fall_back("material-trimming", "off", no_first_instance(context));
 }
 
 } // namespace
@@ -66,16 +65,10 @@ void resolve_draw_settings(Settings& settings, const gpu::Context& context) {
     if (!settings.has("draws"))
         return;
     resolve_trimming(settings, context);
-    if (settings.is("draws", "indirect") && !context.features().first_instance_indirect) {
-        settings.resolve("draws", "instanced");
-        settings.note(fmt::format("draws=indirect: {} has no first instance in indirect draws, instanced is taken",
-                                  context.name()));
-    }
-    if (settings.has("occlusion") && settings.is("occlusion", "queries") && !context.features().conditional_rendering) {
-        settings.resolve("occlusion", "off");
-        settings.note(
-            fmt::format("occlusion=queries: {} has no VK_EXT_conditional_rendering, off is taken", context.name()));
-    }
+    if (settings.is("draws", "indirect") && !context.features().first_instance_indirect)
+        settings.fall_back("draws", "instanced", no_first_instance(context));
+    if (settings.has("occlusion") && settings.is("occlusion", "queries") && !context.features().conditional_rendering)
+        settings.fall_back("occlusion", "off", context.name() + " has no VK_EXT_conditional_rendering");
 }
 
 resident::DrawOptions draw_options(const Settings& settings) {

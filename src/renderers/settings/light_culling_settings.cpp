@@ -65,7 +65,10 @@ void choose_light_culling(Settings& settings, const Device& device) {
     }
     const bool lists = dynamic_cast<const gpu::Context&>(device).features().shuffle_lanes > 0;
     const bool blended = settings.has("light-writes") && settings.is("light-writes", "blended");
-    settings.resolve(culling_setting, lists && !blended ? LightCulling::tiles : LightCulling::volumes);
+    settings.resolve(culling_setting, lists && !blended ? LightCulling::tiles : LightCulling::volumes,
+                     blended ? "light-writes=blended draws light by light"
+                     : lists ? "the device can build light lists"
+                             : "light lists need shuffles within subgroups of at most 64");
 }
 
 LightCulling light_culling(const Settings& settings) { return settings.value(culling_setting); }

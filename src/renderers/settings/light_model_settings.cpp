@@ -51,8 +51,7 @@ void check_specular_way(Settings& settings, LightModel& model) {
     if (model.shading != Shading::phong) {
         if (settings.given("specular"))
             throw UsageError(asked + ": is a way of --shading phong");
-        settings.note("specular=" + settings.get("specular") + " is for phong, stored is taken");
-        settings.resolve("specular", "stored");
+        settings.fall_back("specular", "stored", "is a way of --shading phong");
         model.specular = SpecularWay::stored;
         return;
     }
@@ -63,7 +62,8 @@ void check_specular_way(Settings& settings, LightModel& model) {
     const char* packed = model.fixed_point() ? "packed-rgba8" : "packed-rgba16f";
     if (settings.given("light-buffer"))
         throw UsageError(fmt::format("{}: needs equation 8.5.2 in one target (light-buffer={})", asked, packed));
-    settings.resolve("light-buffer", packed);
+    settings.resolve("light-buffer", packed,
+                     "specular=" + settings.get("specular") + " needs equation 8.5.2 in one target");
     model.buffer = settings.value(buffer_setting);
 }
 
@@ -74,14 +74,19 @@ void resolve_specular_antialiasing(Settings& settings, const LightModel& model) 
     if (settings.given("specular-antialiasing"))
         throw UsageError(fmt::format("--set specular-antialiasing=on: specular={} does not take the stored roughness",
                                      settings.get("specular")));
-    settings.resolve("specular-antialiasing", "off");
+    settings.resolve("specular-antialiasing", "off",
+                     "specular=" + settings.get("specular") + " does not take the stored roughness");
 }
 
 void choose_fresnel(Settings& settings, LightModel& model) {
     if (settings.given("model") && settings.shading() == Shading::phong)
         settings.refuse_without_effect(); // before what a form of Fresnel would need
     if (settings.is("model", "auto"))
-        settings.resolve("model", model.packed() ? "mono" : model.has_alpha() ? "weighted" : "nv");
+        settings.resolve("model",
+                         model.packed()      ? "mono"
+                         : model.has_alpha() ? "weighted"
+                                             : "nv",
+                         "the most that light-buffer=" + settings.get("light-buffer") + " holds");
     const std::string& word = settings.get("model");
     model.fresnel = settings.value(buffer_model_setting);
     if (model.fresnel == FresnelModel::full)
@@ -112,9 +117,11 @@ void choose_writes(Settings& settings, const LightModel& model) {
             throw UsageError(fmt::format("--set {}: light-culling={} blends light by light "
                                          "(light-culling=fullscreen, tiles and clusters do not have to)",
                                          asked, culling));
-        settings.resolve("light-culling", "tiles");
+        settings.resolve("light-culling", "tiles", std::string(asked) + " writes each pixel once");
     }
-    settings.resolve("light-writes", once ? "once" : "blended");
+    settings.resolve("light-writes", once ? "once" : "blended",
+                     luv ? "chromaticity does not add up"
+                         : "as light-culling=" + settings.get("light-culling") + " does");
 }
 
 } // namespace

@@ -57,15 +57,36 @@ void Settings::refuse_without_effect() {
         if (!of_preset_.contains(key))
             continue;                                                   // what another setting resolved it to
         const bool of_shadows = needs_of(key).front().key == "shadows"; // how they are made once somebody wants them
-        if (!of_shadows)
-            note(fmt::format("{}={} of preset {}: {}; {} is taken", key, value, preset_, *why, defaults_.at(key)));
-        resolve(key, defaults_.at(key));
+        const std::string reason = fmt::format("{} (preset {})", *why, preset_);
+        if (of_shadows)
+            resolve(key, defaults_.at(key), reason);
+        else
+            fall_back(key, defaults_.at(key), reason);
     }
 }
 
 Shading shading_in_force(const RendererInfo& info, const RenderOptions& options) {
     const auto preset = info.preset_shading.find(options.preset);
     return options.shading.value_or(preset == info.preset_shading.end() ? Shading::ggx : preset->second);
+}
+
+void Settings::resolve(const std::string& key, const std::string& value, const std::string& why) {
+    const auto choice = choices_.try_emplace(key, SettingChoice{key, values_.at(key), {}, {}}).first;
+    choice->second.taken = values_.at(key) = value;
+    choice->second.why = why;
+}
+
+void Settings::fall_back(const std::string& key, const std::string& value, const std::string& why) {
+    notes_.push_back(fmt::format("{}={}: {}, {} is taken", key, values_.at(key), why, value));
+    resolve(key, value, why);
+}
+
+std::vector<SettingChoice> Settings::choices() const {
+    std::vector<SettingChoice> all;
+    for (const auto& [key, choice] : choices_)
+        if (choice.taken != choice.asked)
+            all.push_back(choice);
+    return all;
 }
 
 double Settings::number(const std::string& key) const { return std::strtod(get(key).c_str(), nullptr); }

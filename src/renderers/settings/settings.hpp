@@ -24,10 +24,14 @@ public:
     T value(const ChoiceSetting<T>& setting) const {
         return setting.value(get(setting.key));
     }
+    /// Puts `value` in the place of "auto", or of what cannot be. `why`: a phrase, for choices().
+    void resolve(const std::string& key, const std::string& value, const std::string& why);
     template <class T>
-    void resolve(const ChoiceSetting<T>& setting, T value) {
-        resolve(setting.key, setting.word(value));
+    void resolve(const ChoiceSetting<T>& setting, T value, const std::string& why) {
+        resolve(setting.key, setting.word(value), why);
     }
+    /// The same where a value was asked for by name: a line of notes() says so.
+    void fall_back(const std::string& key, const std::string& value, const std::string& why);
     bool has(const std::string& key) const { return values_.contains(key); }
     const std::map<std::string, std::string>& all() const { return values_; }
     /// The lighting model in force.
@@ -35,10 +39,9 @@ public:
     /// Throws UsageError for what the user changed that makes no difference with all that is in force, and says what it
     /// needs. What only a preset brought gives way to the default, with a note.
     void refuse_without_effect();
-    /// Replaces "auto" by what the renderer chose, so that the figures name it.
-    void resolve(const std::string& key, const std::string& value) { values_.at(key) = value; }
-    /// What is not as a preset asked for, one line each: Stats::notes.
-    void note(std::string text) { notes_.push_back(std::move(text)); }
+    /// What resolve() and fall_back() replaced.
+    std::vector<SettingChoice> choices() const;
+    /// What is not as asked for, one line each: Stats::notes.
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:
@@ -49,6 +52,7 @@ private:
     std::set<std::string> of_preset_; ///< keys that it sets
     std::vector<std::string> views_;
     Shading shading_;
+    std::map<std::string, SettingChoice> choices_;
     std::vector<std::string> notes_;
 };
 

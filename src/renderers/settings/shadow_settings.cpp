@@ -37,7 +37,7 @@ void choose_shadow_memory(Settings& settings) {
     if (!settings.is("shadows", "on") || !settings.is("shadow-memory", "reuse"))
         return;
     if (settings.is("light-culling", "auto"))
-        settings.resolve("light-culling", "volumes");
+        settings.resolve("light-culling", "volumes", "shadow-memory=reuse draws light by light");
     const bool asked = settings.given("shadow-memory");
     const bool once = settings.has("light-writes") && settings.is("light-writes", "once");
     if (!once && !settings.is("light-culling", "tiles") && !settings.is("light-culling", "clusters"))
@@ -47,8 +47,7 @@ void choose_shadow_memory(Settings& settings) {
                     once ? "light-writes=once" : "light-culling=" + settings.get("light-culling"));
     if (asked)
         throw UsageError("--set shadow-memory=reuse: " + reason);
-    settings.note(fmt::format("shadow-memory=reuse {}: shadow-memory=atlas", reason)); // a preset's gives way
-    settings.resolve("shadow-memory", "atlas");
+    settings.fall_back("shadow-memory", "atlas", reason); // a preset's gives way
 }
 
 resident::ShadowOptions shadow_options(const Settings& settings) {

@@ -1,5 +1,4 @@
 #include "texture_settings.hpp"
-#include <fmt/format.h>
 
 namespace prelight {
 
@@ -22,15 +21,16 @@ SettingInfo texture_filter_setting() { return texture_setting.info(); }
 
 void resolve_texture_filter(Settings& settings, const gpu::Context& context) {
     // A software device pays for anisotropy with most of a textured frame; lavapipe's also blurs what is magnified.
-    if (settings.is(texture_setting.key, "auto"))
-        settings.resolve(texture_setting, context.is_software() || !context.features().anisotropy
-                                              ? TextureFilter::trilinear
-                                              : TextureFilter::anisotropic);
-    if (texture_filter(settings) == TextureFilter::anisotropic && !context.features().anisotropy) {
-        settings.resolve(texture_setting, TextureFilter::trilinear);
-        settings.note(fmt::format("texture-filter=anisotropic: {} has no anisotropic filtering, trilinear is taken",
-                                  context.name()));
+    const std::string none = context.name() + " has no anisotropic filtering";
+    if (settings.is(texture_setting.key, "auto")) {
+        const bool software = context.is_software(), trilinear = software || !context.features().anisotropy;
+        settings.resolve(texture_setting, trilinear ? TextureFilter::trilinear : TextureFilter::anisotropic,
+                         software    ? "anisotropy is slow on a software device"
+                         : trilinear ? none
+                                     : "the device filters anisotropically");
     }
+    if (texture_filter(settings) == TextureFilter::anisotropic && !context.features().anisotropy)
+        settings.fall_back(texture_setting.key, texture_setting.word(TextureFilter::trilinear), none);
 }
 
 TextureFilter texture_filter(const Settings& settings) { return settings.value(texture_setting); }
