@@ -7,6 +7,7 @@
 // for that light; light sources meet metallic-roughness only, which is all that the G-buffer knows.
 #include "shared/base_light.glsl"
 #include "shared/gbuffer_layout.glsl"
+#include "shared/pixel_reads.glsl"
 #include "shared/specular_antialiasing.glsl"
 
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
