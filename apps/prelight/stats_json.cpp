@@ -73,6 +73,8 @@ Json stats_entry(const std::string& scene, const std::string& renderer, const Re
         {"attachment_bytes_unshared", stats.attachment_bytes_unshared},
         {"device_bytes", stats.device_bytes},
         {"device_bytes_peak", stats.device_bytes_peak},
+        {"updated_bytes", stats.updated_bytes},
+        {"frame_bytes", stats.frame_bytes},
         {"steady_frame",
          {{"allocations", stats.created.allocations},
           {"pipelines", stats.created.pipelines},

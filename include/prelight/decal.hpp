@@ -22,6 +22,7 @@ struct Decal {
     bool colour = true;    ///< changes base colour and metallic
     bool normal = true;    ///< changes the normal, where the material has a normal map
     bool roughness = true; ///< changes roughness
+    bool operator==(const Decal&) const = default;
 };
 
 struct PlacedDecal {

@@ -37,6 +37,7 @@ struct Light {
     std::shared_ptr<const LightProfile> profile{}; ///< measured; null: the same everywhere
     bool profile_candela = false; ///< `intensity` is a factor on the profile's candela, not its maximum
     float size = 0.03f;           ///< metres: radius of the sphere that soft shadows take it for; not directional
+    bool operator==(const Light&) const = default;
 };
 
 } // namespace prelight

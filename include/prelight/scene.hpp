@@ -139,6 +139,7 @@ struct Instance {
     /// `transform` at the moment's previous state; absent: the same.
     std::optional<glm::dmat4> previous_transform{};
     bool receives_decals = true; ///< as its node and, primitive by primitive, its material say
+    bool visible = true;         ///< false: not drawn, and casts no shadow. resolve() leaves hidden nodes out
 };
 
 struct PlacedLight {
@@ -168,6 +169,23 @@ struct World {
     /// What the instance shows: its deformed mesh, or else the scene's.
     const Mesh& mesh_of(const Instance& instance) const {
         return instance.deformed ? deformed.at(*instance.deformed) : scene->meshes.at(instance.mesh);
+    }
+};
+
+/// What of a world is not as a renderer took it in last (Renderer::update_world): the numbers of the entries that were
+/// changed where they stand. Entries keep their number; what else changed makes it `all`.
+struct WorldChanges {
+    bool all = false; ///< anything may have changed
+    /// Of World::instances: transform, previous_transform, mirrored, visible.
+    std::vector<uint32_t> instances{};
+    /// Of World::deformed: positions, previous positions, normals, tangents, colours and texture coordinates.
+    std::vector<uint32_t> deformed{};
+    /// Of Scene::materials.
+    std::vector<uint32_t> materials{};
+    bool lights = false; ///< any of World::lights, or their number
+    bool decals = false; ///< any of World::decals
+    bool empty() const {
+        return !all && instances.empty() && deformed.empty() && materials.empty() && !lights && !decals;
     }
 };
 

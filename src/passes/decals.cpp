@@ -61,7 +61,7 @@ private:
         pipeline.bind_set(pass.commands, SET_FRAME, view_.set());
         pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
         pipeline.bind_set(pass.commands, SET_MATERIAL,
-                          view_.scene().materials().sets_for_gradients()[box.decal->material]);
+                          view_.scene().materials().sets_for_gradients()[box.decal.material]);
         vkCmdSetCullMode(pass.commands, inside ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT);
         vkCmdSetFrontFace(pass.commands, box.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
         const shared::DecalConstants constants = decal_constants(box, view_.eye(), inside);

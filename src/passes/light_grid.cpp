@@ -5,28 +5,33 @@
 
 namespace prelight::passes {
 
-LightGrid light_grid(std::span<const resident::Draw> draws, uint32_t most_cells) {
-    LightGrid grid;
-    grid.cells = glm::uvec3(1);
-    if (draws.empty())
-        return grid;
-    glm::dvec3 low = draws[0].low, high = draws[0].high;
-    for (const resident::Draw& draw : draws) {
-        low = glm::min(low, draw.low);
-        high = glm::max(high, draw.high);
-    }
-    // A little around everything, so that rounding leaves no surface outside and no axis is empty.
-    const double longest = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-3});
-    low -= 1e-4 * longest;
-    high += 1e-4 * longest;
+namespace {
+
+/// A little around everything, so that rounding leaves no surface outside and no axis is empty.
+resident::WorldBox roomy(const resident::WorldBox& box) {
+    const glm::dvec3 size = box.high - box.low;
+    const double more = 1e-4 * std::max({size.x, size.y, size.z, 1e-3});
+    return {box.low - more, box.high + more};
+}
+
+} // namespace
+
+LightGrid light_grid(const resident::WorldBox& box, uint32_t most_cells) {
+    const auto [low, high] = roomy(box);
     const auto count = [&](double edge) { return glm::max(glm::ceil((high - low) / edge), glm::dvec3(1)); };
-    double edge = longest / 128;
+    const glm::dvec3 size = box.high - box.low;
+    double edge = std::max({size.x, size.y, size.z, 1e-3}) / 128;
     for (glm::dvec3 n = count(edge); n.x * n.y * n.z > most_cells; n = count(edge))
         edge *= 1.05;
-    grid.cells = glm::uvec3(count(edge));
+    LightGrid grid{.cells = glm::uvec3(count(edge))};
+    stretch(grid, box);
+    return grid;
+}
+
+void stretch(LightGrid& grid, const resident::WorldBox& box) {
+    const auto [low, high] = roomy(box);
     grid.low = low;
     grid.cell = (high - low) / glm::dvec3(grid.cells);
-    return grid;
 }
 
 double grid_overlap(const LightGrid& grid, std::span<const PlacedLight> lights) {

@@ -1,6 +1,6 @@
 #pragma once
 #include <prelight/scene.hpp>
-#include <resident/scene.hpp>
+#include <resident/world_box.hpp>
 #include <span>
 
 namespace prelight::passes {
@@ -13,7 +13,9 @@ struct LightGrid {
 };
 
 /// Cells as nearly cubic as can be, at most `most_cells`; flat worlds get few layers.
-LightGrid light_grid(std::span<const resident::Draw> draws, uint32_t most_cells = 32768);
+LightGrid light_grid(const resident::WorldBox& box, uint32_t most_cells = 32768);
+/// The same number of cells over another box.
+void stretch(LightGrid& grid, const resident::WorldBox& box);
 
 /// How many cells all lights reach together, roughly and rather too many.
 double grid_overlap(const LightGrid& grid, std::span<const PlacedLight> lights);

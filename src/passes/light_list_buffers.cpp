@@ -46,8 +46,10 @@ std::optional<gpu::Buffer> ListBuffers::update(const gpu::FrameTurn& turn) {
     const bool grows = needed > constants_->lights.z && constants_->lights.z < most_entries();
     if (grows && !full_)
         grow(needed + needed / 4);
-    const glm::dvec3 origin = grid_.low - view_.eye();
-    constants_->grid_origin = glm::vec4(origin, 0);
+    if (grid_.cells.x > 0)
+        stretch(grid_, view_.scene().box()); // which grows where things move
+    constants_->grid_origin = glm::vec4(grid_.low - view_.eye(), 0);
+    constants_->grid_cell = glm::vec4(grid_.cell, 0);
     constants_->lights.x = lights.everywhere;
     constants_->lights.y = lights.listed;
     const bool none = lights.everywhere + lights.listed == 0; // then shaders may look at what stands first

@@ -169,10 +169,9 @@ LightLists build_light_lists(graph::FrameGraph& graph, const resident::View& vie
         layout.blocks = {groups_of(width, LIT_BLOCK), groups_of(height, LIT_BLOCK), 1, 0};
         layout.coarse = {groups_of(across, LIST_COARSE_TILES), groups_of(down, LIST_COARSE_TILES), 1, 0};
     } else {
-        grid = light_grid(view.scene().geometry().draws);
+        grid = light_grid(view.scene().box());
         layout.cells = glm::uvec4(grid.cells, 0);
         layout.coarse = glm::uvec4((grid.cells + glm::uvec3(LIST_COARSE_CELLS - 1)) / glm::uvec3(LIST_COARSE_CELLS), 0);
-        layout.grid_cell = glm::vec4(grid.cell, 0);
     }
     layout.cells.w = layout.cells.x * layout.cells.y * layout.cells.z;
     layout.coarse.w = layout.coarse.x * layout.coarse.y * layout.coarse.z;

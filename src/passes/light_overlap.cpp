@@ -42,7 +42,7 @@ private:
 } // namespace
 
 uint32_t light_overlap(std::span<const resident::Draw> draws, std::span<const PlacedLight> lights) {
-    const LightGrid grid = light_grid(draws);
+    const LightGrid grid = light_grid(resident::box_around(draws));
     const glm::dvec3 cells(grid.cells);
     BoxCounts counts(grid.cells);
     uint32_t everywhere = 0;

@@ -122,6 +122,8 @@ RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textur
     rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
     for (uint32_t i = 0; i < world.instances.size(); ++i) {
         const Instance& instance = world.instances[i];
+        if (!instance.visible)
+            continue;
         glm::dmat4 to_world = instance.transform;
         to_world[3] -= glm::dvec4(origin, 0);
         const glm::dmat3 linear(to_world);

@@ -96,12 +96,22 @@ public:
 
     void set_world(const World& world) override {
         check_lights(*world.scene, world.lights);
-        world_ = &world;
+        given_ = world_ = &world;
         stats_.lights = world.lights.size();
         stats_.triangles = world.triangles;
         stats_.draws = 0;
         for (const Instance& instance : world.instances)
             stats_.draws += world.mesh_of(instance).primitives.size();
+    }
+
+    void update_world(const WorldChanges& changes) override {
+        if (!world_)
+            throw Error("renderer: set_world() comes before update_world()");
+        if (world_ == given_ || changes.lights)
+            return set_world(*given_);
+        const std::vector<PlacedLight> lights = relit_.lights;
+        set_world(*given_);
+        set_lights(lights);
     }
 
     void set_lights(std::span<const PlacedLight> lights) override {
@@ -171,7 +181,8 @@ private:
     RenderOptions options_;
     ReferenceForm form_;
     bool drawn_ = false;           ///< picture_ is of this size
-    const World* world_ = nullptr; ///< the caller's, or relit_
+    const World* given_ = nullptr; ///< the caller's
+    const World* world_ = nullptr; ///< the same, or relit_
     World relit_;                  ///< with the lights of set_lights()
     ReferencePicture picture_;
     reference::ReferenceBuffers buffers_;

@@ -82,7 +82,7 @@ void DeviceRenderer::set_world(const World& world) {
     view_.reset();
     lights_.reset();
     scene_.reset();
-    set_lights_ms_ = 0;
+    changes_ms_ = 0;
     world_ = nullptr; // until all of the new one is there
     scene_ = std::make_unique<resident::GpuScene>(context_, world, scene_settings());
     lights_ = std::make_unique<resident::LightSet>(*scene_);
@@ -90,6 +90,27 @@ void DeviceRenderer::set_world(const World& world) {
     build_graph();
     world_ = &world;
     triangles_ = world.triangles;
+}
+
+void DeviceRenderer::update_world(const WorldChanges& changes) {
+    if (!world_)
+        throw Error("renderer: set_world() comes before update_world()");
+    const double start = thread_ms();
+    if (!scene_->update(changes)) {
+        const std::span placed = lights_->placed();
+        const std::vector<PlacedLight> lights(placed.begin(), placed.end());
+        set_world(*world_);
+        if (!changes.all && !changes.lights)
+            set_lights(lights);
+        return;
+    }
+    changes_ms_ += thread_ms() - start;
+    if (changes.lights)
+        return set_lights(world_->lights);
+    if (graph_ && light_sums_.holds(blended_adds(*view_)))
+        return;
+    drop_graph();
+    build_graph();
 }
 
 void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
@@ -107,7 +128,7 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
         view_->make_light_buffers(next);
         *lights_ = std::move(next);
     }
-    set_lights_ms_ += thread_ms() - start;
+    changes_ms_ += thread_ms() - start;
     // Shaders leave out what none of the kinds needs that there were.
     const bool known = (lights_->kinds() & ~kinds) == 0;
     if (fits && known && graph_ && light_sums_.holds(blended_adds(*view_)))
@@ -197,11 +218,13 @@ void DeviceRenderer::render_frame(const PlacedCamera& camera) {
     const gpu::FrameTurn turn = queue_->begin();
     view_->update(camera, turn.slot);
     const double start = thread_ms();
+    const UploadedBytes uploaded{scene_->updates().waiting(), view_->written_bytes()};
+    scene_->updates().record(queue_->commands(), turn.slot);
     clear_counters(queue_->commands());
     graph_->record(queue_->commands(), turn);
     queue_->submit(*graph_);
-    costs_.add(std::exchange(set_lights_ms_, 0.0), view_->update_times(), thread_ms() - start,
-               created_since(context_, before));
+    costs_.add(std::exchange(changes_ms_, 0.0), view_->update_times(), thread_ms() - start,
+               created_since(context_, before), uploaded);
 }
 
 void DeviceRenderer::time_passes(const PlacedCamera& camera) {

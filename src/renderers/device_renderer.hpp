@@ -20,6 +20,7 @@ namespace prelight {
 class DeviceRenderer : public Renderer {
 public:
     void set_world(const World& world) final;
+    void update_world(const WorldChanges& changes) final;
     void set_lights(std::span<const PlacedLight> lights) final;
     void resize(uint32_t width, uint32_t height) final;
     void render(const PlacedCamera& camera, uint32_t frames) final;
@@ -98,7 +99,7 @@ private:
     bool warm_ = false;                  ///< every pipeline of the graph has drawn once
     Stats stats_;                        ///< of a graph that is gone
     bool stats_stay_ = false;            ///< the last frame was drawn by read(): stats_ is what the one before it had
-    double set_lights_ms_ = 0;           ///< since the last frame
+    double changes_ms_ = 0;              ///< of lights and world since the last frame
     FrameStats costs_;                   ///< of the last render()
     std::unique_ptr<FrameQueue> queue_;  ///< last: its end waits for the frames
 };

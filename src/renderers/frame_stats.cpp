@@ -17,13 +17,14 @@ void FrameStats::start(uint32_t frames) {
     frames_ = frames;
 }
 
-void FrameStats::add(double set_lights_ms, const resident::UpdateTimes& times, double record_ms,
-                     const CreatedObjects& created) {
-    lights_.push_back(set_lights_ms + times.lights);
+void FrameStats::add(double changes_ms, const resident::UpdateTimes& times, double record_ms,
+                     const CreatedObjects& created, const UploadedBytes& uploaded) {
+    lights_.push_back(changes_ms + times.lights);
     culling_.push_back(times.culling);
     objects_.push_back(times.objects);
     record_.push_back(record_ms);
     created_ = created;
+    uploaded_ = uploaded;
 }
 
 void FrameStats::add_pass(size_t pass, double cpu_ms) {
@@ -47,6 +48,8 @@ void FrameStats::tell(Stats& stats, const FrameSamples& samples, const std::vect
             pass.cpu_ms = spread(pass_cpu_[p]);
     }
     stats.created = created_;
+    stats.updated_bytes = uploaded_.updates;
+    stats.frame_bytes = uploaded_.frame;
     stats.host_ms = HostTimes{spread(lights_), spread(culling_), spread(objects_), spread(record_)};
 }
 

@@ -51,7 +51,7 @@ std::vector<DecalBox> decal_boxes(const World& world) {
             throw Error(fmt::format("{}: decal {}: material {} has a shader of its own, and decals know none",
                                     world.scene->name, boxes.size(), material));
         DecalBox& box = boxes.emplace_back();
-        box.decal = &placed.decal;
+        box.decal = placed.decal;
         box.features = features_of(*world.scene, world.scene->materials[material]) &
                        (FEATURE_BASE_COLOUR_TEXTURE | FEATURE_METALLIC_ROUGHNESS_TEXTURE | FEATURE_NORMAL_TEXTURE |
                         FEATURE_ALPHA_MASK);
@@ -97,7 +97,7 @@ shared::DecalConstants decal_constants(const DecalBox& box, const glm::dvec3& ey
     glm::dmat4 back = box.box_from_world;
     back[3] = box.box_from_world * glm::dvec4(eye, 1);
     set_rows(constants.box_row, back);
-    const Decal& decal = *box.decal;
+    const Decal& decal = box.decal;
     const double whole = std::cos(static_cast<double>(decal.fade_from)),
                  gone = std::cos(static_cast<double>(decal.fade_to));
     const double scale = 1 / std::max(whole - gone, 1e-4);

@@ -9,7 +9,7 @@ namespace prelight::resident {
 
 /// A decal as it is drawn.
 struct DecalBox {
-    const Decal* decal = nullptr;
+    Decal decal;
     uint32_t features = 0; ///< FEATURE_… bits of its material's textures
     bool mirrored = false; ///< front faces are clockwise
     glm::dmat4 world_from_box{1}, box_from_world{1};

@@ -67,7 +67,7 @@ void DeviceTrimming::update(uint32_t slot, const VisibleDraws& visible, const Ge
             .indices = {one.first_index, one.index_count, to, groups_},
             .state = {static_cast<uint32_t>(draw.vertex_offset),
                       (draw.mirrored ? TRIM_MIRRORED : 0u) | (draw.double_sided ? TRIM_DOUBLE_SIDED : 0u), 0, 0},
-            .largest = glm::vec4(draw.largest, 0)};
+            .largest = glm::vec4(draw.largest(), 0)};
         if (!one.device_trimmed)
             continue;
         for (uint32_t t = 0; t < one.index_count / 3; t += TRIM_TRIANGLES)

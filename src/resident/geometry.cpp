@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <limits>
+#include <iterator>
 #include <map>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -16,25 +17,12 @@ namespace {
 struct Placement {
     uint32_t first_index = 0;
     int32_t vertex_offset = 0;
-    glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
+    glm::vec3 low{0}, high{0};
 };
-
-/// The world's box around a box in object space.
-void bound(Draw& draw, const Placement& place, const glm::dmat4& transform) {
-    const glm::dvec3 middle = 0.5 * (glm::dvec3(place.low) + glm::dvec3(place.high));
-    const glm::dvec3 half = glm::dvec3(place.high) - middle;
-    const glm::dvec3 centre(transform * glm::dvec4(middle, 1));
-    glm::dvec3 reach(0);
-    for (int axis = 0; axis < 3; ++axis)
-        reach += glm::abs(glm::dvec3(transform[axis])) * half[axis];
-    draw.low = centre - reach;
-    draw.high = centre + reach;
-    draw.largest = glm::max(glm::abs(place.low), glm::abs(place.high));
-}
 
 uint16_t unorm16(float v) { return static_cast<uint16_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 65535)); }
 
-VertexAttributes attributes_of(const Primitive& primitive, size_t v) {
+VertexAttributes attributes_at(const Primitive& primitive, size_t v) {
     VertexAttributes a{};
     a.normal = primitive.normals[v];
     a.tangent = primitive.tangents.empty() ? glm::vec4(1, 0, 0, 1) : primitive.tangents[v];
@@ -75,10 +63,7 @@ private:
         Placement place;
         place.first_index = static_cast<uint32_t>(indices.size());
         place.vertex_offset = static_cast<int32_t>(positions.size());
-        for (const glm::vec3& p : primitive.positions) {
-            place.low = glm::min(place.low, p);
-            place.high = glm::max(place.high, p);
-        }
+        std::tie(place.low, place.high) = box_of(primitive.positions);
         if (motion_ && !primitive.previous_positions.empty() && !moved_) {
             previous = positions;
             moved_ = true;
@@ -89,8 +74,8 @@ private:
             previous.insert(previous.end(), source.begin(), source.end());
         }
         positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
-        for (size_t v = 0; v < primitive.positions.size(); ++v)
-            attributes.push_back(attributes_of(primitive, v));
+        const std::vector<VertexAttributes> own = attributes_of(primitive);
+        attributes.insert(attributes.end(), own.begin(), own.end());
         indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
         return place;
     }
@@ -99,19 +84,65 @@ private:
     bool moved_ = false; ///< a primitive was elsewhere before
 };
 
+/// The first three indices.
+std::vector<uint32_t> first_triangle(const Primitive& primitive) {
+    return {primitive.indices.begin(), primitive.indices.begin() + std::min<ptrdiff_t>(3, std::ssize(primitive.indices))};
+}
+
 } // namespace
+
+bool VertexRange::fits(const Primitive& primitive) const {
+    return primitive.positions.size() == vertices && primitive.indices.size() == indices &&
+           resident::first_triangle(primitive) == first_triangle;
+}
+
+std::vector<VertexAttributes> attributes_of(const Primitive& primitive) {
+    std::vector<VertexAttributes> all;
+    all.reserve(primitive.positions.size());
+    for (size_t v = 0; v < primitive.positions.size(); ++v)
+        all.push_back(attributes_at(primitive, v));
+    return all;
+}
+
+std::pair<glm::vec3, glm::vec3> box_of(std::span<const glm::vec3> points) {
+    glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+    for (const glm::vec3& p : points) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return {low, high};
+}
+
+void Draw::bound(const glm::dmat4& transform) {
+    const glm::dvec3 middle = 0.5 * (glm::dvec3(own_low) + glm::dvec3(own_high));
+    const glm::dvec3 half = glm::dvec3(own_high) - middle;
+    const glm::dvec3 centre(transform * glm::dvec4(middle, 1));
+    glm::dvec3 reach(0);
+    for (int axis = 0; axis < 3; ++axis)
+        reach += glm::abs(glm::dvec3(transform[axis])) * half[axis];
+    low = centre - reach;
+    high = centre + reach;
+}
 
 Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals) {
     Vertices vertices(motion);
     std::map<const Mesh*, std::vector<Placement>> placements; // of the meshes that are shown
     Geometry geometry;
+    geometry.deformed.resize(world.deformed.size());
     for (uint32_t i = 0; i < world.instances.size(); ++i) {
         const Instance& instance = world.instances[i];
         const Mesh& mesh = world.mesh_of(instance);
         const auto [places, is_new] = placements.try_emplace(&mesh);
-        if (is_new)
+        if (is_new) {
             places->second = vertices.add(mesh);
+            if (instance.deformed)
+                for (size_t p = 0; p < mesh.primitives.size(); ++p)
+                    geometry.deformed[*instance.deformed].push_back(
+                        {static_cast<uint32_t>(places->second[p].vertex_offset),
+                         static_cast<uint32_t>(mesh.primitives[p].positions.size()),
+                         first_triangle(mesh.primitives[p]), mesh.primitives[p].indices.size()});
+        }
         for (size_t p = 0; p < mesh.primitives.size(); ++p) {
             const Primitive& primitive = mesh.primitives[p];
             const Material& material = world.scene->materials[primitive.material];
@@ -121,8 +152,11 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
             Draw& draw = geometry.draws.emplace_back(
                 Draw{place.first_index, static_cast<uint32_t>(primitive.indices.size()), place.vertex_offset, i,
                      primitive.material, features_of(*world.scene, material), shaders.index_of(material),
-                     instance.mirrored, material.double_sided, &primitive});
-            bound(draw, place, instance.transform);
+                     instance.mirrored, material.double_sided, static_cast<uint32_t>(p), &primitive});
+            draw.own_low = place.low;
+            draw.own_high = place.high;
+            draw.visible = instance.visible;
+            draw.bound(instance.transform);
             if (instance.receives_decals && material.receives_decals && reaches_any(decals, draw.low, draw.high))
                 draw.features |= FEATURE_DECALS;
         }
@@ -134,6 +168,9 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
         return std::tie(a.shader, a.features, a.material, a.mirrored, a.first_index) <
                std::tie(b.shader, b.features, b.material, b.mirrored, b.first_index);
     });
+    geometry.draws_of.resize(world.instances.size());
+    for (uint32_t d = 0; d < geometry.draws.size(); ++d)
+        geometry.draws_of[geometry.draws[d].object].push_back(d);
     constexpr VkBufferUsageFlags vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
     const VkBufferUsageFlags storage = trims ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
     geometry.positions = gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex | storage);

@@ -2,6 +2,8 @@
 #include "decals.hpp"
 #include "scene.hpp"
 #include "world_box.hpp"
+#include <array>
+#include <gpu/buffer_updates.hpp>
 
 namespace prelight::resident {
 
@@ -15,11 +17,18 @@ struct GpuSceneSettings {
 };
 
 /// A world on the device: geometry, materials with their textures, environment. It knows no camera, no picture and no
-/// lights; any number of views show it. The world stays alive and unchanged as long.
+/// lights; any number of views show it. The world stays alive as long, and what changes of it goes through update().
 class GpuScene {
 public:
     /// Throws Error when the world does not fit the device.
     GpuScene(const gpu::Context& context, const World& world, const GpuSceneSettings& settings);
+
+    /// Takes in what has changed of the world, but for its lights; a view sees it from its next update() on, and
+    /// updates() go into the next frame. False: it needs other draws or pipelines, that is, another GpuScene; then nothing
+    /// has been taken in. Throws Error for numbers that are not there and values that may not be.
+    bool update(const WorldChanges& changes);
+    /// What the next frame copies before its passes.
+    gpu::BufferUpdates& updates() { return updates_; }
 
     const gpu::Context& context() const { return context_; }
     const World& world() const { return world_; }
@@ -36,14 +45,25 @@ public:
     VkBuffer caster_rows() const { return caster_rows_.handle(); }
 
 private:
+    bool can_update(const WorldChanges& changes, std::span<const DecalBox> decals) const;
+    bool fits(uint32_t instance, std::span<const DecalBox> decals) const;
+    /// Instances that show one of them.
+    std::vector<uint32_t> showing(std::span<const uint32_t> deformed) const;
+    void update_vertices(uint32_t deformed);
+    void update_boxes(std::span<const uint32_t> instances);
+    std::array<glm::vec4, 3> caster_row(const Draw& draw) const;
     void upload_casters();
     const gpu::Context& context_;
     const World& world_;
+    GpuSceneSettings settings_;
+    gpu::BufferUpdates updates_;
     Materials materials_;
     std::vector<DecalBox> decals_;
     Geometry geometry_;
     WorldBox box_;
     gpu::Buffer caster_rows_;
+    /// What instances show, as it was uploaded: mesh and deformed mesh.
+    std::vector<std::pair<uint32_t, std::optional<uint32_t>>> shown_;
 };
 
 } // namespace prelight::resident

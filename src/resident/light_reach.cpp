@@ -67,7 +67,7 @@ LightReach find_reach(std::span<const Draw> draws, std::span<const PlacedLight> 
     std::vector<std::pair<double, uint32_t>> strongest;
     for (size_t d = 0; d < draws.size(); ++d) {
         strongest.clear();
-        if (!(draws[d].features & FEATURE_UNLIT))
+        if (draws[d].visible && !(draws[d].features & FEATURE_UNLIT))
             for (size_t i = 0; i < sorted.size(); ++i)
                 if (reaches(volumes[i], draws[d]))
                     strongest.emplace_back(

@@ -199,6 +199,41 @@ private:
 
 } // namespace
 
+std::vector<MaterialKey> material_keys(const Scene& scene) {
+    const std::vector<float> cutoffs = mask_cutoffs(scene);
+    std::vector<MaterialKey> keys;
+    for (size_t m = 0; m < scene.materials.size(); ++m) {
+        const Material& material = scene.materials[m];
+        MaterialKey& key = keys.emplace_back(MaterialKey{.shader = material.shader.get(),
+                                                         .alpha_mode = material.alpha_mode,
+                                                         .unlit = material.unlit,
+                                                         .double_sided = material.double_sided,
+                                                         .receives_decals = material.receives_decals,
+                                                         .mask_cutoff = cutoffs[m],
+                                                         .textures = {}});
+        const auto add = [&](const TextureRef& ref) { key.textures.emplace_back(ref.image, ref.sampler); };
+        for (const Slot& slot : slots)
+            add(material.*slot.ref);
+        if (material.shader)
+            for (const MaterialTexture& own : material.shader->textures)
+                add(own_texture(material, own.name));
+    }
+    return keys;
+}
+
+void update_material(const Materials& materials, const Scene& scene, uint32_t index, double exposure,
+                     gpu::BufferUpdates& updates) {
+    const Material& material = scene.materials[index];
+    check_material(material, fmt::format("{}: material {} ({})", scene.name, index, material.name));
+    const shared::MaterialConstants constants = constants_of(material, exposure);
+    updates.write(materials.constants, index * materials.constants_stride, std::as_bytes(std::span(&constants, 1)));
+    if (!material.shader)
+        return;
+    std::vector<std::byte> parameters(materials.parameters_stride);
+    write_parameters(material, parameters.data());
+    updates.write(materials.parameters, index * materials.parameters_stride, parameters);
+}
+
 uint32_t features_of(const Scene& scene, const Material& material) {
     uint32_t features = 0;
     for (const Slot& slot : slots)
@@ -234,6 +269,9 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
             most_parameters = std::max<uint64_t>(most_parameters, material.shader->parameter_bytes);
     most_parameters = (most_parameters + 15) / 16 * 16;
     const uint64_t stride = padded(sizeof(shared::MaterialConstants)), parameter_stride = padded(most_parameters);
+    out.constants_stride = stride;
+    out.parameters_stride = parameter_stride;
+    out.keys = material_keys(scene);
     std::vector<std::byte> constants(stride * scene.materials.size()),
         parameters(parameter_stride * scene.materials.size());
     for (size_t m = 0; m < scene.materials.size(); ++m) {
@@ -248,7 +286,6 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
 
     Cache cache(context, scene, filter, out);
     cache.make_environment(exposure);
-    const std::vector<float> cutoffs = mask_cutoffs(scene);
     const auto bindings = [&](size_t m) {
         const Material& material = scene.materials[m];
         std::vector<gpu::Binding> set;
@@ -256,7 +293,7 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
                                             sizeof(shared::MaterialConstants)));
         for (const Slot& slot : slots)
             set.push_back(cache.binding(slot.binding, slot.use, material.*slot.ref, MaterialTexture::StandIn::white,
-                                        slot.binding == MATERIAL_BASE_COLOUR ? cutoffs[m] : 0));
+                                        slot.binding == MATERIAL_BASE_COLOUR ? out.keys[m].mask_cutoff : 0));
         for (uint32_t slot = 0; slot < MATERIAL_OWN_TEXTURES; ++slot)
             set.push_back(cache.own_binding(material, slot));
         set.push_back(gpu::Binding::texture(MATERIAL_ENVIRONMENT, out.environment->view(), out.environment_sampler));

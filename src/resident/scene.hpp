@@ -1,5 +1,6 @@
 #pragma once
 #include <gpu/buffer.hpp>
+#include <gpu/buffer_updates.hpp>
 #include <gpu/descriptors.hpp>
 #include <gpu/texture.hpp>
 #include <map>
@@ -8,6 +9,8 @@
 #include <resident/material_shaders.hpp>
 #include <span>
 #include <tuple>
+#include <glm/common.hpp>
+#include <utility>
 #include <vector>
 
 namespace prelight::resident {
@@ -23,9 +26,26 @@ struct Draw {
     uint32_t shader = 0;   ///< of its material: index into Materials::shaders
     bool mirrored = false;
     bool double_sided = false;
+    uint32_t part = 0;                    ///< index into Mesh::primitives
     const Primitive* primitive = nullptr; ///< whose indices and vertices these are
-    glm::dvec3 low{0}, high{0};           ///< a box around it, world space
-    glm::vec3 largest{0};                 ///< |coordinate| of its vertices, object space
+    glm::vec3 own_low{0}, own_high{0};    ///< a box around its vertices, object space
+    glm::dvec3 low{0}, high{0};           ///< the same in world space
+    bool visible = true;
+    uint32_t version = 0; ///< another one after each change of what the draw shows
+
+    /// After a change of `own_low` and `own_high`, or of the object's transform.
+    void bound(const glm::dmat4& transform);
+    /// |coordinate| of its vertices, object space.
+    glm::vec3 largest() const { return glm::max(glm::abs(own_low), glm::abs(own_high)); }
+};
+
+/// Where a primitive's vertices lie, and what of it must stay for others to take their place.
+struct VertexRange {
+    uint32_t first = 0;    ///< in positions, previous positions and attributes
+    uint32_t vertices = 0;
+    std::vector<uint32_t> first_triangle; ///< a skin may turn all of them round
+    size_t indices = 0;
+    bool fits(const Primitive& primitive) const;
 };
 
 /// All vertices of a world in device buffers, and the draws that show it, sorted so that
@@ -38,6 +58,9 @@ struct Geometry {
     /// for and some vertex has moved within its object.
     gpu::Buffer previous_positions;
     std::vector<Draw> draws;
+    std::vector<std::vector<uint32_t>> draws_of; ///< by index into World::instances: numbers of its draws
+    /// By index into World::deformed, then by primitive; empty for what no instance shows.
+    std::vector<std::vector<VertexRange>> deformed;
 
     /// The buffer for VERTEX_PREVIOUS_POSITION: `positions` where there is no other.
     VkBuffer previous() const { return previous_positions.handle() ? previous_positions.handle() : positions.handle(); }
@@ -55,6 +78,18 @@ struct VertexAttributes {
 /// What texels are: sRGB colours; linear values; a normal map, with normal_map_levels().
 enum class TextureUse { colour, values, normals };
 
+/// All of a material that draws, pipelines and descriptor sets were made for: while it stays, only constants change.
+struct MaterialKey {
+    const MaterialShader* shader = nullptr;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    bool unlit = false, double_sided = false, receives_decals = true;
+    float mask_cutoff = 0; ///< that the levels of its texture were made for
+    std::vector<std::pair<uint32_t, Sampler>> textures; ///< image and sampler of each slot
+    bool operator==(const MaterialKey&) const = default;
+};
+/// Of every material of the scene.
+std::vector<MaterialKey> material_keys(const Scene& scene);
+
 /// Textures, samplers and descriptor sets of materials.
 struct Materials {
     explicit Materials(const gpu::Context& context) : pool(context) {}
@@ -63,8 +98,10 @@ struct Materials {
     std::map<std::pair<const TextureImage*, TextureUse>, gpu::Texture> textures;
     std::map<std::tuple<const TextureImage*, float, uint32_t>, gpu::Texture> masks; ///< with mask_levels()
     std::vector<gpu::UniqueSampler> samplers;
-    gpu::Buffer constants;
+    gpu::Buffer constants;                    ///< one block a material
     gpu::Buffer parameters;                  ///< of the shaders; one block a material
+    uint64_t constants_stride = 0, parameters_stride = 0; ///< bytes from one block to the next
+    std::vector<MaterialKey> keys;                        ///< by material index
     std::optional<gpu::Texture> environment; ///< MATERIAL_ENVIRONMENT
     std::optional<gpu::Texture> sky;         ///< MATERIAL_SKY
     std::optional<gpu::Texture> reflectance; ///< MATERIAL_REFLECTANCE
@@ -78,6 +115,11 @@ struct Materials {
     const gpu::DescriptorSets& sets_for_gradients() const { return isotropic_sets ? *isotropic_sets : sets; }
 };
 
+/// The second stream of a primitive.
+std::vector<VertexAttributes> attributes_of(const Primitive& primitive);
+/// Least and largest coordinates; of no points, an empty box.
+std::pair<glm::vec3, glm::vec3> box_of(std::span<const glm::vec3> points);
+
 struct DecalBox;
 /// FEATURE_… bits of a material.
 uint32_t features_of(const Scene& scene, const Material& material);
@@ -87,6 +129,9 @@ uint32_t features_of(const Scene& scene, const Material& material);
 Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals);
 /// `exposure`: factor on emissive light. Throws Error naming an image that the device cannot hold.
+/// Writes the material's constants and parameters. Throws Error for values that it may not have.
+void update_material(const Materials& materials, const Scene& scene, uint32_t material, double exposure,
+                     gpu::BufferUpdates& updates);
 Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter, double exposure);
 
 } // namespace prelight::resident

@@ -34,7 +34,36 @@ double pixels_across(const PlacedLight& light, const PlacedCamera& camera, uint3
 } // namespace
 
 ShadowPlan::ShadowPlan(std::span<const Draw> draws, const ShadowOptions& options, uint32_t longest)
-    : draws_(draws), world_(box_around(draws)), options_(options), atlas_(options.budget, longest) {}
+    : draws_(draws), world_(box_around(draws)), options_(options), atlas_(options.budget, longest) {
+    for (const Draw& draw : draws)
+        versions_.push_back(draw.version);
+}
+
+void ShadowPlan::find_moved() {
+    moved_.clear();
+    for (uint32_t d = 0; d < draws_.size(); ++d)
+        if (versions_[d] != draws_[d].version) {
+            versions_[d] = draws_[d].version;
+            moved_.push_back(d);
+        }
+    if (!moved_.empty())
+        world_ = box_around(draws_);
+}
+
+bool ShadowPlan::casts(const ShadowSight& sight, uint32_t draw) const {
+    return draws_[draw].visible && may_show(draws_[draw], sight.clip_from_centre, world_.centre());
+}
+
+std::vector<uint32_t> ShadowPlan::casters_still(const ShadowSight& sight, std::vector<uint32_t> before) const {
+    if (moved_.empty())
+        return before;
+    std::erase_if(before, [&](uint32_t d) { return std::binary_search(moved_.begin(), moved_.end(), d); });
+    for (const uint32_t d : moved_)
+        if (reaches(sight.light, draws_[d]) && casts(sight, d))
+            before.push_back(d);
+    std::sort(before.begin(), before.end());
+    return before;
+}
 
 /// The disc, half a texel of filtering, and what the bias moves a point by.
 uint32_t ShadowPlan::guard_of(uint32_t side) const {
@@ -142,7 +171,7 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
 std::vector<uint32_t> ShadowPlan::casters_of(const ShadowSight& sight, std::span<const uint32_t> reached) const {
     std::vector<uint32_t> casters;
     for (const uint32_t d : reached)
-        if (may_show(draws_[d], sight.clip_from_centre, world_.centre()))
+        if (casts(sight, d))
             casters.push_back(d);
     return casters;
 }
@@ -159,7 +188,7 @@ void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span
         tile.map.clip_from_centre = tile.sight.clip_from_centre;
         const bool known = before != before_.end() && before->light == wish.light;
         if (known && options_.cached && before->sight == tile.sight) {
-            tile.map.casters = std::move(before->map.casters);
+            tile.map.casters = casters_still(tile.sight, std::move(before->map.casters));
         } else {
             if (!reached) {
                 reached.emplace();
@@ -169,6 +198,8 @@ void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span
             }
             tile.map.casters = casters_of(tile.sight, *reached);
         }
+        for (const uint32_t d : tile.map.casters)
+            tile.map.versions.push_back(versions_[d]);
         if (known)
             ++before;
         tiles_.push_back(std::move(tile));
@@ -178,6 +209,7 @@ void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span
 void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uint32_t> visible,
                         const PlacedCamera& camera, uint32_t width, uint32_t height) {
     stats_ = {.budget = atlas_.texels()};
+    find_moved();
     wish(lights, visible, camera, width, height);
     if (options_.reuse)
         fit_each();

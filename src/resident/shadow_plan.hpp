@@ -26,7 +26,8 @@ struct ShadowOptions {
 struct ShadowMap {
     ShadowTilePlace place;
     glm::mat4 clip_from_centre{1}; ///< world relative to its centre
-    std::vector<uint32_t> casters; ///< indices into the plan's draws, rising
+    std::vector<uint32_t> casters;  ///< indices into the plan's draws, rising
+    std::vector<uint32_t> versions; ///< Draw::version of each
     bool operator==(const ShadowMap&) const = default;
 };
 
@@ -57,7 +58,7 @@ struct ShadowedLight {
 /// whose lights cover least of the screen; lights go without only when one texel a tile is too much.
 class ShadowPlan {
 public:
-    /// `draws`: all that casts, alive and unchanged as long as the plan; `longest`: side of the largest image that the
+    /// `draws`: all that casts, alive as long as the plan, each with another version when it changes; `longest`: side of the largest image that the
     /// device makes.
     ShadowPlan(std::span<const Draw> draws, const ShadowOptions& options, uint32_t longest);
 
@@ -96,9 +97,15 @@ private:
     /// Tiles of one light. `before`: where those of the frame before begin that may be its own; it moves on.
     void add_tiles(const Wish& wish, const PlacedLight& light, std::span<const ShadowView> views,
                    std::span<const ShadowTilePlace> places, std::vector<ShadowTile>::iterator& before);
+    void find_moved();
+    bool casts(const ShadowSight& sight, uint32_t draw) const;
+    /// Of a tile that looks as in the frame before: its casters, but for those that moved.
+    std::vector<uint32_t> casters_still(const ShadowSight& sight, std::vector<uint32_t> before) const;
     std::vector<uint32_t> casters_of(const ShadowSight& sight, std::span<const uint32_t> reached) const;
 
     std::span<const Draw> draws_;
+    std::vector<uint32_t> versions_; ///< of the draws at the last update()
+    std::vector<uint32_t> moved_;    ///< draws with another one, rising
     WorldBox world_;
     ShadowOptions options_;
     ShadowAtlas atlas_;

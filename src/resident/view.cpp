@@ -183,6 +183,12 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
     *constants_[slot].mapped<shared::FrameConstants>() = next;
     const double culling_end = thread_ms();
     write_lights();
+    written_ = sizeof next + lights_.placed().size() * sizeof(shared::LightData) +
+               groups_.order.size() * sizeof(uint32_t) + groups_.bounds.size() * sizeof(shared::LightScreenBounds) +
+               visible_.draws.size() * sizeof(shared::ObjectData) +
+               visible_.batches.size() * sizeof(VkDrawIndexedIndirectCommand) + visible_.trimmed * sizeof(uint32_t);
+    if (shadows_)
+        written_ += shadows_->records().size() * sizeof(shared::ShadowData);
     times_ = {
         .lights = thread_ms() - culling_end, .culling = culling_end - objects_end, .objects = objects_end - start};
 }

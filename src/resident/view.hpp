@@ -44,6 +44,8 @@ public:
     void update(const PlacedCamera& camera, uint32_t slot = 0);
     /// Of the last update().
     const UpdateTimes& update_times() const { return times_; }
+    /// What it wrote for the device.
+    uint64_t written_bytes() const { return written_; }
 
     const GpuScene& scene() const { return scene_; }
     const gpu::Context& context() const { return scene_.context(); }
@@ -116,6 +118,7 @@ private:
     glm::dvec3 eye_{0};
     glm::mat4 clip_from_world_{1};
     UpdateTimes times_;
+    uint64_t written_ = 0;
 };
 
 } // namespace prelight::resident

@@ -91,7 +91,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     out.place.assign(all.size(), no_image);
     out.triangles = 0;
     for (uint32_t d = 0; d < all.size(); ++d)
-        if (!options.frustum_culling || may_show(all[d], constants.clip_from_world, eye))
+        if (all[d].visible && (!options.frustum_culling || may_show(all[d], constants.clip_from_world, eye)))
             out.draws.push_back({d, 0, all[d].first_index, all[d].index_count});
     sort_by_distance(out.draws, all, eye, glm::dvec3(constants.forward));
 
@@ -123,6 +123,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         out.draws[kept++] = one;
     }
     out.draws.resize(kept);
+    out.trimmed = used;
     make_batches(out, all, options);
     for (size_t b = 0; b < out.batches.size(); ++b)
         buffers.commands[b] = out.batches[b].command;

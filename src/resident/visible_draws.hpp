@@ -45,6 +45,7 @@ struct VisibleDraws {
     std::vector<DrawBatch> batches;
     std::vector<uint32_t> place; ///< by index into Geometry::draws: index into `draws`, or no_image
     uint64_t triangles = 0;      ///< of all draws
+    uint64_t trimmed = 0;        ///< indices that the host trimmed
 
     const VisibleDraw* find(uint32_t draw) const { return place[draw] == no_image ? nullptr : &draws[place[draw]]; }
 };

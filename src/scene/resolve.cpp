@@ -11,6 +11,7 @@
 #include <scene/emit.hpp>
 #include <scene/enclosure.hpp>
 #include <scene/finite.hpp>
+#include <scene/mesh_facts.hpp>
 #include <scene/node_tree.hpp>
 #include <scene/place_camera.hpp>
 #include <tuple>
@@ -25,48 +26,6 @@ constexpr uint64_t max_exact_vertices = uint64_t(1) << 25;
 /// file of many nodes that each shape one large mesh must not fill the machine either.
 constexpr uint64_t max_deformed_vertices = uint64_t(1) << 23;
 constexpr uint64_t max_deform_work = uint64_t(1) << 27;
-
-struct Bounds {
-    glm::dvec3 min{std::numeric_limits<double>::infinity()};
-    glm::dvec3 max{-std::numeric_limits<double>::infinity()};
-    void add(glm::dvec3 p) {
-        min = glm::min(min, p);
-        max = glm::max(max, p);
-    }
-    bool finite() const {
-        const glm::dvec3 sum = min + max;
-        return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
-    }
-};
-
-/// What the walk needs of a mesh, gathered once.
-struct MeshFacts {
-    uint64_t triangles = 0;
-    uint64_t vertices = 0;                   ///< that a triangle uses
-    std::vector<std::vector<uint32_t>> used; ///< per primitive, sorted; empty: every vertex
-    Bounds box;                              ///< object space
-};
-
-MeshFacts facts_of(const Mesh& mesh) {
-    MeshFacts facts;
-    for (const Primitive& primitive : mesh.primitives) {
-        facts.triangles += primitive.indices.size() / 3;
-        std::vector<bool> seen(primitive.positions.size());
-        for (uint32_t index : primitive.indices)
-            seen[index] = true;
-        auto& used = facts.used.emplace_back();
-        const auto count = size_t(std::count(seen.begin(), seen.end(), true));
-        facts.vertices += count;
-        for (uint32_t i = 0; i < seen.size(); ++i) {
-            if (!seen[i])
-                continue;
-            facts.box.add(glm::dvec3(primitive.positions[i]));
-            if (count != seen.size())
-                used.push_back(i);
-        }
-    }
-    return facts;
-}
 
 /// Determinant of the linear part with each axis scaled to unit length: its sign tells a mirror,
 /// zero (or less than rounding leaves) a transform that flattens.
@@ -93,9 +52,9 @@ bool spans_area(const glm::dmat4& m) {
 
 class Resolver {
 public:
-    Resolver(const Scene& scene, uint32_t scene_index, const std::optional<Moment>& moment,
-             std::optional<uint32_t> animation)
-        : scene_(scene), scene_index_(scene_index),
+    Resolver(const Scene& scene, const std::vector<MeshFacts>& facts, uint32_t scene_index,
+             const std::optional<Moment>& moment, std::optional<uint32_t> animation)
+        : scene_(scene), scene_index_(scene_index), facts_(facts),
           now_(scene, scene_index, moment ? Pose(scene, moment->time, animation) : Pose(scene)) {
         if (moment && moment->interval != 0)
             before_.emplace(scene, scene_index, Pose(scene, moment->time - moment->interval, animation));
@@ -105,8 +64,6 @@ public:
         }
         world_.scene = &scene;
         world_.ambient = scene.ambient;
-        for (const Mesh& mesh : scene.meshes)
-            facts_.push_back(facts_of(mesh));
     }
 
     World run() {
@@ -315,9 +272,9 @@ private:
 
     const Scene& scene_;
     uint32_t scene_index_;
+    const std::vector<MeshFacts>& facts_; ///< by mesh
     NodeTree now_;
     std::optional<NodeTree> before_; ///< absent: nothing has moved
-    std::vector<MeshFacts> facts_;
     /// Mesh, skin, weights now and before → index into World::deformed, origin.
     std::map<std::tuple<uint32_t, std::optional<uint32_t>, std::vector<double>, std::vector<double>>,
              std::pair<uint32_t, glm::dvec3>>
@@ -332,12 +289,17 @@ private:
 
 } // namespace
 
-World resolve(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
-              std::optional<uint32_t> animation) {
+World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, std::optional<uint32_t> scene_index,
+              const std::optional<Moment>& moment, std::optional<uint32_t> animation) {
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
         throw Error(fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
-    return Resolver(scene, index, moment, animation).run();
+    return Resolver(scene, facts, index, moment, animation).run();
+}
+
+World resolve(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
+              std::optional<uint32_t> animation) {
+    return resolve(scene, facts_of(scene), scene_index, moment, animation);
 }
 
 } // namespace prelight

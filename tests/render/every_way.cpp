@@ -42,4 +42,11 @@ std::string way_name(const testing::TestParamInfo<Shot>& info) {
     return name;
 }
 
+uint64_t seed_of(const Shot& shot) {
+    uint64_t seed = 11;
+    for (const char c : name_of(shot))
+        seed = seed * 31 + static_cast<unsigned char>(c);
+    return seed;
+}
+
 } // namespace prelight

@@ -18,4 +18,7 @@ std::string name_of(const Shot& shot);
 /// The same of a test's parameter, as GoogleTest takes names.
 std::string way_name(const testing::TestParamInfo<Shot>& info);
 
+/// Another number for each, the same at each run: so that tests drawn by lot go through other changes.
+uint64_t seed_of(const Shot& shot);
+
 } // namespace prelight

@@ -90,7 +90,7 @@ TEST(LightGrid, CellsCoverTheWorldAndStayWithinTheirNumber) {
         resident::Draw draw;
         draw.low = {10, 20, -30};
         draw.high = draw.low + size;
-        const passes::LightGrid grid = passes::light_grid(std::span(&draw, 1));
+        const passes::LightGrid grid = passes::light_grid(resident::box_around(std::span(&draw, 1)));
         EXPECT_LE(uint64_t(grid.cells.x) * grid.cells.y * grid.cells.z, 32768u);
         const glm::dvec3 end = grid.low + grid.cell * glm::dvec3(grid.cells);
         for (int axis = 0; axis < 3; ++axis) {

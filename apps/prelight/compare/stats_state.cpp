@@ -26,7 +26,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightBufferStats, diffuse_scale, specular_sca
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SettingChoice, key, asked, taken, why)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stats, device, driver, settings, choices, shading, notes, lights, triangles, draws,
                                    triangles_drawn, draws_skipped, triangles_skipped, frames, wall_ms, cpu_ms, gpu_ms,
-                                   passes, attachment_bytes, device_bytes, device_bytes_peak, created, host_ms, shadows,
+                                   passes, attachment_bytes, device_bytes, device_bytes_peak, created, updated_bytes, frame_bytes, host_ms, shadows,
                                    light_buffer, attachment_bytes_unshared, pairs_evaluated, pairs_contributing,
                                    pairs_counted)
 

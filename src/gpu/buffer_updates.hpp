@@ -1,0 +1,35 @@
+#pragma once
+#include "buffer.hpp"
+#include "frames_in_flight.hpp"
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace prelight::gpu {
+
+/// What the host changes in device buffers between two frames. The next frame copies it before its passes, so that
+/// frames in flight still read what was there.
+class BufferUpdates {
+public:
+    explicit BufferUpdates(const Context& context) : context_(context) {}
+    /// Bytes of `target`, made with make_device_buffer(), from `offset` on; both sizes are multiples of 4. Written once
+    /// more to the same offset and as long, the later bytes count; pieces that overlap otherwise are not allowed.
+    void write(const Buffer& target, uint64_t offset, std::span<const std::byte> bytes);
+    /// Bytes that wait for record().
+    uint64_t waiting() const { return bytes_.size(); }
+    /// Into the frame's commands, through staging memory of its slot, which no frame in flight may use.
+    void record(VkCommandBuffer commands, uint32_t slot);
+
+private:
+    struct Region {
+        VkBuffer target = VK_NULL_HANDLE;
+        VkBufferCopy copy{}; ///< from an offset in `bytes_`
+    };
+    const Context& context_;
+    std::vector<std::byte> bytes_;
+    std::vector<Region> regions_;
+    std::map<std::pair<VkBuffer, uint64_t>, size_t> known_; ///< target and offset → its region
+    PerFrame<Buffer> staging_;
+};
+
+} // namespace prelight::gpu

@@ -1,0 +1,40 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <limits>
+#include <prelight/scene.hpp>
+#include <vector>
+
+namespace prelight {
+
+struct Bounds {
+    glm::dvec3 min{std::numeric_limits<double>::infinity()};
+    glm::dvec3 max{-std::numeric_limits<double>::infinity()};
+    void add(glm::dvec3 p) {
+        min = glm::min(min, p);
+        max = glm::max(max, p);
+    }
+    bool finite() const {
+        const glm::dvec3 sum = min + max;
+        return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
+    }
+};
+
+/// What resolve() needs of a mesh, gathered once.
+struct MeshFacts {
+    uint64_t triangles = 0;
+    uint64_t vertices = 0;                   ///< that a triangle uses
+    std::vector<std::vector<uint32_t>> used; ///< per primitive, sorted; empty: every vertex
+    Bounds box;                              ///< object space
+};
+
+MeshFacts facts_of(const Mesh& mesh);
+/// Of all of the scene's, by index.
+std::vector<MeshFacts> facts_of(const Scene& scene);
+
+/// resolve() with facts_of(scene).
+World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, std::optional<uint32_t> scene_index,
+              const std::optional<Moment>& moment, std::optional<uint32_t> animation);
+
+} // namespace prelight
