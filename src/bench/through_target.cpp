@@ -35,11 +35,11 @@ Stored through_target(const gpu::Context& context, std::span<const VkFormat> for
     const gpu::Buffer source(context, "values", values.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                              gpu::BufferPlace::upload);
     std::copy(values.begin(), values.end(), source.mapped<glm::vec4>());
-    const VkExtent2D extent{BENCH_WIDTH, static_cast<uint32_t>(values.size() / BENCH_WIDTH)};
+    const gpu::Raster raster{{BENCH_WIDTH, static_cast<uint32_t>(values.size() / BENCH_WIDTH)}};
 
     graph::FrameGraph graph(context);
-    const graph::ImageId stored = graph.image("stored", extent, formats);
-    const graph::ImageId decoded = graph.image("decoded", {VK_FORMAT_R32G32B32A32_SFLOAT, extent});
+    const graph::ImageId stored = graph.image("stored", raster, formats);
+    const graph::ImageId decoded = graph.image("decoded", {VK_FORMAT_R32G32B32A32_SFLOAT, raster});
     graph::Pass& encode = graph.pass("encode");
     encode.colour(stored, graph::Load::discard).storage(BENCH_VALUES, graph.buffer("values", source), false);
     draw_everywhere(encode, context, "bench_encode.frag", constants);

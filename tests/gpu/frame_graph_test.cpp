@@ -212,7 +212,7 @@ TEST_P(FrameGraphTest, DepthWithStencilIsTestedSampledAndReadBack) {
         if (!context().supports(format, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
             continue;
         FrameGraph graph(context());
-        const ImageId depth = graph.image("depth", {64, 64}, {format});
+        const ImageId depth = graph.image("depth", {{64, 64}}, {format});
         const ImageId seen = graph.image("seen", floats);
         graph.pass("depth").depth_write(depth).record([](const auto&) {});
         graph::Pass& pass = graph.pass("test and sample");
@@ -232,7 +232,7 @@ TEST_P(FrameGraphTest, DepthWithStencilIsTestedSampledAndReadBack) {
 
 TEST_P(FrameGraphTest, StencilOfSomeFormatIsAlwaysThere) {
     FrameGraph graph(context());
-    const ImageId depth = graph.image("depth", {64, 64}, {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT});
+    const ImageId depth = graph.image("depth", {{64, 64}}, {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT});
     const bool d24 = graph.desc(depth).format == VK_FORMAT_D24_UNORM_S8_UINT;
     EXPECT_EQ(d24, context().supports(VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT));
     EXPECT_EQ(graph.notes().size(), d24 ? 0u : 1u);
