@@ -92,7 +92,8 @@ struct CreatedObjects {
 
 /// CPU time of the calling thread for one frame, milliseconds.
 struct HostTimes {
-    Spread lights;  ///< the lights' records: what of each light shaders read; with what set_lights(), update_world() took
+    Spread
+        lights; ///< the lights' records: what of each light shaders read; with what set_lights(), update_world() took
     Spread culling; ///< which lights reach the picture or an object, in which group, with which bounds
     Spread objects; ///< the objects' records
     Spread record;  ///< recording and submitting the frame's commands
@@ -159,15 +160,15 @@ struct Stats {
 class Renderer {
 public:
     virtual ~Renderer() = default;
-    /// Takes the world in (uploads it). `world` and its scene must stay alive, and unchanged but for what update_world()
-    /// is told.
+    /// Takes the world in (uploads it). `world` and its scene must stay alive, and unchanged but for what
+    /// update_world() is told.
     virtual void set_world(const World& world) = 0;
     /// The caller has changed the world of set_world(), or its scene's materials, where they stand, and says what: from
     /// the next render() on the picture is that of the world as it is now. What moves, is shown or hidden, takes other
     /// vertices, factors or lights costs what it takes to upload that. What needs other draws or pipelines (a texture,
     /// an alpha mode, a transform that mirrors what was not mirrored, an object that comes under a decal for the first
-    /// time, `all`) costs as much as set_world(). ambient light is read for each picture and need not be told. Lights of
-    /// set_lights() stay unless `changes.lights`. A read() needs another render() first. Throws Error: before
+    /// time, `all`) costs as much as set_world(). ambient light is read for each picture and need not be told. Lights
+    /// of set_lights() stay unless `changes.lights`. A read() needs another render() first. Throws Error: before
     /// set_world(), numbers that are not there, and as set_world() does; then the renderer has no world.
     virtual void update_world(const WorldChanges& changes) = 0;
     /// Takes other lights in place of the world's, from the next render() on: to move them, add and

@@ -4,9 +4,9 @@
 
 namespace prelight {
 
-/// A scene's world at one moment after another, for a renderer that is kept: the world changes where it stands, and what
-/// of it has changed goes into Renderer::update_world(). It is at any moment what resolve() gives for it, whatever came
-/// before.
+/// A scene's world at one moment after another, for a renderer that is kept: the world changes where it stands, and
+/// what of it has changed goes into Renderer::update_world(). It is at any moment what resolve() gives for it, whatever
+/// came before.
 class Timeline {
 public:
     /// As resolve(); the scene must outlive it, and stay as it is but for its materials. Throws Error.
@@ -20,7 +20,8 @@ public:
     const World& world() const;
     /// Whether anything of the scene depends on the moment: animations, emitters.
     bool moves() const;
-    /// Cameras, bounds and ambient light change too, and nobody need be told. Throws Error; the world is as before then.
+    /// Cameras, bounds and ambient light change too, and nobody need be told. Throws Error; the world is as before
+    /// then.
     WorldChanges move_to(const Moment& moment);
     /// move_to() in two halves: the first may run in another thread while a renderer shows the world.
     World at(const Moment& moment) const;

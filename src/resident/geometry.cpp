@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/common.hpp>
-#include <limits>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
@@ -86,7 +86,8 @@ private:
 
 /// The first three indices.
 std::vector<uint32_t> first_triangle(const Primitive& primitive) {
-    return {primitive.indices.begin(), primitive.indices.begin() + std::min<ptrdiff_t>(3, std::ssize(primitive.indices))};
+    return {primitive.indices.begin(),
+            primitive.indices.begin() + std::min<ptrdiff_t>(3, std::ssize(primitive.indices))};
 }
 
 } // namespace
@@ -140,8 +141,8 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
                 for (size_t p = 0; p < mesh.primitives.size(); ++p)
                     geometry.deformed[*instance.deformed].push_back(
                         {static_cast<uint32_t>(places->second[p].vertex_offset),
-                         static_cast<uint32_t>(mesh.primitives[p].positions.size()),
-                         first_triangle(mesh.primitives[p]), mesh.primitives[p].indices.size()});
+                         static_cast<uint32_t>(mesh.primitives[p].positions.size()), first_triangle(mesh.primitives[p]),
+                         mesh.primitives[p].indices.size()});
         }
         for (size_t p = 0; p < mesh.primitives.size(); ++p) {
             const Primitive& primitive = mesh.primitives[p];

@@ -24,8 +24,8 @@ public:
     GpuScene(const gpu::Context& context, const World& world, const GpuSceneSettings& settings);
 
     /// Takes in what has changed of the world, but for its lights; a view sees it from its next update() on, and
-    /// updates() go into the next frame. False: it needs other draws or pipelines, that is, another GpuScene; then nothing
-    /// has been taken in. Throws Error for numbers that are not there and values that may not be.
+    /// updates() go into the next frame. False: it needs other draws or pipelines, that is, another GpuScene; then
+    /// nothing has been taken in. Throws Error for numbers that are not there and values that may not be.
     bool update(const WorldChanges& changes);
     /// What the next frame copies before its passes.
     gpu::BufferUpdates& updates() { return updates_; }

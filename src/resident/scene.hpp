@@ -1,4 +1,5 @@
 #pragma once
+#include <glm/common.hpp>
 #include <gpu/buffer.hpp>
 #include <gpu/buffer_updates.hpp>
 #include <gpu/descriptors.hpp>
@@ -9,7 +10,6 @@
 #include <resident/material_shaders.hpp>
 #include <span>
 #include <tuple>
-#include <glm/common.hpp>
 #include <utility>
 #include <vector>
 
@@ -41,7 +41,7 @@ struct Draw {
 
 /// Where a primitive's vertices lie, and what of it must stay for others to take their place.
 struct VertexRange {
-    uint32_t first = 0;    ///< in positions, previous positions and attributes
+    uint32_t first = 0; ///< in positions, previous positions and attributes
     uint32_t vertices = 0;
     std::vector<uint32_t> first_triangle; ///< a skin may turn all of them round
     size_t indices = 0;
@@ -83,7 +83,7 @@ struct MaterialKey {
     const MaterialShader* shader = nullptr;
     AlphaMode alpha_mode = AlphaMode::opaque;
     bool unlit = false, double_sided = false, receives_decals = true;
-    float mask_cutoff = 0; ///< that the levels of its texture were made for
+    float mask_cutoff = 0;                              ///< that the levels of its texture were made for
     std::vector<std::pair<uint32_t, Sampler>> textures; ///< image and sampler of each slot
     bool operator==(const MaterialKey&) const = default;
 };
@@ -98,13 +98,13 @@ struct Materials {
     std::map<std::pair<const TextureImage*, TextureUse>, gpu::Texture> textures;
     std::map<std::tuple<const TextureImage*, float, uint32_t>, gpu::Texture> masks; ///< with mask_levels()
     std::vector<gpu::UniqueSampler> samplers;
-    gpu::Buffer constants;                    ///< one block a material
-    gpu::Buffer parameters;                  ///< of the shaders; one block a material
+    gpu::Buffer constants;                                ///< one block a material
+    gpu::Buffer parameters;                               ///< of the shaders; one block a material
     uint64_t constants_stride = 0, parameters_stride = 0; ///< bytes from one block to the next
     std::vector<MaterialKey> keys;                        ///< by material index
-    std::optional<gpu::Texture> environment; ///< MATERIAL_ENVIRONMENT
-    std::optional<gpu::Texture> sky;         ///< MATERIAL_SKY
-    std::optional<gpu::Texture> reflectance; ///< MATERIAL_REFLECTANCE
+    std::optional<gpu::Texture> environment;              ///< MATERIAL_ENVIRONMENT
+    std::optional<gpu::Texture> sky;                      ///< MATERIAL_SKY
+    std::optional<gpu::Texture> reflectance;              ///< MATERIAL_REFLECTANCE
     gpu::UniqueSampler environment_sampler, table_sampler;
     gpu::Buffer environment_light; ///< EnvironmentConstants
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;

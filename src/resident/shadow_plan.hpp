@@ -25,7 +25,7 @@ struct ShadowOptions {
 /// so that what he needs besides must become a field here, and is compared.
 struct ShadowMap {
     ShadowTilePlace place;
-    glm::mat4 clip_from_centre{1}; ///< world relative to its centre
+    glm::mat4 clip_from_centre{1};  ///< world relative to its centre
     std::vector<uint32_t> casters;  ///< indices into the plan's draws, rising
     std::vector<uint32_t> versions; ///< Draw::version of each
     bool operator==(const ShadowMap&) const = default;
@@ -58,8 +58,8 @@ struct ShadowedLight {
 /// whose lights cover least of the screen; lights go without only when one texel a tile is too much.
 class ShadowPlan {
 public:
-    /// `draws`: all that casts, alive as long as the plan, each with another version when it changes; `longest`: side of the largest image that the
-    /// device makes.
+    /// `draws`: all that casts, alive as long as the plan, each with another version when it changes; `longest`: side
+    /// of the largest image that the device makes.
     ShadowPlan(std::span<const Draw> draws, const ShadowOptions& options, uint32_t longest);
 
     /// For `visible` lights (indices into `lights`).

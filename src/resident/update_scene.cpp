@@ -117,10 +117,10 @@ void GpuScene::update_vertices(uint32_t deformed) {
         updates_.write(geometry_.attributes, first * sizeof(VertexAttributes),
                        std::as_bytes(std::span(attributes_of(primitive))));
         if (geometry_.previous_positions.handle())
-            updates_.write(geometry_.previous_positions, first * sizeof(glm::vec3),
-                           std::as_bytes(std::span(primitive.previous_positions.empty()
-                                                       ? primitive.positions
-                                                       : primitive.previous_positions)));
+            updates_.write(
+                geometry_.previous_positions, first * sizeof(glm::vec3),
+                std::as_bytes(std::span(primitive.previous_positions.empty() ? primitive.positions
+                                                                             : primitive.previous_positions)));
     }
 }
 

@@ -9,7 +9,8 @@ namespace {
 /// Other draws: not a change in place.
 bool same_draws(const World& a, const World& b) {
     const auto same = [](const Instance& x, const Instance& y) {
-        return x.mesh == y.mesh && x.node == y.node && x.deformed == y.deformed && x.receives_decals == y.receives_decals;
+        return x.mesh == y.mesh && x.node == y.node && x.deformed == y.deformed &&
+               x.receives_decals == y.receives_decals;
     };
     return std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(), same) &&
            a.deformed.size() == b.deformed.size();
@@ -26,7 +27,8 @@ bool same_vertices(const Primitive& a, const Primitive& b) {
 }
 
 bool same_shape(const Mesh& a, const Mesh& b) {
-    return std::equal(a.primitives.begin(), a.primitives.end(), b.primitives.begin(), b.primitives.end(), same_vertices);
+    return std::equal(a.primitives.begin(), a.primitives.end(), b.primitives.begin(), b.primitives.end(),
+                      same_vertices);
 }
 
 bool same_light(const PlacedLight& a, const PlacedLight& b) {

@@ -64,8 +64,10 @@ private:
         Material& material = scene.materials[m];
         switch (random_.below(12)) {
         case 0: instance.visible = !instance.visible; break;
-        case 1: instance.transform = glm::translate(glm::dmat4(1), {0, number(2, 5), 0}) * thing(); break; // out of the box
-        case 2: // seen in a mirror: other front faces
+        case 1:
+            instance.transform = glm::translate(glm::dmat4(1), {0, number(2, 5), 0}) * thing();
+            break; // out of the box
+        case 2:    // seen in a mirror: other front faces
             instance.transform = glm::scale(instance.transform, glm::dvec3(-1, 1, 1));
             instance.mirrored = !instance.mirrored;
             break;
@@ -98,9 +100,7 @@ private:
                 placed.transform = glm::translate(glm::dmat4(1), {number(-2, 2), 0, number(-2, 2)}) * placed.transform;
             changes.decals = true;
             return;
-        default:
-            instance.transform = thing();
-            instance.mirrored = false;
+        default: instance.transform = thing(); instance.mirrored = false;
         }
         changes.instances.push_back(which);
     }

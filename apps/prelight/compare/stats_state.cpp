@@ -26,9 +26,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightBufferStats, diffuse_scale, specular_sca
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SettingChoice, key, asked, taken, why)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stats, device, driver, settings, choices, shading, notes, lights, triangles, draws,
                                    triangles_drawn, draws_skipped, triangles_skipped, frames, wall_ms, cpu_ms, gpu_ms,
-                                   passes, attachment_bytes, device_bytes, device_bytes_peak, created, updated_bytes, frame_bytes, host_ms, shadows,
-                                   light_buffer, attachment_bytes_unshared, pairs_evaluated, pairs_contributing,
-                                   pairs_counted)
+                                   passes, attachment_bytes, device_bytes, device_bytes_peak, created, updated_bytes,
+                                   frame_bytes, host_ms, shadows, light_buffer, attachment_bytes_unshared,
+                                   pairs_evaluated, pairs_contributing, pairs_counted)
 
 } // namespace prelight
 
@@ -40,7 +40,7 @@ Stats stats_from_state(const nlohmann::json& state) {
     // A field more in one of these structs does not compile here: it belongs in the lists above.
     [[maybe_unused]] const auto whole = [](const Stats& s, const ShadowStats& w, const LightBufferStats& l) {
         const auto& [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15, a16, a17, a18, a19, a20, a21,
-                     a22, a23, a24, a25, a26, a27, a28] = s;
+                     a22, a23, a24, a25, a26, a27, a28, a29, a30] = s;
         const auto& [b1, b2, b3, b4, b5, b6, b7, b8, b9, b10] = w;
         const auto& [c1, c2, c3] = l;
         static_cast<void>(a1);
