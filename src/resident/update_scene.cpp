@@ -114,8 +114,8 @@ void GpuScene::update_vertices(uint32_t deformed) {
         const Primitive& primitive = mesh.primitives[p];
         const uint64_t first = geometry_.deformed[deformed][p].first;
         updates_.write(geometry_.positions, first * sizeof(glm::vec3), std::as_bytes(std::span(primitive.positions)));
-        updates_.write(geometry_.attributes, first * sizeof(VertexAttributes),
-                       std::as_bytes(std::span(attributes_of(primitive))));
+        const std::vector<VertexAttributes> attributes = attributes_of(primitive);
+        updates_.write(geometry_.attributes, first * sizeof(VertexAttributes), std::as_bytes(std::span(attributes)));
         if (geometry_.previous_positions.handle())
             updates_.write(
                 geometry_.previous_positions, first * sizeof(glm::vec3),
