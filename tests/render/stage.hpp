@@ -1,5 +1,6 @@
 #pragma once
 #include "garden.hpp"
+#include "random_scene.hpp"
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <prelight/light_distribution.hpp>
