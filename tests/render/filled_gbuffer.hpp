@@ -37,7 +37,7 @@ struct FilledGBuffer {
         const auto texels = graph.read_back(image);
         glm::dvec4 value;
         for (int c = 0; c < 4; ++c)
-            value[c] = std::to_integer<int>(texels[4 * (size_t(y) * view.extent().width + x) + size_t(c)]) / 255.0;
+            value[c] = std::to_integer<int>(texels[4 * (size_t(y) * view.raster().extent.width + x) + size_t(c)]) / 255.0;
         return value;
     }
 };
