@@ -106,6 +106,7 @@ TEST_P(FrameGraphBuffers, FramesFollowEachOtherWithoutAWait) {
     counts(graph, a, 5);
     mirrors(graph, a, b);
     graph.compile();
+    const uint64_t held = context().device_bytes();
     context().run("two frames", [&](VkCommandBuffer commands) {
         graph.record(commands);
         graph.record(commands);
@@ -194,7 +195,6 @@ TEST_P(FrameGraphBuffers, EachFrameInFlightHasItsOwn) {
 TEST_P(FrameGraphBuffers, ARetiredBufferStaysForTheFrameOnItsWay) {
     gpu::Buffer first = make("first");
     const gpu::Buffer second = make("second"), grown = make("grown");
-    const uint64_t held = context().device_bytes();
     graph::FrameGraph graph(context());
     const graph::BufferId a = graph.buffer("first", first), b = graph.buffer("second", second);
     counts(graph, a, 5);
@@ -207,6 +207,7 @@ TEST_P(FrameGraphBuffers, ARetiredBufferStaysForTheFrameOnItsWay) {
         }
     });
     graph.compile();
+    const uint64_t held = context().device_bytes();
     context().run("two frames", [&](VkCommandBuffer commands) {
         graph.record(commands, {0, true});
         graph.record(commands, {1, false});

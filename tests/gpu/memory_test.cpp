@@ -42,11 +42,13 @@ TEST_P(DeviceMemory, AFrameGraphGivesItsMemoryBack) {
         graph.pass("clear").colour(image, graph::Load::clear).record([](const auto&) {});
         graph.keep(image);
         graph.compile();
-        EXPECT_EQ(held(), start + graph.memory_bytes());
+        const uint64_t compiled = held();
+        EXPECT_GT(compiled, start + graph.memory_bytes()) << "what passes know of their rasters";
+        EXPECT_LE(compiled, start + graph.memory_bytes() + 4096);
         EXPECT_GE(graph.memory_bytes(), 300 * 200 * 8);
         run_frame(context(), graph);
         graph.read_back(image);
-        EXPECT_EQ(held(), start + graph.memory_bytes()) << "the buffer of read_back() is gone";
+        EXPECT_EQ(held(), compiled) << "the buffer of read_back() is gone";
     }
     EXPECT_EQ(held(), start);
 }
