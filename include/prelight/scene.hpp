@@ -128,6 +128,20 @@ struct Scene {
     std::vector<std::string> warnings; ///< what the loader repaired or left out: "FILE: OBJECT: REASON", one line each
 };
 
+/// How morph targets and a skin shape one of World::deformed at the moment: from it a renderer on a device makes the
+/// vertices itself.
+struct Deformation {
+    /// Index into Scene::meshes; absent: nothing but World::deformed says what the vertices are (particles).
+    std::optional<uint32_t> mesh{};
+    std::vector<glm::mat4> joints{}; ///< by Skin::joints: mesh → the space of the deformed vertices; empty: no skin
+    std::vector<float> weights{};    ///< one for each morph target
+    std::vector<glm::mat4> previous_joints{}; ///< at the moment's previous state, into the same space; as many
+    std::vector<float> previous_weights{};
+    bool turned = false;        ///< the joints mirror: fronts of the mesh's triangles are clockwise
+    glm::vec3 low{0}, high{0};  ///< a box around all vertices, in the space of the deformed ones
+    bool operator==(const Deformation&) const = default;
+};
+
 /// One drawn object: a mesh at a place.
 struct Instance {
     uint32_t mesh = 0;
@@ -157,6 +171,7 @@ struct World {
     const Scene* scene = nullptr; ///< meshes, materials, images; must outlive the World
     std::vector<Instance> instances;
     std::vector<Mesh> deformed{};      ///< meshes as morph targets and skins shape them at the moment, and particles
+    std::vector<Deformation> deformations{}; ///< beside `deformed`
     std::vector<PlacedLight> lights;   ///< of the nodes, then of the emitters' particles
     std::vector<PlacedDecal> decals{}; ///< by Decal::order: later ones lie over earlier ones
     std::vector<PlacedCamera> cameras;

@@ -70,6 +70,14 @@
 #define INPUT_LIGHT_HISTOGRAM 36
 #define INPUT_LIGHT_SCALE 37
 #define INPUT_FRAME_CONSTANTS 38
+// deformation of skins and morph targets
+#define INPUT_DEFORM_BASE 48
+#define INPUT_DEFORM_INFLUENCES 49
+#define INPUT_DEFORM_TARGETS 50
+#define INPUT_DEFORM_STATE 51
+#define INPUT_DEFORM_POSITIONS 52
+#define INPUT_DEFORM_PREVIOUS 53
+#define INPUT_DEFORM_ATTRIBUTES 54
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0

@@ -8,6 +8,7 @@
 #include <exception>
 #include <fmt/format.h>
 #include <passes/background.hpp>
+#include <passes/deformation.hpp>
 #include <passes/index_trimming.hpp>
 #include <prelight/error.hpp>
 #include <resident/texture_limit.hpp>
@@ -188,6 +189,7 @@ void DeviceRenderer::build_graph() {
     for (const std::string& note : settings_.notes())
         graph->note(note);
     light_sums_.choose(settings_, *graph, context_, blended_adds(*view_));
+    passes::deformation_pass(*graph, *view_);
     passes::index_trimming_passes(*graph, *view_);
     outputs_ = build(*graph, *view_);
     for (const auto& [name, image] : outputs_)

@@ -1,4 +1,5 @@
 #include "decals.hpp"
+#include "deformation.hpp"
 #include "scene.hpp"
 #include <algorithm>
 #include <cmath>
@@ -84,6 +85,13 @@ private:
     bool moved_ = false; ///< a primitive was elsewhere before
 };
 
+bool device_deforms(const World& world) {
+    for (const Instance& instance : world.instances)
+        if (instance.deformed && deforms_on_device(world, *instance.deformed))
+            return true;
+    return false;
+}
+
 /// The first three indices.
 std::vector<uint32_t> first_triangle(const Primitive& primitive) {
     return {primitive.indices.begin(),
@@ -128,13 +136,17 @@ void Draw::bound(const glm::dmat4& transform) {
 Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals) {
     Vertices vertices(motion);
-    std::map<const Mesh*, std::vector<Placement>> placements; // of the meshes that are shown
+    // Of the meshes that are shown; the device writes vertices of its own for each deformed one.
+    std::map<std::pair<const Mesh*, std::optional<uint32_t>>, std::vector<Placement>> placements;
+    const bool on_device = device_deforms(world);
     Geometry geometry;
     geometry.deformed.resize(world.deformed.size());
     for (uint32_t i = 0; i < world.instances.size(); ++i) {
         const Instance& instance = world.instances[i];
-        const Mesh& mesh = world.mesh_of(instance);
-        const auto [places, is_new] = placements.try_emplace(&mesh);
+        const Mesh& mesh = drawn_mesh(world, instance);
+        const bool shaped = instance.deformed && deforms_on_device(world, *instance.deformed);
+        const bool turned = shaped && world.deformations[*instance.deformed].turned;
+        const auto [places, is_new] = placements.try_emplace({&mesh, instance.deformed});
         if (is_new) {
             places->second = vertices.add(mesh);
             if (instance.deformed)
@@ -153,9 +165,10 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
             Draw& draw = geometry.draws.emplace_back(
                 Draw{place.first_index, static_cast<uint32_t>(primitive.indices.size()), place.vertex_offset, i,
                      primitive.material, features_of(*world.scene, material), shaders.index_of(material),
-                     instance.mirrored, material.double_sided, static_cast<uint32_t>(p), &primitive});
-            draw.own_low = place.low;
-            draw.own_high = place.high;
+                     instance.mirrored != turned, material.double_sided, static_cast<uint32_t>(p),
+                     shaped ? nullptr : &primitive});
+            draw.own_low = shaped ? world.deformations[*instance.deformed].low : place.low;
+            draw.own_high = shaped ? world.deformations[*instance.deformed].high : place.high;
             draw.visible = instance.visible;
             draw.bound(instance.transform);
             if (instance.receives_decals && material.receives_decals && reaches_any(decals, draw.low, draw.high))
@@ -173,12 +186,17 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
     for (uint32_t d = 0; d < geometry.draws.size(); ++d)
         geometry.draws_of[geometry.draws[d].object].push_back(d);
     constexpr VkBufferUsageFlags vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
-    const VkBufferUsageFlags storage = trims ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
-    geometry.positions = gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex | storage);
-    geometry.attributes = gpu::make_device_buffer(context, "vertex attributes", bytes(vertices.attributes), vertex);
+    const VkBufferUsageFlags storage = trims ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0,
+                             deforms = on_device ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
+    geometry.positions =
+        gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex | storage | deforms);
+    geometry.attributes =
+        gpu::make_device_buffer(context, "vertex attributes", bytes(vertices.attributes), vertex | deforms);
+    if (motion && on_device && vertices.previous.empty())
+        vertices.previous = vertices.positions; // the device fills in what moves
     if (!vertices.previous.empty())
         geometry.previous_positions =
-            gpu::make_device_buffer(context, "previous positions", bytes(vertices.previous), vertex);
+            gpu::make_device_buffer(context, "previous positions", bytes(vertices.previous), vertex | deforms);
     geometry.indices = gpu::make_device_buffer(context, "indices", bytes(vertices.indices),
                                                VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
     return geometry;

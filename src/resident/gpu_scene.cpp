@@ -10,6 +10,9 @@ GpuScene::GpuScene(const gpu::Context& context, const World& world, const GpuSce
       decals_(decal_boxes(world)),
       geometry_(upload_geometry(context, world, settings.motion, settings.trimmed, materials_.shaders, decals_)),
       box_(box_around(geometry_.draws)) {
+    for (uint32_t d = 0; d < world.deformed.size() && !deformation_; ++d)
+        if (deforms_on_device(world, d) && !geometry_.deformed[d].empty())
+            deformation_.emplace(context, world, geometry_);
     for (const Instance& instance : world.instances)
         shown_.emplace_back(instance.mesh, instance.deformed);
     if (settings.casters)

@@ -1,5 +1,6 @@
 #pragma once
 #include "decals.hpp"
+#include "deformation.hpp"
 #include "scene.hpp"
 #include "world_box.hpp"
 #include <array>
@@ -27,6 +28,8 @@ public:
     /// updates() go into the next frame. False: it needs other draws or pipelines, that is, another GpuScene; then
     /// nothing has been taken in. Throws Error for numbers that are not there and values that may not be.
     bool update(const WorldChanges& changes);
+    /// Skins and morph targets; null: nothing that the device deforms.
+    const DeviceDeformation* deformation() const { return deformation_ ? &*deformation_ : nullptr; }
     /// What the next frame copies before its passes.
     gpu::BufferUpdates& updates() { return updates_; }
 
@@ -49,6 +52,9 @@ private:
     bool fits(uint32_t instance, std::span<const DecalBox> decals) const;
     /// Instances that show one of them.
     std::vector<uint32_t> showing(std::span<const uint32_t> deformed) const;
+    bool is_turned(const Instance& instance) const;
+    /// Box and vertices of a draw of a deformed mesh, as it is now.
+    void set_shape(Draw& draw) const;
     void update_vertices(uint32_t deformed);
     void update_boxes(std::span<const uint32_t> instances);
     std::array<glm::vec4, 3> caster_row(const Draw& draw) const;
@@ -60,6 +66,7 @@ private:
     Materials materials_;
     std::vector<DecalBox> decals_;
     Geometry geometry_;
+    std::optional<DeviceDeformation> deformation_;
     WorldBox box_;
     gpu::Buffer caster_rows_;
     /// What instances show, as it was uploaded: mesh and deformed mesh.

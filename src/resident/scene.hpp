@@ -27,7 +27,7 @@ struct Draw {
     bool mirrored = false;
     bool double_sided = false;
     uint32_t part = 0;                    ///< index into Mesh::primitives
-    const Primitive* primitive = nullptr; ///< whose indices and vertices these are
+    const Primitive* primitive = nullptr; ///< whose indices and vertices these are; null: the device makes the vertices
     glm::vec3 own_low{0}, own_high{0};    ///< a box around its vertices, object space
     glm::dvec3 low{0}, high{0};           ///< the same in world space
     bool visible = true;

@@ -22,13 +22,30 @@ bool drawn_alike(const DecalBox& a, const DecalBox& b) {
 
 } // namespace
 
+bool GpuScene::is_turned(const Instance& instance) const {
+    return instance.deformed && deforms_on_device(world_, *instance.deformed) &&
+           world_.deformations[*instance.deformed].turned;
+}
+
+void GpuScene::set_shape(Draw& draw) const {
+    const Instance& instance = world_.instances[draw.object];
+    if (deforms_on_device(world_, *instance.deformed)) {
+        const Deformation& shape = world_.deformations[*instance.deformed];
+        draw.own_low = shape.low;
+        draw.own_high = shape.high;
+        return;
+    }
+    draw.primitive = &world_.mesh_of(instance).primitives[draw.part];
+    std::tie(draw.own_low, draw.own_high) = box_of(draw.primitive->positions);
+}
+
 bool GpuScene::fits(uint32_t i, std::span<const DecalBox> decals) const {
     const Instance& instance = world_.instances[i];
     if (shown_[i] != std::pair(instance.mesh, instance.deformed))
         return false;
     for (const uint32_t d : geometry_.draws_of[i]) {
         Draw moved = geometry_.draws[d];
-        if (moved.mirrored != instance.mirrored)
+        if (moved.mirrored != (instance.mirrored != is_turned(instance)))
             return false;
         const bool receives = instance.receives_decals && world_.scene->materials[moved.material].receives_decals;
         const bool drawn_with_decals = (moved.features & FEATURE_DECALS) != 0;
@@ -37,7 +54,7 @@ bool GpuScene::fits(uint32_t i, std::span<const DecalBox> decals) const {
         if (drawn_with_decals || !receives)
             continue; // one that no decal reaches any more stays as it is: nothing lies on it
         if (instance.deformed)
-            std::tie(moved.own_low, moved.own_high) = box_of(world_.mesh_of(instance).primitives[moved.part].positions);
+            set_shape(moved);
         moved.bound(instance.transform);
         if (reaches_any(decals, moved.low, moved.high))
             return false;
@@ -52,6 +69,13 @@ bool GpuScene::can_update(const WorldChanges& changes, std::span<const DecalBox>
     check_numbers(changes.deformed, world_.deformed.size(), "deformed mesh", *world_.scene);
     check_numbers(changes.materials, world_.scene->materials.size(), "material", *world_.scene);
     for (const uint32_t d : changes.deformed) {
+        if (deformation_ && !deformation_->fits(world_, d))
+            return false;
+        if (deforms_on_device(world_, d)) {
+            if (!deformation_)
+                return false;
+            continue;
+        }
         const std::vector<Primitive>& primitives = world_.deformed[d].primitives;
         const std::vector<VertexRange>& ranges = geometry_.deformed[d];
         if (!std::equal(primitives.begin(), primitives.end(), ranges.begin(), ranges.end(),
@@ -100,7 +124,10 @@ bool GpuScene::update(const WorldChanges& changes) {
     for (const uint32_t m : changes.materials)
         update_material(materials_, *world_.scene, m, settings_.exposure, updates_);
     for (const uint32_t d : changes.deformed)
-        update_vertices(d);
+        if (!deforms_on_device(world_, d))
+            update_vertices(d);
+        else if (!geometry_.deformed[d].empty())
+            deformation_->update(world_, d, updates_);
     std::vector<uint32_t> moved = changes.instances;
     const std::vector<uint32_t> shaped = showing(changes.deformed);
     moved.insert(moved.end(), shaped.begin(), shaped.end());
@@ -130,10 +157,8 @@ void GpuScene::update_boxes(std::span<const uint32_t> instances) {
         for (const uint32_t d : geometry_.draws_of[i]) {
             const Instance& instance = world_.instances[i];
             Draw& draw = geometry_.draws[d];
-            if (instance.deformed) {
-                draw.primitive = &world_.mesh_of(instance).primitives[draw.part];
-                std::tie(draw.own_low, draw.own_high) = box_of(draw.primitive->positions);
-            }
+            if (instance.deformed)
+                set_shape(draw);
             draw.bound(instance.transform);
             draw.visible = instance.visible;
             ++draw.version;

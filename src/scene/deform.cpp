@@ -25,13 +25,10 @@ glm::dmat3 normal_matrix(const glm::dmat3& m, bool mirrored) {
 /// One primitive in one shape.
 class Deformer {
 public:
-    Deformer(const Primitive& primitive, const Shape& shape, const std::string& object)
-        : primitive_(primitive), shape_(shape) {
+    Deformer(const Primitive& primitive, const Shape& shape) : primitive_(primitive), shape_(shape) {
         for (size_t i = 0; i < std::min(primitive.morph_targets.size(), shape.weights.size()); ++i)
             if (shape.weights[i] != 0)
                 active_.push_back({&primitive.morph_targets[i], shape.weights[i]});
-        if (!shape.joints.empty())
-            check_joints(object);
     }
 
     /// World space with a skin, else object space.
@@ -45,39 +42,28 @@ public:
     }
 
     /// Normals, tangents and the winding of triangles, into a copy of the primitive.
-    void turn(Primitive& out) const {
+    void turn(Primitive& out, bool turned) const {
         std::vector<glm::dvec3> normals(primitive_.normals.begin(), primitive_.normals.end());
         morph(normals, &MorphTarget::normals);
         std::vector<glm::dvec3> tangents;
         for (const glm::vec4& tangent : primitive_.tangents)
             tangents.emplace_back(tangent);
         morph(tangents, &MorphTarget::tangents);
-        size_t mirrored_count = 0;
         for (uint32_t v = 0; v < primitive_.positions.size(); ++v) {
             const glm::dmat3 linear = shape_.joints.empty() ? glm::dmat3(1) : glm::dmat3(joint_matrix(v));
             const bool mirrored = glm::determinant(linear) < 0;
-            mirrored_count += mirrored;
             if (!normals.empty())
                 out.normals[v] = unit_normal_or(normal_matrix(linear, mirrored) * normals[v], primitive_.normals[v]);
             if (!tangents.empty())
                 out.tangents[v] = glm::vec4(unit_normal_or(linear * tangents[v], glm::vec3(primitive_.tangents[v])),
                                             primitive_.tangents[v].w * (mirrored ? -1.f : 1.f));
         }
-        if (2 * mirrored_count > primitive_.positions.size())
+        if (turned)
             for (size_t i = 0; i + 2 < out.indices.size(); i += 3)
                 std::swap(out.indices[i + 1], out.indices[i + 2]);
     }
 
 private:
-    void check_joints(const std::string& object) const {
-        for (const JointSet& set : primitive_.joint_sets)
-            for (size_t v = 0; v < set.joints.size(); ++v)
-                for (int i = 0; i < 4; ++i)
-                    if (set.weights[v][i] != 0 && set.joints[v][i] >= shape_.joints.size())
-                        throw Error(fmt::format("{}: vertex {} follows joint {}, but its skin has {}", object, v,
-                                                set.joints[v][i], shape_.joints.size()));
-    }
-
     struct Active {
         const MorphTarget* target;
         double weight;
@@ -91,37 +77,14 @@ private:
         }
     }
 
-    /// Mesh → world for one vertex. Weights are made to sum up to exactly 1: what is left of a sum of
-    /// rounded ones would be millimetres 10 km from the origin.
     glm::dmat4 joint_matrix(uint32_t vertex) const {
-        glm::dmat4 sum(0);
-        double total = 0;
-        for (const JointSet& set : primitive_.joint_sets)
-            for (int i = 0; i < 4; ++i)
-                if (const double weight = double(set.weights[vertex][i]); weight != 0) {
-                    sum += weight * shape_.joints[set.joints[vertex][i]];
-                    total += weight;
-                }
-        if (!(total > 0)) // glTF does not allow it; the first joint is as good as any
-            return shape_.joints[0];
-        return sum * (1 / total);
+        return prelight::joint_matrix(primitive_, shape_.joints, vertex);
     }
 
     const Primitive& primitive_;
     const Shape& shape_;
     std::vector<Active> active_;
 };
-
-/// Middle of the box of all vertices that a triangle uses.
-glm::dvec3 middle(const Mesh& mesh, const std::vector<std::vector<glm::dvec3>>& places) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-    for (size_t p = 0; p < mesh.primitives.size(); ++p)
-        for (const uint32_t index : mesh.primitives[p].indices) {
-            low = glm::min(low, places[p][index]);
-            high = glm::max(high, places[p][index]);
-        }
-    return low.x <= high.x ? 0.5 * low + 0.5 * high : glm::dvec3(0);
-}
 
 std::vector<glm::vec3> to_float(const std::vector<glm::dvec3>& places, glm::dvec3 origin, const std::string& object) {
     std::vector<glm::vec3> out;
@@ -150,6 +113,30 @@ Primitive kept(const Primitive& primitive) {
 
 } // namespace
 
+glm::dmat4 joint_matrix(const Primitive& primitive, std::span<const glm::dmat4> joints, uint32_t vertex) {
+    glm::dmat4 sum(0);
+    double total = 0;
+    for (const JointSet& set : primitive.joint_sets)
+        for (int i = 0; i < 4; ++i)
+            if (const double weight = double(set.weights[vertex][i]); weight != 0) {
+                sum += weight * joints[set.joints[vertex][i]];
+                total += weight;
+            }
+    if (!(total > 0)) // glTF does not allow it; the first joint is as good as any
+        return joints[0];
+    return sum * (1 / total);
+}
+
+void check_joints(const Mesh& mesh, size_t joints, const std::string& object) {
+    for (const Primitive& primitive : mesh.primitives)
+        for (const JointSet& set : primitive.joint_sets)
+            for (size_t v = 0; v < set.joints.size(); ++v)
+                for (int i = 0; i < 4; ++i)
+                    if (set.weights[v][i] != 0 && set.joints[v][i] >= joints)
+                        throw Error(fmt::format("{}: vertex {} follows joint {}, but its skin has {}", object, v,
+                                                set.joints[v][i], joints));
+}
+
 bool has_joints(const Mesh& mesh) {
     return std::all_of(mesh.primitives.begin(), mesh.primitives.end(), [](const Primitive& primitive) {
         return primitive.indices.empty() || !primitive.joint_sets.empty();
@@ -177,29 +164,23 @@ uint64_t deform_work(const Mesh& mesh) {
     return work;
 }
 
-Deformed deform(const Mesh& mesh, const Shape& shape, const Shape* previous, const std::string& object) {
-    Deformed result;
-    result.mesh.name = mesh.name;
-    std::vector<Deformer> deformers;
-    std::vector<std::vector<glm::dvec3>> places;
-    for (const Primitive& primitive : mesh.primitives)
-        places.push_back(deformers.emplace_back(primitive, shape, object).positions());
-    if (!shape.joints.empty())
-        result.origin = middle(mesh, places);
-    for (size_t p = 0; p < mesh.primitives.size(); ++p) {
-        Primitive& out = result.mesh.primitives.emplace_back(kept(mesh.primitives[p]));
-        out.positions = to_float(places[p], result.origin, object);
-        deformers[p].turn(out);
-        if (out.flat_normals)
-            turn_flat_normals(out);
+Mesh deform(const Mesh& mesh, const Shape& shape, const Shape* previous, const glm::dvec3& origin, bool turned,
+            const std::string& object) {
+    Mesh out{.name = mesh.name, .primitives = {}};
+    for (const Primitive& primitive : mesh.primitives) {
+        Primitive& made = out.primitives.emplace_back(kept(primitive));
+        const Deformer deformer(primitive, shape);
+        made.positions = to_float(deformer.positions(), origin, object);
+        deformer.turn(made, turned);
+        if (made.flat_normals)
+            turn_flat_normals(made);
         if (!previous)
             continue;
-        out.previous_positions =
-            to_float(Deformer(mesh.primitives[p], *previous, object).positions(), result.origin, object);
-        if (out.previous_positions == out.positions)
-            out.previous_positions.clear();
+        made.previous_positions = to_float(Deformer(primitive, *previous).positions(), origin, object);
+        if (made.previous_positions == made.positions)
+            made.previous_positions.clear();
     }
-    return result;
+    return out;
 }
 
 } // namespace prelight

@@ -19,18 +19,20 @@ bool is_plain(const Mesh& mesh, const Shape& shape);
 uint64_t deform_work(const Mesh& mesh);
 uint64_t vertex_count(const Mesh& mesh);
 
-struct Deformed {
-    Mesh mesh;
-    /// What vertices are relative to, world space; only with a skin, else 0. Kept in double, so that
-    /// a mesh far from the world's origin loses nothing when its vertices become float.
-    glm::dvec3 origin{0};
-};
+/// Mesh → world of one vertex: the sum of its joints. Weights are made to sum up to exactly 1: what is left of a sum of
+/// rounded ones would be millimetres 10 km from the origin.
+glm::dmat4 joint_matrix(const Primitive& primitive, std::span<const glm::dmat4> joints, uint32_t vertex);
 
-/// glTF 2.0, 3.7.2.2 and 3.7.3: morph targets first, then the skin, summed up in double. Normals
-/// and tangents follow (by the inverse transpose; flat normals are made anew) and are unit vectors
-/// again. Where the joints mirror, triangles are turned round, so that fronts stay fronts.
-/// `previous`, when given, fills Primitive::previous_positions of what moved.
-/// Throws Error "`object`: REASON" for a joint that is not there or a vertex that is not finite.
-Deformed deform(const Mesh& mesh, const Shape& shape, const Shape* previous, const std::string& object);
+/// Throws Error "`object`: REASON" for a vertex that follows a joint which is not among `joints`.
+void check_joints(const Mesh& mesh, size_t joints, const std::string& object);
+
+/// glTF 2.0, 3.7.2.2 and 3.7.3: morph targets first, then the skin, summed up in double, relative to `origin`: a mesh
+/// far from the world's origin loses nothing when its vertices become float. Normals and tangents follow (by the inverse
+/// transpose; flat normals are made anew) and are unit vectors again. `turned`: the joints mirror (Deformation::turned),
+/// and triangles are turned round, so that fronts stay fronts. `previous`, when given, fills
+/// Primitive::previous_positions of what moved. Joints must have been checked. Throws Error "`object`: REASON" for a
+/// vertex that is not finite.
+Mesh deform(const Mesh& mesh, const Shape& shape, const Shape* previous, const glm::dvec3& origin, bool turned,
+            const std::string& object);
 
 } // namespace prelight

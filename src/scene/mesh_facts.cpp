@@ -3,6 +3,39 @@
 
 namespace prelight {
 
+namespace {
+
+/// Whose vertices a joint or a target moves.
+void add_movers(const Primitive& primitive, const std::vector<bool>& seen, MeshFacts& facts) {
+    const auto box_of = [&](size_t joint) -> Bounds& {
+        if (facts.joint_boxes.size() <= joint)
+            facts.joint_boxes.resize(joint + 1);
+        return facts.joint_boxes[joint];
+    };
+    for (uint32_t v = 0; v < seen.size(); ++v) {
+        if (!seen[v])
+            continue;
+        bool moved = false;
+        for (const JointSet& set : primitive.joint_sets)
+            for (int i = 0; i < 4; ++i)
+                if (set.weights[v][i] != 0) {
+                    box_of(set.joints[v][i]).add(glm::dvec3(primitive.positions[v]));
+                    moved = true;
+                }
+        if (!moved)
+            facts.weightless.add(glm::dvec3(primitive.positions[v]));
+        for (size_t t = 0; t < primitive.morph_targets.size(); ++t) {
+            if (facts.targets.size() <= t)
+                facts.targets.resize(t + 1);
+            facts.targets[t].add(glm::dvec3(0));
+            if (v < primitive.morph_targets[t].positions.size())
+                facts.targets[t].add(glm::dvec3(primitive.morph_targets[t].positions[v]));
+        }
+    }
+}
+
+} // namespace
+
 MeshFacts facts_of(const Mesh& mesh) {
     MeshFacts facts;
     for (const Primitive& primitive : mesh.primitives) {
@@ -20,6 +53,7 @@ MeshFacts facts_of(const Mesh& mesh) {
             if (count != seen.size())
                 used.push_back(i);
         }
+        add_movers(primitive, seen, facts);
     }
     return facts;
 }

@@ -15,6 +15,7 @@ struct Bounds {
         min = glm::min(min, p);
         max = glm::max(max, p);
     }
+    bool empty() const { return !(min.x <= max.x); }
     bool finite() const {
         const glm::dvec3 sum = min + max;
         return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
@@ -27,14 +28,18 @@ struct MeshFacts {
     uint64_t vertices = 0;                   ///< that a triangle uses
     std::vector<std::vector<uint32_t>> used; ///< per primitive, sorted; empty: every vertex
     Bounds box;                              ///< object space
+    std::vector<Bounds> joint_boxes;         ///< by joint: of the vertices that it moves; empty boxes: none
+    Bounds weightless;                       ///< of those that no joint moves
+    std::vector<Bounds> targets;             ///< by morph target: what it adds, 0 included
 };
 
 MeshFacts facts_of(const Mesh& mesh);
 /// Of all of the scene's, by index.
 std::vector<MeshFacts> facts_of(const Scene& scene);
 
-/// resolve() with facts_of(scene).
+/// resolve() with facts_of(scene). Without `host_vertices` World::deformed holds no vertices of meshes, what moves is
+/// bounded by boxes, and a world without cameras gets none.
 World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, std::optional<uint32_t> scene_index,
-              const std::optional<Moment>& moment, std::optional<uint32_t> animation);
+              const std::optional<Moment>& moment, std::optional<uint32_t> animation, bool host_vertices);
 
 } // namespace prelight

@@ -7,7 +7,7 @@
 #include <prelight/error.hpp>
 #include <prelight/framing.hpp>
 #include <prelight/scene.hpp>
-#include <scene/deform.hpp>
+#include <scene/deformation.hpp>
 #include <scene/emit.hpp>
 #include <scene/enclosure.hpp>
 #include <scene/finite.hpp>
@@ -50,11 +50,19 @@ bool spans_area(const glm::dmat4& m) {
     return glm::cross(x, y) != zero || glm::cross(y, z) != zero || glm::cross(z, x) != zero;
 }
 
+bool finite_shape(const Deformation& made) {
+    const auto finite = [](const glm::mat4& m) { return is_finite(glm::dmat4(m)); };
+    const glm::vec3 sum = made.low + made.high;
+    return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z) &&
+           std::all_of(made.joints.begin(), made.joints.end(), finite) &&
+           std::all_of(made.previous_joints.begin(), made.previous_joints.end(), finite);
+}
+
 class Resolver {
 public:
     Resolver(const Scene& scene, const std::vector<MeshFacts>& facts, uint32_t scene_index,
-             const std::optional<Moment>& moment, std::optional<uint32_t> animation)
-        : scene_(scene), scene_index_(scene_index), facts_(facts),
+             const std::optional<Moment>& moment, std::optional<uint32_t> animation, bool host_vertices)
+        : scene_(scene), scene_index_(scene_index), host_vertices_(host_vertices), facts_(facts),
           now_(scene, scene_index, moment ? Pose(scene, moment->time, animation) : Pose(scene)) {
         if (moment && moment->interval != 0)
             before_.emplace(scene, scene_index, Pose(scene, moment->time - moment->interval, animation));
@@ -181,17 +189,32 @@ private:
             return found->second;
         const Mesh& mesh = scene_.meshes[*node.mesh];
         const std::string object = fmt::format("{}: node {}", scene_.name, index);
-        const uint64_t vertices = vertex_count(mesh), work = deform_work(mesh) * (before_ ? 2 : 1);
-        if (vertices > max_deformed_vertices - deformed_vertices_ || work > max_deform_work - deform_work_)
-            throw Error(fmt::format("{}: the scene's skins and morph targets move more vertices than "
-                                    "can be deformed ({} million, {} million steps)",
-                                    object, max_deformed_vertices >> 20, max_deform_work >> 20));
-        deformed_vertices_ += vertices;
-        deform_work_ += work;
-        Deformed made = deform(mesh, shape, before_ ? &previous : nullptr, object);
-        world_.deformed.push_back(std::move(made.mesh));
-        deformed_boxes_.push_back(facts_of(world_.deformed.back()).box);
-        found->second = {static_cast<uint32_t>(world_.deformed.size() - 1), made.origin};
+        if (skin) {
+            check_joints(mesh, shape.joints.size(), object);
+            check_joints(mesh, previous.joints.size(), object);
+        }
+        const MeshFacts& facts = facts_[*node.mesh];
+        const Bounds box = box_around(facts, shape);
+        const glm::dvec3 origin = skin ? 0.5 * box.min + 0.5 * box.max : glm::dvec3(0);
+        const Deformation& made =
+            world_.deformations.emplace_back(describe(mesh, *node.mesh, facts, shape, previous, origin));
+        if (!finite_shape(made))
+            throw Error(fmt::format("{}: it is deformed to a place that is not finite", object));
+        if (host_vertices_) {
+            const uint64_t vertices = vertex_count(mesh), work = deform_work(mesh) * (before_ ? 2 : 1);
+            if (vertices > max_deformed_vertices - deformed_vertices_ || work > max_deform_work - deform_work_)
+                throw Error(fmt::format("{}: the scene's skins and morph targets move more vertices than "
+                                        "can be deformed ({} million, {} million steps)",
+                                        object, max_deformed_vertices >> 20, max_deform_work >> 20));
+            deformed_vertices_ += vertices;
+            deform_work_ += work;
+            world_.deformed.push_back(deform(mesh, shape, before_ ? &previous : nullptr, origin, made.turned, object));
+            deformed_boxes_.push_back(facts_of(world_.deformed.back()).box);
+        } else {
+            world_.deformed.push_back({.name = mesh.name, .primitives = {}});
+            deformed_boxes_.push_back({glm::dvec3(made.low), glm::dvec3(made.high)});
+        }
+        found->second = {static_cast<uint32_t>(world_.deformed.size() - 1), origin};
         return found->second;
     }
 
@@ -208,7 +231,7 @@ private:
         world_.triangles += facts.triangles;
         transformed_ += facts.vertices;
         const auto& primitives = world_.mesh_of(instance).primitives;
-        if (transformed_ > max_exact_vertices) {
+        if (transformed_ > max_exact_vertices || (instance.deformed && !host_vertices_)) {
             const Bounds box = instance.deformed ? deformed_boxes_[*instance.deformed] : facts.box;
             for (uint32_t i = 0; i < 8; ++i)
                 add_point(transform, glm::dvec3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
@@ -245,6 +268,7 @@ private:
             add_point(instance.transform, glm::dvec3(position));
         world_.triangles += emission.shapes->indices.size() / 3;
         world_.instances.push_back(instance);
+        world_.deformations.emplace_back();
         Mesh& mesh = world_.deformed.emplace_back();
         mesh.name = "particles";
         mesh.primitives.push_back(std::move(*emission.shapes));
@@ -254,7 +278,7 @@ private:
     void add_point(const glm::dmat4& transform, glm::dvec3 p) { bounds_.add(glm::dvec3(transform * glm::dvec4(p, 1))); }
 
     void add_defaults() {
-        if (world_.cameras.empty()) {
+        if (world_.cameras.empty() && host_vertices_) {
             const std::optional<PlacedCamera> inside = camera_inside(world_);
             world_.framed = !inside;
             world_.cameras.push_back(inside ? *inside : frame(world_, 1));
@@ -272,6 +296,7 @@ private:
 
     const Scene& scene_;
     uint32_t scene_index_;
+    bool host_vertices_; ///< fill World::deformed; else only what makes them
     const std::vector<MeshFacts>& facts_; ///< by mesh
     NodeTree now_;
     std::optional<NodeTree> before_; ///< absent: nothing has moved
@@ -290,16 +315,16 @@ private:
 } // namespace
 
 World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, std::optional<uint32_t> scene_index,
-              const std::optional<Moment>& moment, std::optional<uint32_t> animation) {
+              const std::optional<Moment>& moment, std::optional<uint32_t> animation, bool host_vertices) {
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
         throw Error(fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
-    return Resolver(scene, facts, index, moment, animation).run();
+    return Resolver(scene, facts, index, moment, animation, host_vertices).run();
 }
 
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
               std::optional<uint32_t> animation) {
-    return resolve(scene, facts_of(scene), scene_index, moment, animation);
+    return resolve(scene, facts_of(scene), scene_index, moment, animation, true);
 }
 
 } // namespace prelight

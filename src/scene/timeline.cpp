@@ -47,14 +47,15 @@ bool differ(const std::vector<T>& a, const std::vector<T>& b, Same same) {
 struct Timeline::State {
     const Scene& scene;
     std::optional<uint32_t> scene_index, animation;
+    bool host_vertices;
     std::vector<MeshFacts> facts;
     World world;
 };
 
 Timeline::Timeline(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
-                   std::optional<uint32_t> animation)
-    : state_(new State{scene, scene_index, animation, facts_of(scene), {}}) {
-    state_->world = resolve(scene, state_->facts, scene_index, moment, animation);
+                   std::optional<uint32_t> animation, bool host_vertices)
+    : state_(new State{scene, scene_index, animation, host_vertices, facts_of(scene), {}}) {
+    state_->world = resolve(scene, state_->facts, scene_index, moment, animation, true);
 }
 Timeline::~Timeline() = default;
 Timeline::Timeline(Timeline&&) noexcept = default;
@@ -68,7 +69,7 @@ bool Timeline::moves() const {
 }
 
 World Timeline::at(const Moment& moment) const {
-    return resolve(state_->scene, state_->facts, state_->scene_index, moment, state_->animation);
+    return resolve(state_->scene, state_->facts, state_->scene_index, moment, state_->animation, state_->host_vertices);
 }
 
 WorldChanges Timeline::move_to(const Moment& moment) { return take(at(moment)); }
@@ -76,6 +77,10 @@ WorldChanges Timeline::move_to(const Moment& moment) { return take(at(moment)); 
 WorldChanges Timeline::take(World&& next) {
     World& now = state_->world;
     WorldChanges changes;
+    if (next.cameras.empty()) { // the scene has none: the first one stays
+        next.cameras = std::move(now.cameras);
+        next.framed = now.framed;
+    }
     if (!same_draws(now, next)) {
         now = std::move(next);
         changes.all = true;
@@ -88,7 +93,8 @@ WorldChanges Timeline::take(World&& next) {
             changes.instances.push_back(i);
         }
     for (uint32_t d = 0; d < now.deformed.size(); ++d)
-        if (!same_shape(now.deformed[d], next.deformed[d])) {
+        if (now.deformations[d] != next.deformations[d] || !same_shape(now.deformed[d], next.deformed[d])) {
+            now.deformations[d] = std::move(next.deformations[d]);
             now.deformed[d] = std::move(next.deformed[d]);
             changes.deformed.push_back(d);
         }

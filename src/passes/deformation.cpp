@@ -1,0 +1,71 @@
+#include "deformation.hpp"
+#include <algorithm>
+#include <gpu/compute_pipeline.hpp>
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+namespace {
+
+/// Vertices are read by all that draws, and nobody declares it.
+void vertex_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to,
+                    VkAccessFlags2 access) {
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = from;
+    barrier.srcAccessMask = wrote;
+    barrier.dstStageMask = to;
+    barrier.dstAccessMask = access;
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
+void dispatch(VkCommandBuffer commands, const gpu::ComputePipeline& pipeline, const shared::DeformJob& job) {
+    const uint32_t groups = (job.vertices.y + DEFORM_GROUP - 1) / DEFORM_GROUP;
+    pipeline.push(commands, std::as_bytes(std::span(&job, 1)));
+    vkCmdDispatch(commands, std::min<uint32_t>(groups, DEFORM_ROW), (groups + DEFORM_ROW - 1) / DEFORM_ROW, 1);
+}
+
+} // namespace
+
+void deformation_pass(graph::FrameGraph& graph, const resident::View& view) {
+    const resident::DeviceDeformation* deformation = view.scene().deformation();
+    if (!deformation)
+        return;
+    const resident::Geometry& geometry = view.scene().geometry();
+    const gpu::Buffer& previous =
+        geometry.previous_positions.handle() ? geometry.previous_positions : geometry.positions; // else not written
+    graph::Pass& pass = graph.pass("deformation");
+    pass.storage(INPUT_DEFORM_BASE, graph.buffer("vertices at rest", deformation->base()), false)
+        .storage(INPUT_DEFORM_INFLUENCES, graph.buffer("vertex influences", deformation->influences()), false)
+        .storage(INPUT_DEFORM_TARGETS, graph.buffer("morph targets", deformation->targets()), false)
+        .storage(INPUT_DEFORM_STATE, graph.buffer("joints and weights", deformation->state()), false)
+        .storage(INPUT_DEFORM_POSITIONS, graph.buffer("positions", geometry.positions), true)
+        .storage(INPUT_DEFORM_PREVIOUS, graph.buffer("previous positions", previous), true)
+        .storage(INPUT_DEFORM_ATTRIBUTES, graph.buffer("vertex attributes", geometry.attributes), true);
+    auto pipeline = std::make_shared<gpu::ComputePipeline>();
+    pass.prepare([=, &view](const graph::PassInterface& interface) {
+        *pipeline = gpu::ComputePipeline(view.context(), {.name = "deformation",
+                                                          .shader = "deform.comp",
+                                                          .constants = {},
+                                                          .sets = {view.layout(), interface.inputs},
+                                                          .push_bytes = sizeof(shared::DeformJob)});
+    });
+    pass.record([pipeline, deformation, &view, made = uint64_t(0)](const graph::PassContext& context) mutable {
+        if (made == deformation->version())
+            return;
+        constexpr VkPipelineStageFlags2 all = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                        compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+        vertex_barrier(context.commands, all, VK_ACCESS_2_NONE, compute, VK_ACCESS_2_SHADER_WRITE_BIT);
+        pipeline->bind(context.commands);
+        pipeline->bind_set(context.commands, SET_FRAME, view.set());
+        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
+        for (const shared::DeformJob& job : deformation->jobs())
+            dispatch(context.commands, *pipeline, job);
+        vertex_barrier(context.commands, compute, VK_ACCESS_2_SHADER_WRITE_BIT, all, VK_ACCESS_2_MEMORY_READ_BIT);
+        if (!context.one_pixel)
+            made = deformation->version();
+    });
+}
+
+} // namespace prelight::passes
