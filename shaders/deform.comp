@@ -6,7 +6,9 @@
 #include "shared/deformation.h"
 
 layout(local_size_x = DEFORM_GROUP) in;
-layout(push_constant) uniform JobBlock { DeformJob job; };
+layout(push_constant) uniform CountBlock { uint groups; };
+layout(set = SET_INPUTS, binding = INPUT_DEFORM_JOBS, std430) readonly buffer JobBlock { DeformJob jobs[]; };
+layout(set = SET_INPUTS, binding = INPUT_DEFORM_GROUPS, std430) readonly buffer GroupBlock { uvec2 group_list[]; };
 layout(set = SET_INPUTS, binding = INPUT_DEFORM_BASE, std430) readonly buffer BaseBlock { float base[]; };
 layout(set = SET_INPUTS, binding = INPUT_DEFORM_INFLUENCES, std430) readonly buffer InfluenceBlock { uint influences[]; };
 layout(set = SET_INPUTS, binding = INPUT_DEFORM_TARGETS, std430) readonly buffer TargetBlock { float targets[]; };
@@ -14,6 +16,8 @@ layout(set = SET_INPUTS, binding = INPUT_DEFORM_STATE, std430) readonly buffer S
 layout(set = SET_INPUTS, binding = INPUT_DEFORM_POSITIONS, std430) writeonly buffer PositionBlock { float positions[]; };
 layout(set = SET_INPUTS, binding = INPUT_DEFORM_PREVIOUS, std430) writeonly buffer PreviousBlock { float previous_positions[]; };
 layout(set = SET_INPUTS, binding = INPUT_DEFORM_ATTRIBUTES, std430) writeonly buffer AttributeBlock { float attributes[]; };
+
+DeformJob job;  // the primitive of this workgroup
 
 bool has(uint flag) { return (job.vertices.w & flag) != 0u; }
 
@@ -77,7 +81,12 @@ vec3 face_normal(uint vertex) {
 }
 
 void main() {
-    uint vertex = (gl_WorkGroupID.y * DEFORM_ROW + gl_WorkGroupID.x) * DEFORM_GROUP + gl_LocalInvocationID.x;
+    uint index = gl_WorkGroupID.y * DEFORM_ROW + gl_WorkGroupID.x;
+    if (index >= groups)
+        return;
+    uvec2 group = group_list[index];  // its primitive, and the first of its vertices
+    job = jobs[group.x];
+    uint vertex = group.y + gl_LocalInvocationID.x;
     if (vertex >= job.vertices.y)
         return;
     Shape now = shape_now();

@@ -137,8 +137,8 @@ struct Deformation {
     std::vector<float> weights{};    ///< one for each morph target
     std::vector<glm::mat4> previous_joints{}; ///< at the moment's previous state, into the same space; as many
     std::vector<float> previous_weights{};
-    bool turned = false;        ///< the joints mirror: fronts of the mesh's triangles are clockwise
-    glm::vec3 low{0}, high{0};  ///< a box around all vertices, in the space of the deformed ones
+    bool turned = false;       ///< the joints mirror: fronts of the mesh's triangles are clockwise
+    glm::vec3 low{0}, high{0}; ///< a box around all vertices, in the space of the deformed ones
     bool operator==(const Deformation&) const = default;
 };
 
@@ -170,10 +170,10 @@ struct PlacedLight {
 struct World {
     const Scene* scene = nullptr; ///< meshes, materials, images; must outlive the World
     std::vector<Instance> instances;
-    std::vector<Mesh> deformed{};      ///< meshes as morph targets and skins shape them at the moment, and particles
+    std::vector<Mesh> deformed{}; ///< meshes as morph targets and skins shape them at the moment, and particles
     std::vector<Deformation> deformations{}; ///< beside `deformed`
-    std::vector<PlacedLight> lights;   ///< of the nodes, then of the emitters' particles
-    std::vector<PlacedDecal> decals{}; ///< by Decal::order: later ones lie over earlier ones
+    std::vector<PlacedLight> lights;         ///< of the nodes, then of the emitters' particles
+    std::vector<PlacedDecal> decals{};       ///< by Decal::order: later ones lie over earlier ones
     std::vector<PlacedCamera> cameras;
     bool framed = false;      ///< cameras[0] is resolve()'s own frame(): the scene has none
     glm::vec3 ambient{0};     ///< uniform environment radiance; unused where the scene has an environment

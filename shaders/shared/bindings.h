@@ -78,6 +78,8 @@
 #define INPUT_DEFORM_POSITIONS 52
 #define INPUT_DEFORM_PREVIOUS 53
 #define INPUT_DEFORM_ATTRIBUTES 54
+#define INPUT_DEFORM_JOBS 55
+#define INPUT_DEFORM_GROUPS 56
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0

@@ -7,8 +7,8 @@ namespace prelight::passes {
 namespace {
 
 /// Vertices are read by all that draws, and nobody declares it.
-void vertex_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to,
-                    VkAccessFlags2 access) {
+void vertex_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 wrote,
+                    VkPipelineStageFlags2 to, VkAccessFlags2 access) {
     VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
     barrier.srcStageMask = from;
     barrier.srcAccessMask = wrote;
@@ -20,12 +20,6 @@ void vertex_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAcce
     vkCmdPipelineBarrier2(commands, &info);
 }
 
-void dispatch(VkCommandBuffer commands, const gpu::ComputePipeline& pipeline, const shared::DeformJob& job) {
-    const uint32_t groups = (job.vertices.y + DEFORM_GROUP - 1) / DEFORM_GROUP;
-    pipeline.push(commands, std::as_bytes(std::span(&job, 1)));
-    vkCmdDispatch(commands, std::min<uint32_t>(groups, DEFORM_ROW), (groups + DEFORM_ROW - 1) / DEFORM_ROW, 1);
-}
-
 } // namespace
 
 void deformation_pass(graph::FrameGraph& graph, const resident::View& view) {
@@ -34,9 +28,11 @@ void deformation_pass(graph::FrameGraph& graph, const resident::View& view) {
         return;
     const resident::Geometry& geometry = view.scene().geometry();
     const gpu::Buffer& previous =
-        geometry.previous_positions.handle() ? geometry.previous_positions : geometry.positions; // else not written
+        geometry.previous_positions.handle() ? geometry.previous_positions : geometry.positions; // which is not written
     graph::Pass& pass = graph.pass("deformation");
-    pass.storage(INPUT_DEFORM_BASE, graph.buffer("vertices at rest", deformation->base()), false)
+    pass.storage(INPUT_DEFORM_JOBS, graph.buffer("primitives to deform", deformation->jobs()), false)
+        .storage(INPUT_DEFORM_GROUPS, graph.buffer("groups to deform", deformation->group_list()), false)
+        .storage(INPUT_DEFORM_BASE, graph.buffer("vertices at rest", deformation->base()), false)
         .storage(INPUT_DEFORM_INFLUENCES, graph.buffer("vertex influences", deformation->influences()), false)
         .storage(INPUT_DEFORM_TARGETS, graph.buffer("morph targets", deformation->targets()), false)
         .storage(INPUT_DEFORM_STATE, graph.buffer("joints and weights", deformation->state()), false)
@@ -49,7 +45,7 @@ void deformation_pass(graph::FrameGraph& graph, const resident::View& view) {
                                                           .shader = "deform.comp",
                                                           .constants = {},
                                                           .sets = {view.layout(), interface.inputs},
-                                                          .push_bytes = sizeof(shared::DeformJob)});
+                                                          .push_bytes = sizeof(uint32_t)});
     });
     pass.record([pipeline, deformation, &view, made = uint64_t(0)](const graph::PassContext& context) mutable {
         if (made == deformation->version())
@@ -60,8 +56,10 @@ void deformation_pass(graph::FrameGraph& graph, const resident::View& view) {
         pipeline->bind(context.commands);
         pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
-        for (const shared::DeformJob& job : deformation->jobs())
-            dispatch(context.commands, *pipeline, job);
+        const uint32_t groups = deformation->groups();
+        pipeline->push(context.commands, std::as_bytes(std::span(&groups, 1)));
+        vkCmdDispatch(context.commands, std::min<uint32_t>(groups, DEFORM_ROW), (groups + DEFORM_ROW - 1) / DEFORM_ROW,
+                      1);
         vertex_barrier(context.commands, compute, VK_ACCESS_2_SHADER_WRITE_BIT, all, VK_ACCESS_2_MEMORY_READ_BIT);
         if (!context.one_pixel)
             made = deformation->version();

@@ -88,8 +88,9 @@ template <class T>
 gpu::Buffer upload(const gpu::Context& context, const char* name, const std::vector<T>& values) {
     const uint64_t bytes = values.size() * sizeof(T), limit = context.limits().maxStorageBufferRange;
     if (bytes > limit)
-        throw Error(fmt::format("{}: {} of skins and morph targets need a buffer of {} bytes, and the device's limit is {}",
-                                context.name(), name, bytes, limit));
+        throw Error(
+            fmt::format("{}: {} of skins and morph targets need a buffer of {} bytes, and the device's limit is {}",
+                        context.name(), name, bytes, limit));
     return gpu::make_device_buffer(context, name, std::as_bytes(std::span(values)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
@@ -98,6 +99,8 @@ gpu::Buffer upload(const gpu::Context& context, const char* name, const std::vec
 DeviceDeformation::DeviceDeformation(const gpu::Context& context, const World& world, const Geometry& geometry) {
     Meshes meshes;
     std::vector<glm::vec4> state;
+    std::vector<shared::DeformJob> jobs;
+    std::vector<glm::uvec2> groups;
     for (uint32_t d = 0; d < world.deformed.size(); ++d) {
         Place& place = places_.emplace_back();
         if (!deforms_on_device(world, d) || geometry.deformed[d].empty())
@@ -117,12 +120,17 @@ DeviceDeformation::DeviceDeformation(const gpu::Context& context, const World& w
                                    (primitive.flat_normals ? DEFORM_FLAT : 0) | (shape.turned ? DEFORM_TURNED : 0) |
                                    (geometry.previous_positions.handle() ? DEFORM_PREVIOUS : 0);
             const auto targets = static_cast<uint32_t>(std::min(primitive.morph_targets.size(), shape.weights.size()));
-            jobs_.push_back({.vertices = {geometry.deformed[d][p].first, count, rest.vertices, flags},
-                             .data = {rest.influences, skinned ? primitive.joint_sets.size() : 0, rest.targets, targets},
-                             .state = {state.size(), shape.joints.size(), count, 0}});
+            for (uint32_t v = 0; v < count; v += DEFORM_GROUP)
+                groups.emplace_back(jobs.size(), v);
+            jobs.push_back({.vertices = {geometry.deformed[d][p].first, count, rest.vertices, flags},
+                            .data = {rest.influences, skinned ? primitive.joint_sets.size() : 0, rest.targets, targets},
+                            .state = {state.size(), shape.joints.size(), count, 0}});
         }
         state.insert(state.end(), own.begin(), own.end());
     }
+    groups_ = static_cast<uint32_t>(groups.size());
+    jobs_ = upload(context, "primitives to deform", jobs);
+    group_list_ = upload(context, "groups to deform", groups);
     base_ = upload(context, "vertices at rest", meshes.base);
     influences_ = upload(context, "vertex influences", meshes.influences);
     targets_ = upload(context, "morph targets", meshes.targets);

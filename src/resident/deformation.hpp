@@ -9,8 +9,8 @@ namespace prelight::resident {
 /// that they have at the moment. passes::deformation_pass() writes them into the geometry's buffers.
 class DeviceDeformation {
 public:
-    /// Of World::deformations that name a mesh; `geometry` has room for them. Throws Error when a buffer would be larger
-    /// than the device allows.
+    /// Of World::deformations that name a mesh; `geometry` has room for them. Throws Error when a buffer would be
+    /// larger than the device allows.
     DeviceDeformation(const gpu::Context& context, const World& world, const Geometry& geometry);
 
     /// Whether its meshes could have been those of `world`, which may have other shapes.
@@ -20,7 +20,10 @@ public:
     /// Another one after each update().
     uint64_t version() const { return version_; }
 
-    const std::vector<shared::DeformJob>& jobs() const { return jobs_; }
+    /// Workgroups of deform.comp: so many vertices of one primitive each.
+    uint32_t groups() const { return groups_; }
+    const gpu::Buffer& jobs() const { return jobs_; }
+    const gpu::Buffer& group_list() const { return group_list_; }
     const gpu::Buffer& base() const { return base_; }
     const gpu::Buffer& influences() const { return influences_; }
     const gpu::Buffer& targets() const { return targets_; }
@@ -33,7 +36,8 @@ private:
         size_t joints = 0, weights = 0;
     };
     std::vector<Place> places_; ///< by index into World::deformed
-    std::vector<shared::DeformJob> jobs_;
+    uint32_t groups_ = 0;
+    gpu::Buffer jobs_, group_list_; ///< DeformJob; its number and the first vertex of each group
     gpu::Buffer base_, influences_, targets_, state_;
     uint64_t version_ = 1;
 };

@@ -28,7 +28,8 @@ public:
     /// updates() go into the next frame. False: it needs other draws or pipelines, that is, another GpuScene; then
     /// nothing has been taken in. Throws Error for numbers that are not there and values that may not be.
     bool update(const WorldChanges& changes);
-    /// Skins and morph targets; null: nothing that the device deforms.
+    /// Skins and morph targets, which are at rest until passes::deformation_pass(); null: nothing that the device
+    /// deforms.
     const DeviceDeformation* deformation() const { return deformation_ ? &*deformation_ : nullptr; }
     /// What the next frame copies before its passes.
     gpu::BufferUpdates& updates() { return updates_; }

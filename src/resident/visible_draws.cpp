@@ -102,7 +102,8 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     for (VisibleDraw one : out.draws) {
         const Draw& draw = all[one.draw];
         const shared::ObjectData object = object_data(world.instances[draw.object], eye);
-        if (options.trimming == IndexTrimming::host && draw.primitive && used + draw.index_count <= buffers.indices.size()) {
+        if (options.trimming == IndexTrimming::host && draw.primitive &&
+            used + draw.index_count <= buffers.indices.size()) {
             one.first_index = static_cast<uint32_t>(used);
             one.index_count = static_cast<uint32_t>(
                 trimmer.trim(*draw.primitive, object, draw.mirrored, draw.double_sided, &buffers.indices[used]));

@@ -77,9 +77,7 @@ private:
         }
     }
 
-    glm::dmat4 joint_matrix(uint32_t vertex) const {
-        return prelight::joint_matrix(primitive_, shape_.joints, vertex);
-    }
+    glm::dmat4 joint_matrix(uint32_t vertex) const { return prelight::joint_matrix(primitive_, shape_.joints, vertex); }
 
     const Primitive& primitive_;
     const Shape& shape_;

@@ -27,9 +27,9 @@ glm::dmat4 joint_matrix(const Primitive& primitive, std::span<const glm::dmat4> 
 void check_joints(const Mesh& mesh, size_t joints, const std::string& object);
 
 /// glTF 2.0, 3.7.2.2 and 3.7.3: morph targets first, then the skin, summed up in double, relative to `origin`: a mesh
-/// far from the world's origin loses nothing when its vertices become float. Normals and tangents follow (by the inverse
-/// transpose; flat normals are made anew) and are unit vectors again. `turned`: the joints mirror (Deformation::turned),
-/// and triangles are turned round, so that fronts stay fronts. `previous`, when given, fills
+/// far from the world's origin loses nothing when its vertices become float. Normals and tangents follow (by the
+/// inverse transpose; flat normals are made anew) and are unit vectors again. `turned`: the joints mirror
+/// (Deformation::turned), and triangles are turned round, so that fronts stay fronts. `previous`, when given, fills
 /// Primitive::previous_positions of what moved. Joints must have been checked. Throws Error "`object`: REASON" for a
 /// vertex that is not finite.
 Mesh deform(const Mesh& mesh, const Shape& shape, const Shape* previous, const glm::dvec3& origin, bool turned,

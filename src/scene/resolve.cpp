@@ -198,7 +198,7 @@ private:
         const glm::dvec3 origin = skin ? 0.5 * box.min + 0.5 * box.max : glm::dvec3(0);
         const Deformation& made =
             world_.deformations.emplace_back(describe(mesh, *node.mesh, facts, shape, previous, origin));
-        if (!finite_shape(made))
+        if (!host_vertices_ && !finite_shape(made)) // else each vertex is looked at
             throw Error(fmt::format("{}: it is deformed to a place that is not finite", object));
         if (host_vertices_) {
             const uint64_t vertices = vertex_count(mesh), work = deform_work(mesh) * (before_ ? 2 : 1);
@@ -296,7 +296,7 @@ private:
 
     const Scene& scene_;
     uint32_t scene_index_;
-    bool host_vertices_; ///< fill World::deformed; else only what makes them
+    bool host_vertices_;                  ///< fill World::deformed; else only what makes them
     const std::vector<MeshFacts>& facts_; ///< by mesh
     NodeTree now_;
     std::optional<NodeTree> before_; ///< absent: nothing has moved

@@ -1,6 +1,7 @@
 #pragma once
 #include "against_reference.hpp"
 #include <gpu/world_view.hpp>
+#include <passes/deformation.hpp>
 #include <passes/gbuffer.hpp>
 
 namespace prelight {
@@ -22,8 +23,9 @@ struct FilledGBuffer {
     passes::GBuffer buffer;
 
     FilledGBuffer(const Shot& shot, const passes::GBufferFormat& format)
-        : on_device(context, *shot.world, {.raster = {{shot.width, shot.height}}, .light_scale = 2}, {.motion = true}),
-          buffer(passes::gbuffer_pass(graph, view, format)) {
+        : on_device(context, *shot.world, {.raster = {{shot.width, shot.height}}, .light_scale = 2}, {.motion = true}) {
+        passes::deformation_pass(graph, view);
+        buffer = passes::gbuffer_pass(graph, view, format);
         for (const graph::ImageId image :
              {buffer.light, buffer.surface.normal, buffer.motion, buffer.albedo, buffer.surface.depth})
             graph.keep(image);
@@ -37,7 +39,8 @@ struct FilledGBuffer {
         const auto texels = graph.read_back(image);
         glm::dvec4 value;
         for (int c = 0; c < 4; ++c)
-            value[c] = std::to_integer<int>(texels[4 * (size_t(y) * view.raster().extent.width + x) + size_t(c)]) / 255.0;
+            value[c] =
+                std::to_integer<int>(texels[4 * (size_t(y) * view.raster().extent.width + x) + size_t(c)]) / 255.0;
         return value;
     }
 };

@@ -85,7 +85,9 @@ struct Crowd : TestWorld {
 TEST(MovingWorlds, ASteadyMoveMakesNothingAndUploadsWhatMoved) {
     Crowd crowd(12);
     const RenderOptions options{
-        .width = 64, .height = 36, .settings = {{"shadows", "on"}, {"shadow-budget", "262144"}}};
+        .width = 64,
+        .height = 36,
+        .settings = {{"shadows", "on"}, {"shadow-budget", "262144"}, {"index-trimming", "off"}}};
     const auto renderer = create_renderer("light-prepass", &test_device(), options);
     renderer->set_world(crowd.world);
     const auto move = [&](uint32_t count, double by) {
