@@ -7,6 +7,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 PRELIGHT=$(realpath "${1:-$root/build/release/prelight}")
 export PRELIGHT
+export PATH=$PATH:/usr/sbin # where daemons are
 folder=$(mktemp -d /tmp/prelight-slurm.XXXXXX)
 daemons=()
 

@@ -12,6 +12,11 @@ NumberedName::NumberedName(std::string_view option, const std::filesystem::path&
         throw UsageError(fmt::format("{} {}: # stands for a frame's number in a file's name, not in a folder's", option,
                                      pattern.string()));
     const std::string name = before_;
+    const size_t percent = name.find('%');
+    const size_t letter = percent == std::string::npos ? percent : name.find_first_not_of("0123456789", percent + 1);
+    if (letter != std::string::npos && name[letter] == 'd')
+        throw UsageError(
+            fmt::format("{} {}: the frame's number is written as #, as in out.####.png", option, pattern.string()));
     const size_t first = name.find('#');
     if (first == std::string::npos)
         return;
