@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Starts Slurm on this machine and draws 24 frames in 6 tasks of a job array. Two tasks are killed after their first frame; the job is
-# submitted again; then all frames must be there, with the bytes of one run. The same frames once more with GNU parallel.
+# Starts Slurm on this machine and draws 24 frames in 6 tasks of a job array. Two tasks are killed after two of their four frames;
+# the job is submitted again; then all frames must be there, with the bytes of one run. The same frames once more with GNU parallel.
 #   tests/slurm/slurm_test.sh [PROGRAM]
 # Daemons, their keys and their files live in a temporary folder and listen on 127.0.0.1; nothing of them stays.
 set -euo pipefail
@@ -104,8 +104,7 @@ CONF
     eventually 40 node_is_idle || fail "Slurm does not start"
 }
 
-# Every frame is a new moment of an animated scene: drawing takes long enough for a task to be killed among its four.
-scene=(motion --size 640x360 --fps 6 --frames-at 0-23)
+scene=(motion --size 160x90 --fps 6 --frames-at 0-23)
 
 job_is_over() { ! squeue --noheader --job "$1" | grep -q .; }
 
@@ -118,13 +117,21 @@ submit() { # FOLDER: prints how many tasks ended with status 0
     scontrol show job "$job" | grep -c JobState=COMPLETED || true
 }
 
-pid_of_task() { pgrep -f -- "$folder/frames/.* --shard $1/6\$"; }
-kill_after_first_frame() { # TASK: its first frame has the number TASK - 1
-    local pid first
-    first=$(printf '%s/frames/out.%04d.png' "$folder" $(($1 - 1)))
-    eventually 60 pid_of_task "$1" || return 1
-    pid=$(pid_of_task "$1")
-    eventually 60 test -f "$first" && kill -KILL "$pid"
+frame_file() { printf '%s/frames/out.%04d.png' "$folder" "$1"; } # NUMBER
+
+# Task I of 6 draws the frames I - 1, I + 5, I + 11, I + 17. In the place of the third lies a full pipe, at which it waits until it is
+# killed, so that no kill comes too late.
+stop_at_third_frame() { # TASK
+    local pipe
+    mkfifo "$(frame_file $(($1 + 11)))"
+    exec {pipe}<>"$(frame_file $(($1 + 11)))"
+    head -c 65536 /dev/zero >&"$pipe"
+}
+kill_after_second_frame() { # TASK
+    local pid
+    eventually 60 test -f "$(frame_file $(($1 + 5)))" || return 1
+    pid=$(pgrep -f -- "$folder/frames/.* --shard $1/6\$") || return 1
+    kill -KILL "$pid"
 }
 
 same_frames() { # FOLDER: as in the one run
@@ -140,17 +147,18 @@ mkdir "$folder/one" "$folder/frames" "$folder/parallel"
 start_slurm
 echo "Slurm runs after $SECONDS s"
 
-kill_after_first_frame 2 &
+stop_at_third_frame 2
+stop_at_third_frame 5
+kill_after_second_frame 2 &
 killer_2=$!
-kill_after_first_frame 5 &
+kill_after_second_frame 5 &
 killer_5=$!
 completed=$(submit "$folder/frames")
 wait $killer_2 || fail "task 2 was not there to be killed"
 wait $killer_5 || fail "task 5 was not there to be killed"
-left=$(find "$folder/frames" -name 'out.*.png' | wc -l)
-[ "$left" -lt 24 ] || fail "the tasks were killed too late: nothing was tested"
 [ "$completed" = 4 ] || fail "$completed of 6 tasks ended with status 0, 4 should have"
-echo "$left of 24 frames after two tasks were killed, $SECONDS s"
+rm "$(frame_file 13)" "$(frame_file 16)"
+echo "two of six tasks killed after $(find "$folder/frames" -name 'out.*.png' | wc -l) of 24 frames, $SECONDS s"
 
 [ "$(submit "$folder/frames")" = 6 ] || fail "the job that was submitted again failed"
 "$PRELIGHT" sequence "${scene[@]}" -o "$folder/one/out.####.png" >"$folder/one.log" 2>&1 || fail "the one run failed"
