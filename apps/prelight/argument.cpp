@@ -1,6 +1,7 @@
 #include "argument.hpp"
 
 #include "output.hpp"
+#include "sequence/video.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -170,8 +171,7 @@ std::vector<std::filesystem::path> outputs_of(const RenderCommand& command) {
 
 void check_endings(const RenderCommand& command, bool videos) {
     const std::string extension = lower_extension(command.output);
-    const bool video = extension == ".mp4" || extension == ".mkv";
-    if (extension != ".png" && extension != ".exr" && !(video && videos))
+    if (extension != ".png" && extension != ".exr" && !(videos && is_video(command.output)))
         refuse("-o", command.output.string(),
                videos ? "the name must end in .png, .exr, .mp4 or .mkv" : "the name must end in .png or .exr");
     // EXR holds scene-linear light, PNG what is drawn for the eye: neither suits the other's

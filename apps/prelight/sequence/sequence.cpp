@@ -5,12 +5,9 @@
 #include "output.hpp"
 #include "own_materials.hpp"
 #include "renderer_info.hpp"
+#include "sequence/frame_drawer.hpp"
 #include "sequence/frame_lines.hpp"
-#include "sequence/frame_writer.hpp"
-#include "sequence/plan.hpp"
-#include "sequence/scene_at_time.hpp"
 #include "sequence/sequence_json.hpp"
-#include "sequence/turntable.hpp"
 #include "sequence/video.hpp"
 #include "session.hpp"
 #include "start_up.hpp"
@@ -23,9 +20,6 @@
 namespace prelight::app {
 namespace {
 
-/// The interval that a moment's motion is measured over, as `render` has it.
-constexpr double motion_interval = Moment{}.interval;
-
 /// Told before work that takes long.
 void check_files(const SequenceCommand& command, const SequenceFiles& files) {
     for (const std::filesystem::path& file : files.at(0))
@@ -33,64 +27,6 @@ void check_files(const SequenceCommand& command, const SequenceFiles& files) {
     if (!command.render.stats.empty())
         check_writable(command.render.stats);
 }
-
-/// Draws frame after frame and hands each on.
-class FrameDrawer {
-public:
-    FrameDrawer(const SequenceCommand& command, const SequenceFiles& files, Session& session, SceneAtTime& scene)
-        : command_(command), files_(files), session_(session), scene_(scene) {
-        if (command.sequence.turntable)
-            turntable_.emplace(scene.start(), camera_of(scene.start()), *command.sequence.turntable,
-                               command.render.framing || scene.scene().cameras.empty());
-    }
-
-    const PlacedCamera& camera_of(const World& world) const {
-        const std::string& name = command_.render.camera;
-        return name.empty() ? world.cameras.at(0) : find_camera(world, name);
-    }
-
-    void draw(const FrameNumbers& frames, FrameWriter& writer) {
-        Stopwatch watch;
-        for (size_t i = 0; i < frames.size(); ++i) {
-            const double time = command_.sequence.rate.time_of(frames[i]);
-            const World& world = scene_.show(time, *session_.renderer);
-            if (i + 1 < frames.size()) // the host's part of the next frame, while the device draws this one
-                scene_.prepare(command_.sequence.rate.time_of(frames[i + 1]));
-            session_.renderer->render(turntable_ ? turntable_->at(time, motion_interval) : camera_of(world));
-            figures_.stats.add(session_.renderer->stats());
-            DrawnFrame frame{frames[i], read_pictures(*session_.renderer, command_.render)};
-            const std::vector<std::filesystem::path> names = files_.at(frames[i]);
-            for (size_t p = 0; p < names.size(); ++p)
-                frame.pictures[p].file = names[p];
-            if (session_.device)
-                check_validation(*session_.device);
-            if (i == 0)
-                tell(frame, world);
-            writer.push(std::move(frame));
-            const double lap = watch.lap();
-            if (i > 0) // the first makes pipelines
-                figures_.interval_ms.push_back(lap);
-        }
-    }
-
-    SequenceFigures& figures() { return figures_; }
-
-private:
-    /// What `render` tells of its picture, of the first frame only.
-    void tell(const DrawnFrame& frame, const World& world) const {
-        const Log log(command_.render.reading.log_level);
-        for (const std::string& note : figures_.stats.all().notes)
-            log.note(note);
-        warn_of_picture(command_.render, frame.pictures[0], world);
-    }
-
-    const SequenceCommand& command_;
-    const SequenceFiles& files_;
-    Session& session_;
-    SceneAtTime& scene_;
-    std::optional<Turntable> turntable_;
-    SequenceFigures figures_;
-};
 
 /// Draws what is planned; every frame is on the disk afterwards.
 void draw_all(const SequenceCommand& command, const SequencePlan& plan, Video* video, FrameDrawer& drawer,

@@ -22,12 +22,12 @@ std::pair<double, double> depths_round(const World& world, const PlacedCamera& c
 Turntable::Turntable(const World& world, const PlacedCamera& start, double seconds, bool widen)
     : start_(start), centre_(0.5 * world.bounds_min + 0.5 * world.bounds_max), seconds_(seconds) {
     start_.previous = {};
-    if (!widen)
-        return;
     const auto [nearest, farthest] = depths_round(world, start, centre_);
+    if (!widen || farthest <= 0)
+        return;
     Camera& camera = start_.camera;
     camera.zfar = std::max(camera.zfar, 1.01 * farthest);
-    camera.znear = std::min(camera.znear, std::max(0.5 * nearest, 1e-4 * camera.zfar));
+    camera.znear = std::min(camera.znear, std::max(0.5 * nearest, 1e-4 * farthest));
 }
 
 CameraPose Turntable::pose_at(double time) const {
