@@ -52,10 +52,10 @@ void draw_all(const SequenceCommand& command, const SequencePlan& plan, Video* v
         check_validation(*session.device);
     }
     const Stats stats = drawer.figures().stats.all();
-    print_frame_line(fmt::format("{}: {} frames, {}x{}, {}, {} lights, {} triangles, {:.0f} frames an hour on {}",
-                                 command.render.output.string(), stats.frames, command.render.options.width,
-                                 command.render.options.height, command.render.renderer, stats.lights, stats.triangles,
-                                 drawer.figures().frames_per_hour(), stats.device));
+    print_frame_line(fmt::format("{}: {} frame{}, {}x{}, {}, {} lights, {} triangles, {:.0f} frames an hour on {}",
+                                 command.render.output.string(), stats.frames, stats.frames == 1 ? "" : "s",
+                                 command.render.options.width, command.render.options.height, command.render.renderer,
+                                 stats.lights, stats.triangles, drawer.figures().frames_per_hour(), stats.device));
 }
 
 /// What of the list is not drawn now, and why.
