@@ -1,6 +1,7 @@
 #include "argument.hpp"
 
 #include "output.hpp"
+#include "sequence/video.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -127,7 +128,7 @@ void refuse_pattern(std::string_view option, const std::filesystem::path& file) 
     const size_t percent = name.find('%');
     const size_t digits = percent == std::string::npos ? percent : name.find_first_not_of("0123456789", percent + 1);
     if (name.find("##") != std::string::npos || (digits != std::string::npos && name[digits] == 'd'))
-        refuse(option, file.string(), "names a series of pictures; this command writes one");
+        refuse(option, file.string(), "names a series of pictures: `prelight sequence` writes those");
 }
 
 std::string builtin_names() {
@@ -168,24 +169,29 @@ std::vector<std::filesystem::path> outputs_of(const RenderCommand& command) {
     return files;
 }
 
-void check_outputs(const RenderCommand& command) {
+void check_endings(const RenderCommand& command, bool videos) {
     const std::string extension = lower_extension(command.output);
-    if (extension != ".png" && extension != ".exr")
-        refuse("-o", command.output.string(), "the name must end in .png or .exr");
+    if (extension != ".png" && extension != ".exr" && !(videos && is_video(command.output)))
+        refuse("-o", command.output.string(),
+               videos ? "the name must end in .png, .exr, .mp4 or .mkv" : "the name must end in .png or .exr");
     // EXR holds scene-linear light, PNG what is drawn for the eye: neither suits the other's
     // values.
     const bool linear = command.view == "linear";
     if (extension == ".exr" && command.view != "final" && !linear)
         refuse("--view", command.view, "an EXR holds the final picture only; use .png");
-    if (extension == ".png" && linear)
+    if (extension != ".exr" && linear)
         refuse("--view", command.view, "scene-linear values need a name ending in .exr");
-    refuse_pattern("-o", command.output);
-    for (const ViewFile& more : command.more_views) {
+    for (const ViewFile& more : command.more_views)
         if (lower_extension(more.file) != (more.view == "linear" ? ".exr" : ".png"))
             refuse("--view", more.view + "=" + more.file.string(),
                    more.view == "linear" ? "the name must end in .exr" : "the name must end in .png");
+}
+
+void check_outputs(const RenderCommand& command) {
+    check_endings(command, false);
+    refuse_pattern("-o", command.output);
+    for (const ViewFile& more : command.more_views)
         refuse_pattern("--view", more.file);
-    }
     check_distinct(outputs_of(command), {});
 }
 

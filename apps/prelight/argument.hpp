@@ -52,6 +52,8 @@ void take_views(RenderCommand& command, const std::vector<std::string>& texts);
 void refuse_pattern(std::string_view option, const std::filesystem::path& file);
 /// All files that the command writes.
 std::vector<std::filesystem::path> outputs_of(const RenderCommand& command);
+/// Each picture has an extension that suits its content; `videos`: or that of a video. Throws UsageError.
+void check_endings(const RenderCommand& command, bool videos);
 /// Each output has an extension that suits its content, and no two outputs are one file.
 void check_outputs(const RenderCommand& command);
 

@@ -3,6 +3,7 @@
 
 #include "argument.hpp"
 #include "bench_arguments.hpp"
+#include "sequence/plan.hpp"
 
 #include <CLI/CLI.hpp>
 #include <prelight/error.hpp>
@@ -13,6 +14,7 @@ namespace {
 constexpr const char* program_footer = R"(Examples:
   prelight render city --lights 1024 -o night.png
   prelight render helmet.glb --camera 1 --size 1920x1080 -o helmet.exr
+  prelight sequence fox.glb -o fox.####.png
   prelight compare city -o report
   prelight make spheres -o spheres.glb
   prelight renderers light-prepass
@@ -31,6 +33,14 @@ constexpr const char* render_footer = R"(Examples:
   prelight render city --renderer reference --size 320x180 -o truth.exr
 A name ending in .exr receives exposed scene-linear values, without tone mapping.
 `prelight renderers NAME` lists what --set, --view and --preset accept.)";
+
+constexpr const char* sequence_footer = R"(Examples:
+  prelight sequence fox.glb --animation Run -o run.####.png
+  prelight sequence helmet.glb --turntable 10 -o helmet.mp4
+  prelight sequence city --turntable 4 --fps 24 --frames-at 0-95x8 --size 640x360 -o city.####.png
+  prelight sequence fox.glb --shard 2/6 --skip-existing -o run.####.png
+Frame f shows the time f/F seconds, whatever was drawn before it. Without --frames-at: the animations
+up to their last keyframe, or one round of the turntable. docs/sequences.md has more.)";
 
 constexpr const char* compare_footer = R"(Examples:
   prelight compare city -o report
@@ -62,25 +72,24 @@ struct MakeText {
     std::string output, lights, seed = "1";
 };
 
-void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
-    auto& sub = *app.add_subcommand("render", "Render a scene into a picture");
-    const auto option = [&](const char* names, auto& target, const char* word, const char* help) {
+/// How options are added: names, target, what stands for a value, help.
+auto options_of(CLI::App& sub) {
+    return [&sub](const char* names, auto& target, const char* word, const char* help) {
         return sub.add_option(names, target, help)->type_name(word)->allow_extra_args(false);
     };
-    sub.footer(render_footer);
+}
+
+/// What says how one picture looks, for `render` and `sequence`.
+void add_picture_options(CLI::App& sub, RenderCommand& command, RenderText& text) {
+    const auto option = options_of(sub);
     sub.add_option("SCENE", command.scene, "A .gltf or .glb file, or a built-in scene: see `make`")
         ->required()
         ->type_name("");
-    option("-o,--output", text.output, "IMAGE", "The picture: PNG, or EXR when the name ends so")->required();
     option("--renderer", command.renderer, "NAME", "Architecture (default light-prepass)");
     option("--preset", command.options.preset, "NAME", "A source text's own configuration");
     option("--set", text.settings, "KEY=VALUE", "One setting of the renderer; repeatable");
     option("--size", text.size, "WxH", "Picture size in pixels (default 1280x720)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
-    option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
-    option("--animation", command.animation, "NAME|INDEX",
-           "Only this animation of the scene (default all), at --time or else at 0 s");
-    option("--frames", text.frames, "N", "Frames to render and time (default 1)");
     option("--lights", text.lights, "N", "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
     option("--view", text.views, "BUFFER[=FILE]",
@@ -102,14 +111,36 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     sub.add_flag("--pass-cpu", command.options.pass_cpu,
                  "Each pass's CPU time for --stats: as many frames more, each pass submitted alone");
     sub.add_flag("--validate", command.validate, "Run with Vulkan validation; any message is a failure");
+}
+
+void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
+    auto& sub = *app.add_subcommand("render", "Render a scene into a picture");
+    const auto option = options_of(sub);
+    sub.footer(render_footer);
+    add_picture_options(sub, command, text);
+    option("-o,--output", text.output, "IMAGE", "The picture: PNG, or EXR when the name ends so")->required();
+    option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
+    option("--animation", command.animation, "NAME|INDEX",
+           "Only this animation of the scene (default all), at --time or else at 0 s");
+    option("--frames", text.frames, "N", "Frames to render and time (default 1)");
     sub.add_flag("--watch", command.watch, "Render again whenever the scene or a material file changes");
+}
+
+void add_sequence(CLI::App& app, SequenceCommand& command, RenderText& picture, SequenceText& text) {
+    auto& sub = *app.add_subcommand("sequence", "Render many moments: numbered pictures, or a video");
+    const auto option = options_of(sub);
+    sub.footer(sequence_footer);
+    add_picture_options(sub, command.render, picture);
+    option("-o,--output", picture.output, "FILES",
+           "Numbered pictures, as in out.####.png or out.####.exr; or a video: out.mp4, out.mkv")
+        ->required();
+    option("--animation", command.render.animation, "NAME|INDEX", "Only this animation of the scene (default all)");
+    add_sequence_options(sub, option, text, command.sequence);
 }
 
 void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
     auto& sub = *app.add_subcommand("compare", "Show every architecture side by side as a web page");
-    const auto option = [&](const char* names, auto& target, const char* word, const char* help) {
-        return sub.add_option(names, target, help)->type_name(word)->allow_extra_args(false);
-    };
+    const auto option = options_of(sub);
     sub.footer(compare_footer);
     sub.add_option("SCENE", command.scene, "A .gltf or .glb file, or a built-in scene: see `make`")
         ->required()
@@ -157,7 +188,8 @@ void take_exposure(AnyCommand& command, const std::string& text) {
         command.options.exposure = parse_number("--exposure", text, -64, 64);
 }
 
-void finish(RenderCommand& command, const RenderText& text) {
+/// All but `--time` and what belongs to it, and the check of the outputs.
+void finish_picture(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
     if (!text.shading.empty())
         command.options.shading = parse_shading(text.shading);
@@ -166,8 +198,6 @@ void finish(RenderCommand& command, const RenderText& text) {
                             {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
     take_exposure(command, text.exposure);
     command.options.msaa = parse_count("--msaa", text.msaa, 1);
-    command.frames = parse_count("--frames", text.frames, 1);
-    command.moment = parse_moment(text.time, command.animation);
     command.seed = parse_seed("--seed", text.seed);
     if (!text.lights.empty())
         command.lights = parse_count("--lights", text.lights, 1);
@@ -185,7 +215,19 @@ void finish(RenderCommand& command, const RenderText& text) {
     command.output = text.output;
     command.stats = text.stats;
     take_views(command, text.views);
+}
+
+void finish(RenderCommand& command, const RenderText& text) {
+    finish_picture(command, text);
+    command.frames = parse_count("--frames", text.frames, 1);
+    command.moment = parse_moment(text.time, command.animation);
     check_outputs(command);
+}
+
+void finish(SequenceCommand& command, const RenderText& picture, const SequenceText& text) {
+    finish_picture(command.render, picture);
+    finish(command.sequence, text);
+    check_sequence(command);
 }
 
 void finish(CompareCommand& command, const CompareText& text) {
@@ -240,6 +282,9 @@ Command parse_command_line(int argc, const char* const* argv) {
 
     RenderCommand render;
     RenderText render_text;
+    SequenceCommand sequence;
+    RenderText sequence_picture;
+    SequenceText sequence_text;
     CompareCommand compare;
     CompareText compare_text;
     MakeCommand make;
@@ -248,6 +293,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     MaterialsCommand materials;
     BenchArguments bench;
     add_render(app, render, render_text);
+    add_sequence(app, sequence, sequence_picture, sequence_text);
     add_compare(app, compare, compare_text);
     add_make(app, make, make_text);
     bench.add(app);
@@ -273,6 +319,10 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (app.got_subcommand("render")) {
         finish(render, render_text);
         return render;
+    }
+    if (app.got_subcommand("sequence")) {
+        finish(sequence, sequence_picture, sequence_text);
+        return sequence;
     }
     if (app.got_subcommand("compare")) {
         for (int i = 1; i < argc; ++i)

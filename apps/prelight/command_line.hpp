@@ -1,5 +1,6 @@
 #pragma once
 #include "environment_choice.hpp"
+#include "sequence/sequence_command.hpp"
 #include "variant.hpp"
 #include "view_choice.hpp"
 
@@ -44,6 +45,12 @@ struct RenderCommand {
     SceneReading reading;
     std::optional<Framing> framing; ///< absent: the scene's camera
     bool auto_exposure = false;     ///< options.exposure comes from the picture
+};
+
+/// `prelight sequence`: what `render` makes of each of many moments.
+struct SequenceCommand {
+    RenderCommand render; ///< `output` and the files of `more_views` are patterns; no moment, no `frames`, no `watch`
+    SequenceOptions sequence;
 };
 
 /// `prelight compare`
@@ -127,8 +134,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RenderCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand, RenderersCommand,
-                             MaterialsCommand, PrintCommand>;
+using Command = std::variant<RenderCommand, SequenceCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand,
+                             RenderersCommand, MaterialsCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);

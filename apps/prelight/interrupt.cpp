@@ -69,6 +69,8 @@ WriteGuard::~WriteGuard() {
 
 bool is_writing() { return writing != 0; }
 
+bool is_interrupted() { return waiting != 0; }
+
 RemovedOnInterrupt::RemovedOnInterrupt(std::filesystem::path folder) : folder_(std::move(folder)), crash_(folder_) {
     int ends[2] = {-1, -1};
     if (pipe2(ends, O_CLOEXEC) != 0)

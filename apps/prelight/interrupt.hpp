@@ -25,6 +25,9 @@ public:
 /// True while a WriteGuard lives.
 bool is_writing();
 
+/// True when an interrupt waits for a WriteGuard: nothing new should be written.
+bool is_interrupted();
+
 /// While one lives, an interrupt or a crash removes a folder with all that is in it and then ends the program at
 /// once, whatever the program is doing. At most one at a time.
 class RemovedOnInterrupt {

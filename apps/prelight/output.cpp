@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <image/atomic_file.hpp>
+#include <map>
 #include <optional>
 #include <prelight/error.hpp>
 #include <sys/stat.h>
@@ -17,7 +18,7 @@ struct Identity {
     dev_t device = 0;
     ino_t inode = 0;
     std::string name; ///< empty: the file is there
-    bool operator==(const Identity&) const = default;
+    auto operator<=>(const Identity&) const = default;
 };
 
 /// Nothing: a device or a pipe, or a name that leads nowhere.
@@ -43,26 +44,26 @@ void check_writable(const fs::path& path) {
 }
 
 void check_distinct(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
-    std::vector<std::pair<Identity, const fs::path*>> written;
+    std::map<Identity, const fs::path*> written; // a sequence has thousands
     for (const fs::path& output : outputs) {
         const std::optional<Identity> identity = output.empty() ? std::nullopt : identity_of(output);
         if (!identity)
             continue;
-        const auto same = std::ranges::find(written, *identity, &decltype(written)::value_type::first);
-        if (same != written.end())
+        const auto [same, is_new] = written.emplace(*identity, &output);
+        if (!is_new)
             throw UsageError(*same->second == output ? fmt::format("{}: named for two outputs", output.string())
                                                      : fmt::format("{}: is the same file as {}: named for two outputs",
                                                                    output.string(), same->second->string()));
-        written.emplace_back(*identity, &output);
     }
     for (const fs::path& input : inputs) {
         const std::optional<Identity> identity = input.empty() ? std::nullopt : identity_of(input);
-        for (const auto& [output, name] : written)
-            if (identity && identity->name.empty() && identity == output)
-                throw UsageError(*name == input
-                                     ? fmt::format("{}: is read by this run and cannot be its output", name->string())
-                                     : fmt::format("{}: is the same file as {}, which this run reads", name->string(),
-                                                   input.string()));
+        const auto same = identity && identity->name.empty() ? written.find(*identity) : written.end();
+        if (same == written.end())
+            continue;
+        const fs::path& name = *same->second;
+        throw UsageError(name == input ? fmt::format("{}: is read by this run and cannot be its output", name.string())
+                                       : fmt::format("{}: is the same file as {}, which this run reads", name.string(),
+                                                     input.string()));
     }
 }
 

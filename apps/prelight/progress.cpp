@@ -21,17 +21,16 @@ size_t columns() {
     return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-/// "0:12", "1:03:20".
-std::string clock(double seconds) {
-    const auto whole = static_cast<unsigned long>(seconds);
-    return whole < 3600 ? fmt::format("{}:{:02d}", whole / 60, whole % 60)
-                        : fmt::format("{}:{:02d}:{:02d}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
 /// Seconds without a line after which a step says that it is still at work.
 constexpr double longest_silence = 30;
 
 } // namespace
+
+std::string clock_text(double seconds) {
+    const auto whole = static_cast<unsigned long>(seconds);
+    return whole < 3600 ? fmt::format("{}:{:02d}", whole / 60, whole % 60)
+                        : fmt::format("{}:{:02d}:{:02d}", whole / 3600, whole / 60 % 60, whole % 60);
+}
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1), start_(now()) {}
 
@@ -57,7 +56,7 @@ void Progress::draw_bar(double share, std::string_view what) const {
     const double part = std::clamp(share, 0.0, 1.0);
     const auto filled = static_cast<size_t>(part * double(bar_width));
     std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3d} % {}  {}", "", filled, "", bar_width - filled,
-                                   static_cast<int>(part * 100), clock(now() - start_), what);
+                                   static_cast<int>(part * 100), clock_text(now() - start_), what);
     line.resize(std::min(line.size(), columns() - 1));
     std::fputs(fmt::format("\r{}\033[K", line).c_str(), stderr);
     std::fflush(stderr);
@@ -67,8 +66,8 @@ void Progress::print_line(double share, std::string_view what) {
     said_ = now();
     const double gone = said_ - start_, done = std::clamp(share, 0.0, 1.0) - std::max(first_, 0.0);
     const double left = done > 0 ? gone / done * (1 - std::clamp(share, 0.0, 1.0)) : 0;
-    std::fputs(fmt::format("[{:3d} %] {}{}: {}\n", static_cast<int>(share * 100), clock(gone),
-                           gone > 1 && done > 0.02 ? fmt::format(", about {} left", clock(left)) : "", what)
+    std::fputs(fmt::format("[{:3d} %] {}{}: {}\n", static_cast<int>(share * 100), clock_text(gone),
+                           gone > 1 && done > 0.02 ? fmt::format(", about {} left", clock_text(left)) : "", what)
                    .c_str(),
                stderr);
     std::fflush(stderr);

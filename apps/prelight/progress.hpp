@@ -1,7 +1,11 @@
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace prelight::app {
+
+/// "0:12", "1:03:20".
+std::string clock_text(double seconds);
 
 /// How far a long command is, on stderr: on a terminal a bar, redrawn in place; elsewhere a line a step, with the time
 /// that is left as far as it can be told.

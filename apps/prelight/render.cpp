@@ -2,103 +2,38 @@
 #include "commands.hpp"
 #include "device_type.hpp"
 #include "memory_check.hpp"
-#include "meter.hpp"
 #include "output.hpp"
 #include "own_materials.hpp"
 #include "renderer_info.hpp"
-#include "scene_files.hpp"
 #include "scene_source.hpp"
+#include "session.hpp"
 #include "stats_json.hpp"
 #include "validation.hpp"
 #include "watch.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <future>
-#include <prelight/device.hpp>
 #include <prelight/error.hpp>
 
 namespace prelight::app {
 namespace {
 
-/// What outlives one picture: `--watch` shows scene after scene with it.
-struct Session {
-    std::unique_ptr<Device> device; ///< null for a renderer that needs none
-    std::unique_ptr<Renderer> renderer;
-};
-
-/// A picture in memory, and where it goes.
-struct Picture {
-    Image image;
-    std::filesystem::path file;
-};
-
-/// What the command reads by name: --watch looks at these.
-std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
-    std::vector<std::filesystem::path> files;
-    if (names_file(command.scene))
-        files.emplace_back(command.scene);
-    for (const auto& [name, file] : command.materials)
-        files.push_back(file);
-    if (!command.environment.file.empty())
-        files.push_back(command.environment.file);
-    return files;
-}
-
 void check_before_work(const RenderCommand& command, const RendererInfo& info) {
-    for (const std::string& view : command.options.views)
-        if (view != "final" && view != "linear" && std::ranges::find(info.views, view) == info.views.end())
-            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
+    check_views(command, info);
     if (command.watch && !names_file(command.scene) && command.materials.empty() && command.environment.file.empty())
         throw UsageError(fmt::format("--watch: {} is not a file that could change", command.scene));
     const std::vector<std::filesystem::path> outputs = outputs_of(command);
-    std::vector<std::filesystem::path> inputs = files_of(command);
-    for (std::filesystem::path& file : files_named_in(command.scene))
-        inputs.push_back(std::move(file));
-    check_distinct(outputs, inputs);
+    check_distinct(outputs, inputs_of(command));
     for (const std::filesystem::path& output : outputs)
         check_writable(output);
-}
-
-std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& command) {
-    const bool exr = lower_extension(command.output) == ".exr";
-    std::vector<Picture> pictures;
-    pictures.push_back({renderer.read(exr ? "linear" : command.view), command.output});
-    for (const ViewFile& more : command.more_views)
-        pictures.push_back({renderer.read(more.view), more.file});
-    return pictures;
-}
-
-void write(const std::vector<Picture>& pictures) {
-    for (const Picture& picture : pictures) {
-        const WriteGuard guard;
-        if (lower_extension(picture.file) == ".exr")
-            save_exr(picture.image, picture.file);
-        else
-            save_png(picture.image, picture.file);
-    }
-}
-
-/// Of the scene's picture as it is displayed, when that is what was asked for.
-void warn_of_picture(const RenderCommand& command, const Picture& picture, const World& world) {
-    if (command.view != "final" && command.view != "linear")
-        return;
-    const bool linear = lower_extension(picture.file) == ".exr";
-    warn_of_extremes(Log(command.reading.log_level),
-                     linear ? tonemap(picture.image, command.options.tonemap) : picture.image, picture.file.string(),
-                     world, command.auto_exposure);
 }
 
 void render_once(Session& session, RenderCommand& command, const LoadedScene& loaded, StartUp& start_up) {
     Stopwatch watch;
     const PlacedCamera& camera =
         command.camera.empty() ? loaded.world.cameras.at(0) : find_camera(loaded.world, command.camera);
-    if (command.auto_exposure) {
-        command.options.exposure = meter_exposure(session.device.get(), loaded.world, camera, command.options);
-        print_exposure(command.options.exposure);
-        session.renderer.reset(); // before another is there: it holds memory
-        session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
-    }
+    if (command.auto_exposure)
+        meter(session, command, loaded.world, camera);
     if (session.device && type_of(*session.device) == "software")
         check_memory_for(loaded.scene);
     session.renderer->set_world(loaded.world);
@@ -113,7 +48,8 @@ void render_once(Session& session, RenderCommand& command, const LoadedScene& lo
         session.renderer.reset(); // taking everything down is checked too
     if (session.device)
         check_validation(*session.device);
-    write(pictures);
+    for (const Picture& picture : pictures)
+        save(picture);
     warn_of_picture(command, pictures[0], loaded.world);
     start_up.picture = watch.lap();
     if (!command.stats.empty())
@@ -147,14 +83,7 @@ void run(const RenderCommand& given) {
         materials.assign(scene);
         environment(scene);
     };
-    Session session;
-    if (!info.needs_device && (command.validate || command.device != "auto"))
-        throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
-                                     command.validate ? "--validate" : "--device", info.name));
-    if (info.needs_device)
-        session.device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
-                                     command.options.height, command.options.msaa);
-    session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+    Session session = open_session(command, info);
     materials.check();
     FileWatch watch(files_of(command));
     start_up.device = clock.lap();

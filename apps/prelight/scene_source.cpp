@@ -14,17 +14,13 @@ const BuiltinScene* find_builtin(const std::vector<BuiltinScene>& scenes, const 
     return found == scenes.end() ? nullptr : &*found;
 }
 
-void resolve_at(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edit, const SceneView& view) {
+/// Makes the scene what the command asks for, and its world.
+void prepare(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edit, const SceneView& view) {
     if (!time.reading.scene.empty())
         loaded.scene.default_scene = find_scene(loaded.scene, time.reading.scene); // the edit looks at its lights
     if (edit)
         edit(loaded.scene);
-    std::optional<uint32_t> animation;
-    if (!time.animation.empty())
-        animation = find_animation(loaded.scene, time.animation);
-    loaded.world = resolve(loaded.scene, {}, time.moment, animation);
-    if (view.framing || loaded.world.framed)
-        loaded.world.cameras = {frame(loaded.world, view.aspect, view.framing.value_or(Framing{}))};
+    loaded.world = resolve_at(loaded.scene, time, view, {});
 }
 
 } // namespace
@@ -50,11 +46,24 @@ Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint
     return make_scene(name, lights.value_or(builtin->default_lights), seed);
 }
 
+World resolve_at(const Scene& scene, const SceneTime& time, const SceneView& view,
+                 const std::optional<AddedLights>& added) {
+    std::optional<uint32_t> animation;
+    if (!time.animation.empty())
+        animation = find_animation(scene, time.animation);
+    World world = resolve(scene, {}, time.moment, animation);
+    if (view.framing || world.framed)
+        world.cameras = {frame(world, view.aspect, view.framing.value_or(Framing{}))};
+    if (added)
+        scatter_lights(world, added->count, added->seed);
+    return world;
+}
+
 std::unique_ptr<LoadedScene> resolve_builtin(Scene scene, const SceneTime& time, const SceneEdit& edit,
                                              const SceneView& view) {
     auto loaded = std::make_unique<LoadedScene>();
     loaded->scene = std::move(scene);
-    resolve_at(*loaded, time, edit, view);
+    prepare(*loaded, time, edit, view);
     return loaded;
 }
 
@@ -66,7 +75,7 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
     const bool file = names_file(name);
     const LoadOptions options{.strict = time.reading.strict, .memory_limit = time.reading.memory_limit};
     loaded->scene = file ? load_gltf(name, options) : make_builtin(name, lights, seed);
-    resolve_at(*loaded, time, edit, view);
+    prepare(*loaded, time, edit, view);
     if (file && lights) {
         if (*lights > max_lights)
             throw Error(fmt::format("{}: --lights {}: the renderer holds {}", name, *lights, max_lights));

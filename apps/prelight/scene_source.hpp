@@ -47,6 +47,16 @@ struct SceneView {
     std::optional<Framing> framing; ///< in place of the scene's cameras; absent: where it has none, the default one
 };
 
+/// Point lights that `--lights` adds to a file's world.
+struct AddedLights {
+    uint32_t count = 0;
+    uint64_t seed = 1;
+};
+
+/// The world of a scene that load_scene() has read, at another moment. Throws as resolve().
+World resolve_at(const Scene& scene, const SceneTime& time, const SceneView& view,
+                 const std::optional<AddedLights>& added);
+
 /// Loads a file or makes a built-in scene, resolves it at that time, and adds lights to it as
 /// `--lights` says, `max_lights` at most. Where the scene has no camera, or `view` asks for another, cameras[0] is that
 /// of `view`. Warnings about the file go to stderr; read strictly, the first is an Error. Throws Error; UsageError for

@@ -1,6 +1,6 @@
-#include <cmath>
 #include <fmt/format.h>
 #include <image/atomic_file.hpp>
+#include <image/display_bytes.hpp>
 #include <image/png_reader.hpp>
 #include <image/png_writer.hpp>
 #include <prelight/error.hpp>
@@ -10,12 +10,6 @@
 
 namespace prelight {
 namespace {
-
-uint8_t to_byte(float value) {
-    if (!(value > 0)) // also NaN, whose cast to an integer would be undefined
-        return 0;
-    return value >= 1 ? 255 : static_cast<uint8_t>(std::lround(value * 255));
-}
 
 Image decode(std::span<const uint8_t> bytes) {
     PngReader reader(bytes);
@@ -48,12 +42,7 @@ void save_png(const Image& display, const std::filesystem::path& path) {
     if (display.width == 0 || display.height == 0)
         throw Error(fmt::format("{}: a picture of {}x{} pixels cannot be written", path.string(), display.width,
                                 display.height));
-    std::vector<uint8_t> bytes;
-    bytes.reserve(display.pixels.size() * 3);
-    for (const glm::vec3& pixel : display.pixels)
-        for (int channel = 0; channel < 3; ++channel)
-            bytes.push_back(to_byte(pixel[channel]));
-    file.write(encode_png(display.width, display.height, 3, bytes));
+    file.write(encode_png(display.width, display.height, 3, display_bytes(display)));
     file.commit();
 }
 

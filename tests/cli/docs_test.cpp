@@ -69,6 +69,7 @@ void check(const app::RenderCommand& command) {
             return void(Settings(info, command.options));
     throw UsageError(command.renderer + ": no such renderer");
 }
+void check(const app::SequenceCommand& command) { check(command.render); }
 template <class Other>
 void check(const Other&) {}
 

@@ -1,0 +1,35 @@
+#pragma once
+#include "sequence/frame_writer.hpp"
+#include "sequence/plan.hpp"
+#include "sequence/scene_at_time.hpp"
+#include "sequence/sequence_json.hpp"
+#include "sequence/turntable.hpp"
+
+namespace prelight::app {
+
+/// Draws frame after frame and hands each on to be written. What it is given must outlive it.
+class FrameDrawer {
+public:
+    /// Throws UsageError for a camera that is not there.
+    FrameDrawer(const SequenceCommand& command, const SequenceFiles& files, Session& session, SceneAtTime& scene);
+
+    /// The command's camera in one of the scene's worlds.
+    const PlacedCamera& camera_of(const World& world) const;
+    /// Throws Error, also what `writer` failed with.
+    void draw(const FrameNumbers& frames, FrameWriter& writer);
+    /// Of what has been drawn.
+    SequenceFigures& figures() { return figures_; }
+
+private:
+    DrawnFrame read(uint32_t number);
+    void tell(const DrawnFrame& frame, const World& world) const;
+
+    const SequenceCommand& command_;
+    const SequenceFiles& files_;
+    Session& session_;
+    SceneAtTime& scene_;
+    std::optional<Turntable> turntable_;
+    SequenceFigures figures_;
+};
+
+} // namespace prelight::app

@@ -1,0 +1,86 @@
+#include "session.hpp"
+
+#include "argument.hpp"
+#include "interrupt.hpp"
+#include "memory_check.hpp"
+#include "meter.hpp"
+#include "scene_files.hpp"
+#include "scene_source.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <prelight/error.hpp>
+
+namespace prelight::app {
+
+Session open_session(const RenderCommand& command, const RendererInfo& info) {
+    if (!info.needs_device && (command.validate || command.device != "auto"))
+        throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
+                                     command.validate ? "--validate" : "--device", info.name));
+    Session session;
+    if (info.needs_device)
+        session.device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
+                                     command.options.height, command.options.msaa);
+    session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+    return session;
+}
+
+void meter(Session& session, RenderCommand& command, const World& world, const PlacedCamera& camera) {
+    command.options.exposure = meter_exposure(session.device.get(), world, camera, command.options);
+    print_exposure(command.options.exposure);
+    session.renderer.reset(); // before another is there: it holds memory
+    session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+}
+
+std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
+    std::vector<std::filesystem::path> files;
+    if (names_file(command.scene))
+        files.emplace_back(command.scene);
+    for (const auto& [name, file] : command.materials)
+        files.push_back(file);
+    if (!command.environment.file.empty())
+        files.push_back(command.environment.file);
+    return files;
+}
+
+std::vector<std::filesystem::path> inputs_of(const RenderCommand& command) {
+    std::vector<std::filesystem::path> inputs = files_of(command);
+    for (std::filesystem::path& file : files_named_in(command.scene))
+        inputs.push_back(std::move(file));
+    return inputs;
+}
+
+void check_views(const RenderCommand& command, const RendererInfo& info) {
+    for (const std::string& view : command.options.views)
+        if (view != "final" && view != "linear" && std::ranges::find(info.views, view) == info.views.end())
+            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
+}
+
+std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& command) {
+    const bool exr = lower_extension(command.output) == ".exr";
+    std::vector<Picture> pictures;
+    pictures.push_back({renderer.read(exr ? "linear" : command.view), command.output});
+    for (const ViewFile& more : command.more_views)
+        pictures.push_back({renderer.read(more.view), more.file});
+    return pictures;
+}
+
+void save(const Picture& picture) {
+    const WriteGuard guard;
+    if (lower_extension(picture.file) == ".exr")
+        save_exr(picture.image, picture.file);
+    else
+        save_png(picture.image, picture.file);
+}
+
+void warn_of_picture(const RenderCommand& command, const Picture& picture, const World& world) {
+    if (command.view != "final" && command.view != "linear")
+        return;
+    const bool linear = lower_extension(picture.file) == ".exr";
+    warn_of_extremes(Log(command.reading.log_level),
+                     linear ? tonemap(picture.image, command.options.tonemap) : picture.image, picture.file.string(),
+                     world, command.auto_exposure);
+}
+
+} // namespace prelight::app

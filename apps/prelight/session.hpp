@@ -1,0 +1,42 @@
+#pragma once
+#include "command_line.hpp"
+
+#include <prelight/device.hpp>
+#include <prelight/renderer.hpp>
+
+namespace prelight::app {
+
+/// What outlives one picture: commands that draw many show scene after scene with it.
+struct Session {
+    std::unique_ptr<Device> device; ///< null for a renderer that needs none
+    std::unique_ptr<Renderer> renderer;
+};
+
+/// The device and the renderer that the command asks for. Throws UsageError, Error.
+Session open_session(const RenderCommand& command, const RendererInfo& info);
+
+/// Makes the renderer anew with the exposure that suits this picture: `--exposure auto`. Prints it.
+void meter(Session& session, RenderCommand& command, const World& world, const PlacedCamera& camera);
+
+/// The files that the command reads by name: --watch looks at these.
+std::vector<std::filesystem::path> files_of(const RenderCommand& command);
+/// These, and those that the scene's file names: no output may be one of them.
+std::vector<std::filesystem::path> inputs_of(const RenderCommand& command);
+
+/// Throws UsageError for a --view that the renderer does not have.
+void check_views(const RenderCommand& command, const RendererInfo& info);
+
+/// A picture in memory, and where it goes.
+struct Picture {
+    Image image;
+    std::filesystem::path file;
+};
+
+/// What the command wants of the last frame, `output` first.
+std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& command);
+/// Writes a whole file or none. Throws Error.
+void save(const Picture& picture);
+/// Of the scene's picture as it is displayed, when that is what was asked for: whether it is mostly black or burnt.
+void warn_of_picture(const RenderCommand& command, const Picture& picture, const World& world);
+
+} // namespace prelight::app
