@@ -15,12 +15,13 @@ const BuiltinScene* find_builtin(const std::vector<BuiltinScene>& scenes, const 
 }
 
 /// Makes the scene what the command asks for, and its world.
-void prepare(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edit, const SceneView& view) {
+void prepare(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edit, const SceneView& view,
+             const std::optional<AddedLights>& added = {}) {
     if (!time.reading.scene.empty())
         loaded.scene.default_scene = find_scene(loaded.scene, time.reading.scene); // the edit looks at its lights
     if (edit)
         edit(loaded.scene);
-    loaded.world = resolve_at(loaded.scene, time, view, {});
+    loaded.world = resolve_at(loaded.scene, time, view, added);
 }
 
 } // namespace
@@ -52,10 +53,26 @@ World resolve_at(const Scene& scene, const SceneTime& time, const SceneView& vie
     if (!time.animation.empty())
         animation = find_animation(scene, time.animation);
     World world = resolve(scene, {}, time.moment, animation);
-    if (view.framing || world.framed)
-        world.cameras = {frame(world, view.aspect, view.framing.value_or(Framing{}))};
-    if (added)
-        scatter_lights(world, added->count, added->seed);
+    const bool own_camera = view.framing || !has_camera(scene);
+    if (!own_camera && !added)
+        return world;
+    const bool later = time.moment && time.moment->time != 0;
+    const std::optional<World> at_start =
+        later ? std::optional(resolve(scene, {}, Moment{}, animation)) : std::nullopt;
+    const World& start = at_start ? *at_start : world;
+    const bool framed = view.framing || start.framed;
+    std::vector<PlacedCamera> cameras = start.cameras;
+    if (framed)
+        cameras = {frame(start, view.aspect, view.framing.value_or(Framing{}))};
+    if (added) {
+        World lit{.scene = &scene, .instances = {}};
+        lit.bounds_min = start.bounds_min;
+        lit.bounds_max = start.bounds_max;
+        scatter_lights(lit, added->count, added->seed);
+        world.lights.insert(world.lights.end(), lit.lights.begin(), lit.lights.end());
+    }
+    if (own_camera)
+        world.cameras = std::move(cameras);
     return world;
 }
 
@@ -75,12 +92,13 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
     const bool file = names_file(name);
     const LoadOptions options{.strict = time.reading.strict, .memory_limit = time.reading.memory_limit};
     loaded->scene = file ? load_gltf(name, options) : make_builtin(name, lights, seed);
-    prepare(*loaded, time, edit, view);
+    std::optional<AddedLights> added;
     if (file && lights) {
         if (*lights > max_lights)
             throw Error(fmt::format("{}: --lights {}: the renderer holds {}", name, *lights, max_lights));
-        scatter_lights(loaded->world, *lights, seed);
+        added = {*lights, seed};
     }
+    prepare(*loaded, time, edit, view, added);
     // After all that can fail: a failure is one line.
     const std::vector<std::string> warnings = warnings_of(loaded->world);
     if (time.reading.strict && !warnings.empty())

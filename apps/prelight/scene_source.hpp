@@ -41,13 +41,13 @@ struct SceneTime {
 /// What is done to a scene before it is resolved; may be empty.
 using SceneEdit = std::function<void(Scene&)>;
 
-/// How the picture is framed.
+/// How the picture is framed: as the scene is at time 0, whatever moment is shown, so that the camera stands still.
 struct SceneView {
     double aspect = 16.0 / 9;       ///< width / height
     std::optional<Framing> framing; ///< in place of the scene's cameras; absent: where it has none, the default one
 };
 
-/// Point lights that `--lights` adds to a file's world.
+/// Point lights that `--lights` adds to a file's world, in its bounds at time 0: they stand still.
 struct AddedLights {
     uint32_t count = 0;
     uint64_t seed = 1;

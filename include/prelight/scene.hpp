@@ -207,6 +207,8 @@ struct WorldChanges {
 /// Whether anything shines in one of the scene's trees: a node with a light or an emitter, ambient light, an
 /// environment.
 bool is_lit(const Scene& scene, std::optional<uint32_t> scene_index = {});
+/// Whether a node of the tree has a camera: else resolve() makes one.
+bool has_camera(const Scene& scene, std::optional<uint32_t> scene_index = {});
 
 /// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
 /// camera gets one named "framed" (frame() in framing.hpp, for a square picture) or, when the

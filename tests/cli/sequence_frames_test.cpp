@@ -180,6 +180,15 @@ TEST_F(TurntableTest, KeepsDistanceHeightAndLook) {
     }
 }
 
+TEST_F(TurntableTest, TurnsOnTheSpotWithinAScene) {
+    const PlacedCamera start = look_at({.yfov = 1}, 0.5 * world.bounds_min + 0.5 * world.bounds_max, world.bounds_max);
+    const Turntable table(world, start, 4, true);
+    const PlacedCamera quarter = table.at(1, 0.1);
+    EXPECT_EQ(quarter.position, start.position);
+    EXPECT_NEAR(glm::dot(quarter.axes[0], start.axes[0]), 0, 1e-12);
+    EXPECT_EQ(quarter.camera.zfar, start.camera.zfar);
+}
+
 TEST_F(TurntableTest, TurnsAsAzimuthsCount) {
     const PlacedCamera start = look_at({}, centre + glm::dvec3(0, 0, 5), centre); // azimuth 0
     const PlacedCamera quarter = Turntable(world, start, 4, false).at(1, 0.1);    // azimuth 90: from +X

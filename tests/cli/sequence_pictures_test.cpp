@@ -159,6 +159,7 @@ TEST(Sequence, WhatCannotBeIsToldBeforeWork) {
 class NotingRenderer : public Renderer {
 public:
     void set_world(const World& world) override { worlds.push_back(&world); }
+    void update_world(const WorldChanges& changes) override { updates.push_back(changes); }
     void set_lights(std::span<const PlacedLight>) override {}
     void resize(uint32_t, uint32_t) override {}
     void render(const PlacedCamera&, uint32_t) override {}
@@ -166,12 +167,13 @@ public:
     Stats stats() const override { return {}; }
     uint64_t max_lights() const override { return 65536; }
     std::vector<const World*> worlds;
+    std::vector<WorldChanges> updates;
 };
 
 std::unique_ptr<app::SceneAtTime> scene_at_time(const char* name) {
     return std::make_unique<app::SceneAtTime>(
         app::load_scene(name, {}, 1, 65536, {.moment = Moment{}, .animation = {}}), app::SceneTime{}, app::SceneView{},
-        std::nullopt);
+        0, true);
 }
 
 TEST(SceneAtTime, AStillSceneIsTakenInOnce) {
@@ -199,7 +201,9 @@ TEST(SceneAtTime, AMovingSceneIsAsAtThatTime) {
         for (size_t i = 0; i < world.instances.size(); ++i)
             EXPECT_EQ(world.instances[i].transform, expected.instances[i].transform);
     }
-    EXPECT_EQ(renderer.worlds.size(), 4u) << "one moment was there already";
+    EXPECT_EQ(renderer.worlds.size(), 1u);
+    EXPECT_EQ(renderer.updates.size(), 3u) << "one moment was there already";
+    EXPECT_FALSE(renderer.updates[0].all);
 }
 
 TEST(SequenceStats, AreOfAllFrames) {

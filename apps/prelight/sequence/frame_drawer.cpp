@@ -13,15 +13,10 @@ constexpr double motion_interval = Moment{}.interval;
 FrameDrawer::FrameDrawer(const SequenceCommand& command, const SequenceFiles& files, Session& session,
                          SceneAtTime& scene)
     : command_(command), files_(files), session_(session), scene_(scene) {
-    const PlacedCamera& start = camera_of(scene.start());
+    const PlacedCamera& start = camera();
     if (command.sequence.turntable)
         turntable_.emplace(scene.start(), start, *command.sequence.turntable,
                            command.render.framing || scene.scene().cameras.empty());
-}
-
-const PlacedCamera& FrameDrawer::camera_of(const World& world) const {
-    const std::string& name = command_.render.camera;
-    return name.empty() ? world.cameras.at(0) : find_camera(world, name);
 }
 
 void FrameDrawer::draw(const FrameNumbers& frames, FrameWriter& writer) {
@@ -32,7 +27,7 @@ void FrameDrawer::draw(const FrameNumbers& frames, FrameWriter& writer) {
         const World& world = scene_.show(time, *session_.renderer);
         if (i + 1 < frames.size()) // the host's part of the next frame, while the device draws this one
             scene_.prepare(rate.time_of(frames[i + 1]));
-        session_.renderer->render(turntable_ ? turntable_->at(time, motion_interval) : camera_of(world));
+        session_.renderer->render(turntable_ ? turntable_->at(time, motion_interval) : camera());
         figures_.stats.add(session_.renderer->stats());
         DrawnFrame frame = read(frames[i]);
         if (session_.device)

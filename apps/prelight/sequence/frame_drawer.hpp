@@ -13,8 +13,8 @@ public:
     /// Throws UsageError for a camera that is not there.
     FrameDrawer(const SequenceCommand& command, const SequenceFiles& files, Session& session, SceneAtTime& scene);
 
-    /// The command's camera in one of the scene's worlds.
-    const PlacedCamera& camera_of(const World& world) const;
+    /// The command's camera at the moment that was drawn last, before the first at time 0.
+    const PlacedCamera& camera() const { return scene_.camera(command_.render.camera); }
     /// Throws Error, also what `writer` failed with.
     void draw(const FrameNumbers& frames, FrameWriter& writer);
     /// Of what has been drawn.

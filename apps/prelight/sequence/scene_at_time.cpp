@@ -4,11 +4,11 @@
 
 namespace prelight::app {
 
-SceneAtTime::SceneAtTime(std::unique_ptr<LoadedScene> loaded, const SceneTime& time, const SceneView& view,
-                         const std::optional<AddedLights>& added)
-    : loaded_(std::move(loaded)), time_(time), view_(view), added_(added) {}
-
-bool SceneAtTime::moves() const { return !scene().animations.empty() || !scene().emitters.empty(); }
+SceneAtTime::SceneAtTime(std::unique_ptr<LoadedScene> loaded, const SceneTime& time, const SceneView& view, size_t added,
+                         bool on_device)
+    : loaded_(std::move(loaded)), time_(time),
+      added_(loaded_->world.lights.end() - static_cast<ptrdiff_t>(added), loaded_->world.lights.end()),
+      own_camera_(view.framing || !has_camera(loaded_->scene)), on_device_(on_device) {}
 
 std::optional<double> SceneAtTime::length() const {
     if (scene().animations.empty())
@@ -24,35 +24,56 @@ std::optional<double> SceneAtTime::length() const {
 }
 
 void SceneAtTime::prepare(double time) {
-    if (!moves() || time == 0 || (shown_ && shown_time_ == time))
+    if (!timeline_ || (shown_ && shown_time_ == time))
         return;
     next_time_ = time;
-    next_ = std::async(std::launch::async, [this, at = time_, time]() mutable {
-        at.moment = Moment{.time = time};
-        return std::make_unique<World>(resolve_at(scene(), at, view_, added_));
-    });
+    next_ = std::async(std::launch::async, [this, time] { return timeline_->at(Moment{.time = time}); });
 }
 
-/// Null: the world at time 0, which is there.
-std::unique_ptr<World> SceneAtTime::take(double time) {
-    if (time == 0)
-        return {};
+World SceneAtTime::take(double time) {
     if (!next_.valid() || next_time_ != time)
         prepare(time);
     return next_.get();
 }
 
+void SceneAtTime::set_lights(Renderer& renderer) const {
+    std::vector<PlacedLight> lights = timeline_->world().lights;
+    lights.insert(lights.end(), added_.begin(), added_.end());
+    renderer.set_lights(lights);
+}
+
 const World& SceneAtTime::show(double time, Renderer& renderer) {
-    if (shown_ && (!moves() || shown_time_ == time))
-        return *shown_;
-    std::unique_ptr<World> world = moves() ? take(time) : nullptr;
-    const World& wanted = world ? *world : start();
-    shown_ = nullptr;
-    renderer.set_world(wanted);
-    current_ = std::move(world); // not before: the renderer pointed into the one that goes now
-    shown_ = &wanted;
+    if (!moves()) {
+        if (!shown_)
+            renderer.set_world(start());
+        shown_ = true;
+        return start();
+    }
+    if (!timeline_) {
+        std::optional<uint32_t> animation;
+        if (!time_.animation.empty())
+            animation = find_animation(scene(), time_.animation);
+        timeline_.emplace(scene(), std::nullopt, Moment{.time = time}, animation, !on_device_);
+        renderer.set_world(timeline_->world());
+        if (!added_.empty())
+            set_lights(renderer);
+    } else if (!shown_ || shown_time_ != time) {
+        shown_ = false; // until it is
+        WorldChanges changes = timeline_->take(take(time));
+        const bool relight = !added_.empty() && (changes.lights || changes.all);
+        changes.lights = changes.lights && !relight;
+        renderer.update_world(changes);
+        if (relight)
+            set_lights(renderer);
+    }
+    shown_ = true;
     shown_time_ = time;
-    return wanted;
+    return timeline_->world();
+}
+
+const PlacedCamera& SceneAtTime::camera(const std::string& name) const {
+    const World& world = timeline_ && !own_camera_ ? timeline_->world() : start();
+    return name.empty() ? world.cameras.at(0) : find_camera(world, name);
 }
 
 } // namespace prelight::app

@@ -100,12 +100,10 @@ void run(const SequenceCommand& given) {
     start_up.device = clock.lap();
     const SceneTime time{Moment{}, render.animation, render.reading};
     const SceneView view{double(render.options.width) / render.options.height, render.framing};
-    std::optional<AddedLights> added;
-    if (names_file(render.scene) && render.lights)
-        added = {*render.lights, render.seed};
+    const size_t added = names_file(render.scene) ? render.lights.value_or(0) : 0;
     scene = std::make_unique<SceneAtTime>(
         load_scene(render.scene, render.lights, render.seed, session.renderer->max_lights(), time, edit, view), time,
-        view, added);
+        view, added, session.device != nullptr);
     const FrameNumbers all =
         all_frames(command.sequence, render.scene, scene->length(), !scene->scene().emitters.empty());
     files.check_numbered(all.size());
@@ -118,7 +116,7 @@ void run(const SequenceCommand& given) {
     if (!plan.to_draw.empty()) {
         // Metered at time 0, whichever frames are drawn: all tasks get the same.
         if (render.auto_exposure)
-            meter(session, render, scene->start(), drawer.camera_of(scene->start()));
+            meter(session, render, scene->start(), drawer.camera());
         if (session.device && type_of(*session.device) == "software")
             check_memory_for(scene->scene());
         draw_all(command, plan, video ? &*video : nullptr, drawer, session);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <numbers>
 
 namespace prelight::app {
@@ -17,11 +18,20 @@ std::pair<double, double> depths_round(const World& world, const PlacedCamera& c
     return {to_centre - reach, to_centre + reach};
 }
 
+/// A camera in a room or a street: its way round the centre would lead through walls.
+bool is_inside(const World& world, const glm::dvec3& position) {
+    return glm::all(glm::greaterThan(position, world.bounds_min)) && glm::all(glm::lessThan(position, world.bounds_max));
+}
+
 } // namespace
 
 Turntable::Turntable(const World& world, const PlacedCamera& start, double seconds, bool widen)
     : start_(start), centre_(0.5 * world.bounds_min + 0.5 * world.bounds_max), seconds_(seconds) {
     start_.previous = {};
+    if (is_inside(world, start.position)) {
+        centre_ = start.position;
+        return;
+    }
     const auto [nearest, farthest] = depths_round(world, start, centre_);
     if (!widen || farthest <= 0)
         return;
