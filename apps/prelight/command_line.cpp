@@ -13,6 +13,7 @@ namespace {
 constexpr const char* program_footer = R"(Examples:
   prelight render city --lights 1024 -o night.png
   prelight render helmet.glb --camera 1 --size 1920x1080 -o helmet.exr
+  prelight view city
   prelight compare city -o report
   prelight make spheres -o spheres.glb
   prelight renderers light-prepass
@@ -32,6 +33,13 @@ constexpr const char* render_footer = R"(Examples:
 A name ending in .exr receives exposed scene-linear values, without tone mapping.
 `prelight renderers NAME` lists what --set, --view and --preset accept.)";
 
+constexpr const char* view_footer = R"(Examples:
+  prelight view city --lights 4096
+  prelight view helmet.glb --environment sky.hdr --scale auto
+  prelight view motion --record session.txt
+  prelight view motion --play session.txt -o picture.png
+Keys: ? lists them. docs/view.md has the rest.)";
+
 constexpr const char* compare_footer = R"(Examples:
   prelight compare city -o report
   prelight compare scene.glb --lights 500 --size 640x360 -o report
@@ -50,6 +58,11 @@ struct RenderText {
     ViewText view;
 };
 
+struct ViewerText {
+    RenderText render;
+    std::string frames, scale = "1";
+};
+
 struct CompareText {
     std::string size = "960x540", shading, output, lights, time, seed = "1", frames = "5";
     std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
@@ -62,16 +75,14 @@ struct MakeText {
     std::string output, lights, seed = "1";
 };
 
-void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
-    auto& sub = *app.add_subcommand("render", "Render a scene into a picture");
+/// What `render` and `view` share.
+CLI::App& add_picture(CLI::App& sub, RenderCommand& command, RenderText& text) {
     const auto option = [&](const char* names, auto& target, const char* word, const char* help) {
         return sub.add_option(names, target, help)->type_name(word)->allow_extra_args(false);
     };
-    sub.footer(render_footer);
     sub.add_option("SCENE", command.scene, "A .gltf or .glb file, or a built-in scene: see `make`")
         ->required()
         ->type_name("");
-    option("-o,--output", text.output, "IMAGE", "The picture: PNG, or EXR when the name ends so")->required();
     option("--renderer", command.renderer, "NAME", "Architecture (default light-prepass)");
     option("--preset", command.options.preset, "NAME", "A source text's own configuration");
     option("--set", text.settings, "KEY=VALUE", "One setting of the renderer; repeatable");
@@ -80,11 +91,8 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
     option("--animation", command.animation, "NAME|INDEX",
            "Only this animation of the scene (default all), at --time or else at 0 s");
-    option("--frames", text.frames, "N", "Frames to render and time (default 1)");
     option("--lights", text.lights, "N", "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
-    option("--view", text.views, "BUFFER[=FILE]",
-           "Write this buffer in place of the picture; with =FILE.png, beside it; repeatable");
     option("--material", text.materials, "NAME=FILE",
            "Shade the glTF material NAME with a GLSL file of your own; repeatable (docs/materials.md)");
     add_environment_options(option, text.environment);
@@ -96,13 +104,42 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     option("--exposure", text.exposure, "EV|auto",
            "Multiplies light by 2^EV (default 0); auto: what suits the picture");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
+    sub.add_flag("--validate", command.validate, "Run with Vulkan validation; any message is a failure");
+    return sub;
+}
+
+void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
+    auto& sub = add_picture(*app.add_subcommand("render", "Render a scene into a picture"), command, text);
+    const auto option = [&](const char* names, auto& target, const char* word, const char* help) {
+        return sub.add_option(names, target, help)->type_name(word)->allow_extra_args(false);
+    };
+    sub.footer(render_footer);
+    option("-o,--output", text.output, "IMAGE", "The picture: PNG, or EXR when the name ends so")->required();
+    option("--frames", text.frames, "N", "Frames to render and time (default 1)");
+    option("--view", text.views, "BUFFER[=FILE]",
+           "Write this buffer in place of the picture; with =FILE.png, beside it; repeatable");
     option("--stats", text.stats, "FILE", "Write the run's figures as JSON");
     sub.add_flag("--count-pairs", command.options.count_pairs,
                  "Count light x pixel pairs for --stats (not for timing)");
     sub.add_flag("--pass-cpu", command.options.pass_cpu,
                  "Each pass's CPU time for --stats: as many frames more, each pass submitted alone");
-    sub.add_flag("--validate", command.validate, "Run with Vulkan validation; any message is a failure");
     sub.add_flag("--watch", command.watch, "Render again whenever the scene or a material file changes");
+}
+
+void add_view(CLI::App& app, ViewCommand& command, ViewerText& text) {
+    auto& sub = add_picture(*app.add_subcommand("view", "Show a scene in a window"), command.render, text.render);
+    const auto option = [&](const char* names, auto& target, const char* word, const char* help) {
+        return sub.add_option(names, target, help)->type_name(word)->allow_extra_args(false);
+    };
+    sub.footer(view_footer);
+    option("--view", text.render.views, "BUFFER", "Show this buffer in place of the picture");
+    option("--scale", text.scale, "FACTOR|auto",
+           "Pixels drawn for one of the window's, along each side, 0.1 to 1; auto: what keeps it fluent (default 1)");
+    option("--record", command.record, "FILE", "Write all input to FILE");
+    option("--play", command.play, "FILE", "Input from FILE; with -o without any window");
+    option("--frames", text.frames, "N", "How many steps of 1/60 s to play (default: up to the last event)");
+    option("-o,--output", text.render.output, "PICTURE", "What is seen at the end of --play: PNG or EXR");
+    sub.add_flag("--watch", command.render.watch, "What view does anyway: files that change are read again");
 }
 
 void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
@@ -157,7 +194,7 @@ void take_exposure(AnyCommand& command, const std::string& text) {
         command.options.exposure = parse_number("--exposure", text, -64, 64);
 }
 
-void finish(RenderCommand& command, const RenderText& text) {
+void finish_picture(RenderCommand& command, const RenderText& text) {
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
     if (!text.shading.empty())
         command.options.shading = parse_shading(text.shading);
@@ -185,7 +222,32 @@ void finish(RenderCommand& command, const RenderText& text) {
     command.output = text.output;
     command.stats = text.stats;
     take_views(command, text.views);
+}
+
+void finish(RenderCommand& command, const RenderText& text) {
+    finish_picture(command, text);
     check_outputs(command);
+}
+
+void finish(ViewCommand& command, const ViewerText& text) {
+    finish_picture(command.render, text.render);
+    if (!command.render.more_views.empty())
+        throw UsageError("--view: view shows one buffer, and writes none to a file");
+    command.render.options.views = {command.render.view};
+    if (!text.frames.empty())
+        command.steps = parse_count("--frames", text.frames, 1);
+    if (text.scale != "auto")
+        command.scale = parse_number("--scale", text.scale, 0.1, 1);
+    if (command.play.empty() && (command.steps || !command.render.output.empty()))
+        throw UsageError(fmt::format("{}: goes with --play FILE only", command.steps ? "--frames" : "-o"));
+    if (!command.play.empty() && !command.record.empty())
+        throw UsageError("--record: does not go with --play");
+    if (!command.render.output.empty()) {
+        const std::string extension = lower_extension(command.render.output);
+        if (extension != ".png" && extension != ".exr")
+            throw UsageError(fmt::format("-o {}: the name must end in .png or .exr", command.render.output.string()));
+        refuse_pattern("-o", command.render.output);
+    }
 }
 
 void finish(CompareCommand& command, const CompareText& text) {
@@ -240,6 +302,8 @@ Command parse_command_line(int argc, const char* const* argv) {
 
     RenderCommand render;
     RenderText render_text;
+    ViewCommand view;
+    ViewerText view_text;
     CompareCommand compare;
     CompareText compare_text;
     MakeCommand make;
@@ -248,6 +312,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     MaterialsCommand materials;
     BenchArguments bench;
     add_render(app, render, render_text);
+    add_view(app, view, view_text);
     add_compare(app, compare, compare_text);
     add_make(app, make, make_text);
     bench.add(app);
@@ -273,6 +338,10 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (app.got_subcommand("render")) {
         finish(render, render_text);
         return render;
+    }
+    if (app.got_subcommand("view")) {
+        finish(view, view_text);
+        return view;
     }
     if (app.got_subcommand("compare")) {
         for (int i = 1; i < argc; ++i)

@@ -46,6 +46,14 @@ struct RenderCommand {
     bool auto_exposure = false;     ///< options.exposure comes from the picture
 };
 
+/// `prelight view`
+struct ViewCommand {
+    RenderCommand render;               ///< at the start; `output`: the picture of --play, or empty
+    std::filesystem::path record, play; ///< empty: none
+    std::optional<uint32_t> steps;      ///< of --play; absent: up to the last event
+    std::optional<double> scale;        ///< absent: auto
+};
+
 /// `prelight compare`
 struct CompareCommand {
     std::string scene;     ///< a file, or the name of a built-in scene
@@ -127,8 +135,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RenderCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand, RenderersCommand,
-                             MaterialsCommand, PrintCommand>;
+using Command = std::variant<RenderCommand, ViewCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand,
+                             RenderersCommand, MaterialsCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);

@@ -16,6 +16,12 @@ struct FrameSamples {
     std::vector<std::pair<std::string, std::vector<double>>> passes; ///< device time
 };
 
+/// Of one frame, milliseconds: as FrameSamples.
+struct FrameFigures {
+    double wall = 0, cpu = 0, gpu = 0;
+    std::vector<std::pair<std::string, double>> passes;
+};
+
 /// Frames in flight: the host records one while the device works on the one before, and waits only
 /// for the frame whose buffers it needs again.
 ///
@@ -42,6 +48,8 @@ public:
     /// Records commands, submits them and waits; no frame may be in flight, and none is counted.
     void run(const std::function<void(VkCommandBuffer)>& record);
     const FrameSamples& samples() const { return samples_; }
+    /// Of the last frame that was waited for, whichever run it was in.
+    const FrameFigures& last_frame() const { return last_; }
 
 private:
     struct Slot {
@@ -66,6 +74,7 @@ private:
     uint64_t run_ = 0;
     double last_wall_ = 0, last_cpu_ = 0; ///< at the end of the last frame
     FrameSamples samples_;
+    FrameFigures last_;
 };
 
 } // namespace prelight
