@@ -29,7 +29,7 @@ public:
     /// The frame may still be in flight; later submissions to the device's queue come after it. Throws as read() does.
     gpu::ShownImage shown(std::string_view view) const;
     /// Figures of the last frame that is known to be done, without waiting for one.
-    const FrameFigures& last_frame() const { return queue_->last_frame(); }
+    const FrameFigures& last_frame() { return queue_->last_frame(); }
     /// Every setting with the value in force: Stats::settings, without waiting.
     std::map<std::string, std::string> settings_in_force() const { return settings_.all(); }
     uint64_t max_lights() const final { return context_.limits().maxStorageBufferRange / sizeof(shared::LightData); }

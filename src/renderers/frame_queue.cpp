@@ -73,7 +73,7 @@ void FrameQueue::collect() {
     context_.wait(frame.value);
     pending_.pop_front();
     const double wall = wall_ms(), cpu = process_ms();
-    last_ = {wall - last_wall_, cpu - last_cpu_, 0, frame.graph->pass_times(frame.slot)};
+    last_ = {last_.number + 1, wall - last_wall_, cpu - last_cpu_, 0, frame.graph->pass_times(frame.slot)};
     for (const auto& [name, time] : last_.passes)
         last_.gpu += time;
     if (frame.run == run_) {
@@ -88,6 +88,12 @@ void FrameQueue::collect() {
     }
     last_wall_ = wall;
     last_cpu_ = cpu;
+}
+
+const FrameFigures& FrameQueue::last_frame() {
+    while (!pending_.empty() && context_.is_done(pending_.front().value))
+        collect();
+    return last_;
 }
 
 void FrameQueue::drain() {

@@ -18,6 +18,7 @@ struct FrameSamples {
 
 /// Of one frame, milliseconds: as FrameSamples.
 struct FrameFigures {
+    uint64_t number = 0; ///< counts the device's frames; 0: there was none yet
     double wall = 0, cpu = 0, gpu = 0;
     std::vector<std::pair<std::string, double>> passes;
 };
@@ -48,8 +49,8 @@ public:
     /// Records commands, submits them and waits; no frame may be in flight, and none is counted.
     void run(const std::function<void(VkCommandBuffer)>& record);
     const FrameSamples& samples() const { return samples_; }
-    /// Of the last frame that was waited for, whichever run it was in.
-    const FrameFigures& last_frame() const { return last_; }
+    /// Of the last frame that is done, whichever run it was in. Waits for none.
+    const FrameFigures& last_frame();
 
 private:
     struct Slot {

@@ -231,13 +231,13 @@ std::string random_events(uint64_t seed, uint32_t steps) {
     return text;
 }
 
-/// PRELIGHT_VIEW_RECORDINGS=N plays so many (default 3): what scripts/test.sh view-recordings does for minutes.
+/// PRELIGHT_VIEW_RECORDINGS=N plays so many (default 2): what scripts/test.sh view-recordings does for minutes.
 TEST(View, RandomInputEndsInAPictureUnderValidation) {
     const TemporaryFolder folder;
     const char* wanted = std::getenv("PRELIGHT_VIEW_RECORDINGS");
-    const uint64_t runs = wanted ? std::strtoull(wanted, nullptr, 10) : 3;
+    const uint64_t runs = wanted ? std::strtoull(wanted, nullptr, 10) : 2;
     for (uint64_t seed = 1; seed <= runs; ++seed) {
-        const std::string text = random_events(seed, 60) + "60 resize 96 54\n";
+        const std::string text = random_events(seed, 40) + "40 resize 96 54\n";
         write(folder.path / "r.txt", head + text);
         const char* scene = seed % 2 ? "motion" : "spheres";
         const Result result = run({"view", scene, "--play", "r.txt", "-o", "p.png", "--validate"}, folder.path);

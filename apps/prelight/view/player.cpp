@@ -52,6 +52,8 @@ void play(const ViewCommand& command) {
         print_exposure(ev);
         session.apply({0, "exposure", {fmt::format("{}", ev)}});
     }
+    if (command.scale)
+        session.apply({0, "scale", {fmt::format("{}", *command.scale)}});
     drawer.follow(session); // a start that cannot be is a failure
     auto event = recording.events.begin();
     while (session.steps() < steps && !session.done()) {

@@ -103,7 +103,7 @@ struct Handlers {
         PlacedLight light;
         light.light.name = "added";
         light.light.range = static_cast<float>(size / 3);
-        light.light.intensity = light.light.range * light.light.range / 4;
+        light.light.intensity = light.light.range * light.light.range / 10;
         // A little off the surface, towards the camera.
         light.position =
             hit ? hit->position - s.rig_.forward() * std::min(size / 15, hit->distance / 2) : s.rig_.pivot();
@@ -304,6 +304,10 @@ void Session::take_key(const std::string& key, bool down) {
     input_.key(key, down);
     if (!down)
         return;
+    if (key == "Escape" && help_) {
+        help_ = false;
+        return;
+    }
     for (const KeyBinding& binding : key_bindings())
         for (const std::string& text : binding.key == key ? binding.events : std::vector<std::string>{}) {
             Event event = parse_event(fmt::format(

@@ -4,23 +4,25 @@
 
 namespace prelight::app::viewer {
 
-void Figures::add(const FrameFigures& frame, double shown_ms) {
+void Figures::add(const FrameFigures& frame, std::optional<double> shown_ms) {
+    if (shown_ms) {
+        shown_.push_back(*shown_ms);
+        if (shown_.size() > most)
+            shown_.pop_front();
+    }
+    if (frame.passes.empty() || (!frames_.empty() && frames_.back().number == frame.number))
+        return;
     // Another architecture's passes are another plot.
-    const auto same = [](const FrameFigures& a, const FrameFigures& b) {
-        return std::ranges::equal(a.passes, b.passes, {}, &std::pair<std::string, double>::first,
-                                  &std::pair<std::string, double>::first);
-    };
-    if (!frames_.empty() && !same(frames_.back().device, frame))
+    const auto name = &std::pair<std::string, double>::first;
+    if (!frames_.empty() && !std::ranges::equal(frames_.back().passes, frame.passes, {}, name, name))
         frames_.clear();
-    frames_.push_back({frame, shown_ms});
+    frames_.push_back(frame);
     if (frames_.size() > most)
         frames_.pop_front();
 }
 
 double Figures::shown_ms() const {
-    std::vector<double> times;
-    for (const Frame& frame : frames_)
-        times.push_back(frame.shown_ms);
+    std::vector<double> times(shown_.begin(), shown_.end());
     if (times.empty())
         return 0;
     const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);

@@ -17,17 +17,17 @@ ImU32 colour_of(size_t pass) {
 }
 
 /// Stacked columns; the height is the dearest of them.
-void plot(const std::deque<Figures::Frame>& frames, double most) {
+void plot(const std::deque<FrameFigures>& frames, double most) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 7);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, IM_COL32(0, 0, 0, 120));
     const float step = size.x / 120;
     float x = from.x + size.x - step * static_cast<float>(frames.size());
-    for (const Figures::Frame& frame : frames) {
+    for (const FrameFigures& frame : frames) {
         float y = from.y + size.y;
-        for (size_t p = 0; p < frame.device.passes.size(); ++p) {
-            const auto height = static_cast<float>(frame.device.passes[p].second / most * size.y);
+        for (size_t p = 0; p < frame.passes.size(); ++p) {
+            const auto height = static_cast<float>(frame.passes[p].second / most * size.y);
             list.AddRectFilled({x, y - height}, {x + std::max(step - 0.5f, 1.0f), y}, colour_of(p));
             y -= height;
         }
@@ -48,11 +48,11 @@ void figures_panel(const PanelFrame& frame) {
     if (frames.empty() || !ImGui::CollapsingHeader("Passes", ImGuiTreeNodeFlags_DefaultOpen))
         return;
     double most = 1e-3;
-    std::vector<double> sums(frames.back().device.passes.size());
-    for (const Figures::Frame& one : frames) {
-        most = std::max(most, one.device.gpu);
-        for (size_t p = 0; p < sums.size() && p < one.device.passes.size(); ++p)
-            sums[p] += one.device.passes[p].second;
+    std::vector<double> sums(frames.back().passes.size());
+    for (const FrameFigures& one : frames) {
+        most = std::max(most, one.gpu);
+        for (size_t p = 0; p < sums.size() && p < one.passes.size(); ++p)
+            sums[p] += one.passes[p].second;
     }
     plot(frames, most);
     double total = 0;
@@ -64,7 +64,7 @@ void figures_panel(const PanelFrame& frame) {
         ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 1}, {at.x + side, at.y + 1 + side}, colour_of(p));
         ImGui::Dummy({side, side});
         ImGui::SameLine();
-        ImGui::Text("%7.2f ms  %s", mean, frames.back().device.passes[p].first.c_str());
+        ImGui::Text("%7.2f ms  %s", mean, frames.back().passes[p].first.c_str());
     }
     ImGui::Text("   %7.2f ms  all passes, on the device", total);
 }

@@ -105,21 +105,30 @@ void help_panel(const PanelFrame& frame) {
         return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowBgAlpha(0.97f);
     ImGui::Begin("Help", nullptr,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
-    if (ImGui::BeginTable("keys", 2)) {
-        const auto row = [](std::string_view keys, std::string_view meaning) {
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+    std::vector<std::pair<std::string_view, std::string_view>> rows;
+    for (const Habit& habit : habits())
+        rows.emplace_back(habit.keys, habit.meaning);
+    for (const KeyBinding& binding : key_bindings())
+        if (!binding.shown.empty())
+            rows.emplace_back(binding.shown, binding.meaning);
+    // Side by side where the window is too low for all of them below each other.
+    const bool high = static_cast<float>(rows.size() + 3) * ImGui::GetTextLineHeightWithSpacing() < screen.y;
+    const size_t below = high ? rows.size() : (rows.size() + 1) / 2;
+    if (ImGui::BeginTable("keys", high ? 2 : 4, ImGuiTableFlags_SizingFixedFit)) {
+        for (size_t r = 0; r < below; ++r) {
             ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            ImGui::TextColored(ImVec4(1, 0.85f, 0.5f, 1), "%.*s", static_cast<int>(keys.size()), keys.data());
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(meaning.data(), meaning.data() + meaning.size());
-        };
-        for (const Habit& habit : habits())
-            row(habit.keys, habit.meaning);
-        for (const KeyBinding& binding : key_bindings())
-            if (!binding.shown.empty())
-                row(binding.shown, binding.meaning);
+            for (size_t i = r; i < rows.size(); i += below) {
+                ImGui::TableNextColumn();
+                const auto& [keys, meaning] = rows[i];
+                ImGui::TextColored(ImVec4(1, 0.85f, 0.5f, 1), "%.*s", static_cast<int>(keys.size()), keys.data());
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(meaning.data(), meaning.data() + meaning.size());
+            }
+        }
         ImGui::EndTable();
     }
     ImGui::End();
@@ -135,7 +144,7 @@ bool message_panel(const PanelFrame& frame) {
     ImGui::SetNextWindowSize({std::min(520 * unit, screen.x - 20 * unit), 0}, ImGuiCond_Always);
     ImGui::Begin("Messages", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
     for (const std::string& message : messages)
         ImGui::TextWrapped("%s", message.c_str());
     const bool dismissed = ImGui::SmallButton("dismiss");

@@ -146,6 +146,13 @@ void renderer_panel(const PanelFrame& frame) {
     auto exposure = static_cast<float>(look.options.exposure);
     if (ImGui::InputFloat("exposure EV", &exposure, 0.5f, 1, "%.2f", ImGuiInputTextFlags_EnterReturnsTrue))
         frame.ask("exposure", {fmt::format("{}", exposure)});
+    // The multipass sample's own slider.
+    if (const auto per_pass = std::ranges::find(info->settings, "lights-per-pass", &SettingInfo::key);
+        per_pass != info->settings.end()) {
+        int lights = std::atoi(value_of(frame, *per_pass).c_str());
+        if (ImGui::SliderInt("lights a pass", &lights, 1, static_cast<int>(per_pass->values.size())))
+            frame.ask("set", {per_pass->key, fmt::format("{}", lights)});
+    }
     if (ImGui::CollapsingHeader("Settings"))
         for (const SettingInfo& setting : info->settings)
             setting_widget(frame, setting, shading_word);

@@ -58,6 +58,8 @@ UiBackend::UiBackend(const gpu::Context& context, VkFormat format) : context_(co
     pipeline_ = gpu::GraphicsPipeline(context, desc);
 }
 
+UiBackend::~UiBackend() { vkDeviceWaitIdle(context_.device()); }
+
 void UiBackend::fill(const ImDrawData& data, Slot& slot) const {
     reserve(context_, slot.vertices, "user interface vertices", uint64_t(data.TotalVtxCount) * sizeof(ImDrawVert),
             VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);

@@ -14,6 +14,9 @@ class UiBackend {
 public:
     /// `format`: of the images that are drawn into. Throws Error.
     UiBackend(const gpu::Context& context, VkFormat format);
+    ~UiBackend();
+    UiBackend(const UiBackend&) = delete;
+    UiBackend& operator=(const UiBackend&) = delete;
     void draw(const ImDrawData& data, const gpu::OverlayContext& target);
 
 private:

@@ -7,16 +7,18 @@
 #include "../../watchdog.hpp"
 #include "../drawer.hpp"
 #include "../recording.hpp"
+#include "../scale_control.hpp"
 #include "../screenshot.hpp"
 #include "../window_run.hpp"
 #include "glfw_window.hpp"
-#include "scale_control.hpp"
+
 #include "ui.hpp"
 #include "ui_backend.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <future>
 #include <imgui.h>
 #include <prelight/error.hpp>
 #include <renderers/device_renderer.hpp>
@@ -34,8 +36,11 @@ public:
     explicit WindowLoop(const ViewCommand& command)
         : command_(command), start_ms_(wall_ms()),
           window_("prelight", command.render.options.width, command.render.options.height),
-          drawer_(command.render, GlfwWindow::extensions()),
-          session_(command.render, window_.extent().width, window_.extent().height),
+          made_(std::async(std::launch::async,
+                           [&, size = window_.extent()] {
+                               return std::make_unique<Session>(command.render, size.width, size.height);
+                           })),
+          drawer_(command.render, GlfwWindow::extensions()), owned_(made_.get()), session_(*owned_),
           ui_(window_.handle(), window_.content_scale()), watch_(session_.files()), watched_(session_.scene_name()) {
         recording_.width = session_.window_width();
         recording_.height = session_.window_height();
@@ -43,7 +48,7 @@ public:
             played_ = load_recording(command.play).events;
         drawer_.on_loss([this] { take_down(); }, [this] { set_up(); });
         set_up();
-        if (command.scale)
+        if (command.scale && *command.scale != 1)
             take({0, "scale", {fmt::format("{}", *command.scale)}});
         if (command.render.auto_exposure)
             take({0,
@@ -159,8 +164,7 @@ private:
         if (changed && command_.scale == std::nullopt)
             if (const auto scale = control_.moving(wall_ms() - began, session_.scale()))
                 take({0, "scale", {fmt::format("{}", *scale)}});
-        if (changed)
-            add_figures(wall_ms() - began);
+        add_figures(changed ? std::optional(wall_ms() - began) : std::nullopt);
     }
 
     void draw_and_show() {
@@ -192,11 +196,12 @@ private:
             presenter_->take(drawer_.read(buffer));
     }
 
-    void add_figures(double shown_ms) {
+    /// Of the frame before, mostly: nobody waits for this one.
+    void add_figures(std::optional<double> shown_ms) {
         if (auto* renderer = dynamic_cast<DeviceRenderer*>(drawer_.renderer())) {
             figures_.add(renderer->last_frame(), shown_ms);
             in_force_ = renderer->settings_in_force();
-        } else {
+        } else if (shown_ms) {
             figures_.add({}, shown_ms);
             in_force_ = drawer_.stats().settings;
         }
@@ -232,20 +237,22 @@ private:
     }
 
     void finish() {
+        if (!command_.record.empty()) {
+            const WriteGuard guard;
+            save_text(recording_text(recording_), command_.record);
+        }
         drawer_.drop_renderer();
         take_down();
         check_validation(*drawer_.device());
-        if (command_.record.empty())
-            return;
-        const WriteGuard guard;
-        save_text(recording_text(recording_), command_.record);
     }
 
     const ViewCommand& command_;
     double start_ms_;
     GlfwWindow window_;
+    std::future<std::unique_ptr<Session>> made_; ///< while the device is opened
     Drawer drawer_;
-    Session session_;
+    std::unique_ptr<Session> owned_;
+    Session& session_;
     Ui ui_;
     std::optional<gpu::Presenter> presenter_;
     std::optional<UiBackend> backend_;
