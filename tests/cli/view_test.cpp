@@ -9,6 +9,7 @@
 #include <random>
 #include <view/keys.hpp>
 #include <view/recording.hpp>
+#include <view/scale_control.hpp>
 #include <view/session.hpp>
 
 namespace prelight::test {
@@ -94,6 +95,84 @@ TEST(View, FlyingGivesTheBytesThatTheLibraryGivesFromTheSameCameraAndLights) {
     const std::string picture = played(folder.path, events, {"--frames", "40"});
     EXPECT_TRUE(picture == bytes_of(folder.path / "library.png"));
     EXPECT_FALSE(picture == rendered(folder.path, {})) << "nothing has moved";
+}
+
+/// A session in `folder` with the scene of a file.
+std::unique_ptr<Session> session_of_file(const std::filesystem::path& scene) {
+    app::RenderCommand command;
+    command.scene = scene.string();
+    command.reading.log_level = app::LogLevel::error;
+    return std::make_unique<Session>(command, 96, 54);
+}
+
+TEST(View, AFileThatChangesIsReadAgainAndABadOneChangesNothing) {
+    const TemporaryFolder folder;
+    const auto make = [&](const char* lights) {
+        ASSERT_TRUE(succeeded(run({"make", "spheres", "--lights", lights, "-o", "s.glb"}, folder.path)));
+    };
+    make("3");
+    const auto session = session_of_file(folder.path / "s.glb");
+    EXPECT_EQ(session->shining().size(), 3u);
+    session->apply({0, "wheel", {"0", "3"}});
+    const glm::dvec3 place = session->camera().position;
+    make("5");
+    session->apply({0, "reload", {}});
+    EXPECT_EQ(session->shining().size(), 5u);
+    EXPECT_EQ(session->camera().position, place) << "the camera stays";
+    EXPECT_TRUE(session->messages().empty());
+    write(folder.path / "s.glb", "no scene");
+    session->apply({0, "reload", {}});
+    EXPECT_EQ(session->shining().size(), 5u);
+    ASSERT_EQ(session->messages().size(), 1u);
+    EXPECT_THAT(session->messages()[0], HasSubstr("s.glb"));
+    session->apply({0, "drop", {"motion"}});
+    EXPECT_EQ(session->scene_name(), "motion");
+    EXPECT_NE(session->camera().position, place) << "another scene, its own camera";
+}
+
+TEST(View, LightsAndObjectsAreEditedByNumber) {
+    const auto session = session_of("", 0);
+    const auto light = [&](uint32_t number) { return session->stage().light(number); };
+    const glm::dvec3 before = light(2)->position;
+    session->apply({0, "move-light", {"2", "1", "2", "3"}});
+    EXPECT_LT(glm::length(light(2)->position - before - glm::dvec3(1, 2, 3)), 1e-12);
+    session->apply({0, "light-intensity", {"2", "7.5"}});
+    session->apply({0, "light-range", {"2", "0"}});
+    EXPECT_EQ(light(2)->light.intensity, 7.5f);
+    EXPECT_TRUE(std::isinf(light(2)->light.range));
+    session->apply({0, "remove-light", {"1"}});
+    EXPECT_FALSE(light(1));
+    EXPECT_EQ(light(2)->light.intensity, 7.5f) << "numbers stay";
+    session->apply({0, "select-light", {"2"}});
+    session->apply({0, "only-selected", {"on"}});
+    ASSERT_EQ(session->shining().size(), 1u);
+    EXPECT_EQ(session->shining()[0].light.intensity, 7.5f);
+    session->apply({0, "pick-object", {"48", "20"}});
+    ASSERT_EQ(session->selection().kind, SelectionKind::object);
+    const uint32_t node = session->selection().number;
+    const auto place = [&] {
+        for (const Instance& instance : session->stage().world().instances)
+            if (instance.node == node)
+                return glm::dvec3(instance.transform[3]);
+        return glm::dvec3(0);
+    };
+    const glm::dvec3 was = place();
+    session->apply({0, "move-object", {std::to_string(node), "0", "0", "4"}});
+    EXPECT_LT(glm::length(place() - was - glm::dvec3(0, 0, 4)), 1e-12);
+    EXPECT_TRUE(session->messages().empty());
+}
+
+TEST(View, ScaleAutoGoesDownWhereItIsSlowAndBackWhereNothingMoves) {
+    ScaleControl control;
+    double scale = 1;
+    for (int picture = 0; picture < 60; ++picture) // 200 ms for all pixels
+        scale = control.moving(200 * scale * scale, scale).value_or(scale);
+    EXPECT_EQ(scale, 0.35) << "24.5 ms, and the next larger one would take 50";
+    EXPECT_FALSE(control.still(0.1, scale));
+    EXPECT_EQ(control.still(0.5, scale), 1.0);
+    for (int picture = 0; picture < 60; ++picture) // and 10 ms
+        scale = control.moving(10 * scale * scale, scale).value_or(scale);
+    EXPECT_EQ(scale, 1);
 }
 
 TEST(View, ALostDeviceIsReplaced) {

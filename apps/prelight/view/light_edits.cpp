@@ -11,34 +11,44 @@ namespace prelight::app::viewer {
 
 std::vector<LightEdits::Listed> LightEdits::applied(const std::vector<PlacedLight>& base) const {
     std::vector<Listed> out;
-    out.reserve(base.size() + added_.size());
-    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), turned_, glm::dvec3(0, 1, 0)));
-    for (uint32_t number = 0; number < base.size() + added_.size(); ++number) {
-        PlacedLight light = number < base.size() ? base[number] : added_[number - base.size()];
-        if (const auto found = edits_.find(number); found != edits_.end()) {
-            const Edit& edit = found->second;
-            if (edit.removed)
-                continue;
-            light.position += edit.moved;
-            if (edit.colour)
-                light.light.colour = *edit.colour;
-            if (edit.intensity)
-                light.light.intensity = *edit.intensity;
-            if (edit.range)
-                light.light.range = *edit.range;
-        }
-        if (turned_ != 0) {
-            light.position = centre_ + turn * (light.position - centre_);
-            light.direction = turn * light.direction;
-            light.up = turn * light.up;
-        }
-        out.push_back({number, std::move(light)});
-    }
+    out.reserve(numbers(base));
+    for (uint32_t number = 0; number < numbers(base); ++number)
+        if (auto light = one(base, number))
+            out.push_back({number, *std::move(light)});
     return out;
 }
 
+std::optional<PlacedLight> LightEdits::one(const std::vector<PlacedLight>& base, uint32_t number) const {
+    if (number >= numbers(base))
+        return {};
+    PlacedLight light = number < base.size() ? base[number] : added_[number - base.size()];
+    if (const auto found = edits_.find(number); found != edits_.end()) {
+        const Edit& edit = found->second;
+        if (edit.removed)
+            return {};
+        light.position += edit.moved;
+        if (edit.colour)
+            light.light.colour = *edit.colour;
+        if (edit.intensity)
+            light.light.intensity = *edit.intensity;
+        if (edit.range)
+            light.light.range = *edit.range;
+    }
+    if (turned_ != 0) {
+        const glm::dmat3 turn(glm::rotate(glm::dmat4(1), turned_, glm::dvec3(0, 1, 0)));
+        light.position = centre_ + turn * (light.position - centre_);
+        light.direction = turn * light.direction;
+        light.up = turn * light.up;
+    }
+    return light;
+}
+
+uint32_t LightEdits::removed() const {
+    return static_cast<uint32_t>(std::ranges::count_if(edits_, [](const auto& edit) { return edit.second.removed; }));
+}
+
 LightEdits::Edit* LightEdits::find(const std::vector<PlacedLight>& base, uint32_t number) {
-    if (number >= base.size() + added_.size() || (edits_.contains(number) && edits_[number].removed))
+    if (number >= numbers(base) || (edits_.contains(number) && edits_[number].removed))
         return nullptr;
     return &edits_[number];
 }
@@ -94,7 +104,7 @@ uint32_t LightEdits::add(const std::vector<PlacedLight>& base, const PlacedLight
 
 void LightEdits::randomise(const std::vector<PlacedLight>& base, uint64_t seed) {
     Random random(seed);
-    for (uint32_t number = 0; number < base.size() + added_.size(); ++number) {
+    for (uint32_t number = 0; number < numbers(base); ++number) {
         const glm::vec3 hue = hue_colour(random.unit(), 0.7f);
         const double factor = std::exp2(random.uniform(-1, 1));
         const Light& light = number < base.size() ? base[number].light : added_[number - base.size()].light;

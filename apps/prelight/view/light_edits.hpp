@@ -16,6 +16,13 @@ public:
     };
     /// All that shine, by number.
     std::vector<Listed> applied(const std::vector<PlacedLight>& base) const;
+    /// The one of them with this number; absent: there is none.
+    std::optional<PlacedLight> one(const std::vector<PlacedLight>& base, uint32_t number) const;
+    /// Numbers there are, removed lights' too.
+    uint32_t numbers(const std::vector<PlacedLight>& base) const {
+        return static_cast<uint32_t>(base.size() + added_.size());
+    }
+    uint32_t removed() const;
 
     // False: there is no such light.
     bool move(const std::vector<PlacedLight>& base, uint32_t number, glm::dvec3 metres);

@@ -84,8 +84,7 @@ struct Handlers {
             s.changes_.lights = s.changes_.picture = true;
     }
     static void select_light(Session& s, uint32_t number) {
-        const auto lights = s.stage_->lights();
-        if (std::ranges::find(lights, number, &LightEdits::Listed::number) == lights.end())
+        if (!s.stage_->light(number))
             throw Error(fmt::format("light {}: there is none", number));
         select(s, {SelectionKind::light, number});
     }

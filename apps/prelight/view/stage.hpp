@@ -39,6 +39,7 @@ public:
     /// The lights before edits, and after.
     const std::vector<PlacedLight>& own_lights() const { return world_->lights; }
     std::vector<LightEdits::Listed> lights() const { return light_edits.applied(world_->lights); }
+    std::optional<PlacedLight> light(uint32_t number) const { return light_edits.one(world_->lights, number); }
     /// What the world is like then: the one place where time and objects that move are paid for. Throws Error.
     void pose(const std::optional<Moment>& moment, std::optional<uint32_t> animation);
     /// Objects of the node, or all, take the next material; false: there is none.

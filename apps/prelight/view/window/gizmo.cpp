@@ -39,10 +39,9 @@ std::optional<double> along_axis(const Ray& ray, glm::dvec3 origin, glm::dvec3 a
 std::optional<glm::dvec3> place_of_selection(const Session& session) {
     const Selection selection = session.selection();
     if (selection.kind == SelectionKind::light) {
-        const auto lights = session.stage().lights();
-        const auto light = std::ranges::find(lights, selection.number, &LightEdits::Listed::number);
-        if (light != lights.end() && light->placed.light.kind != LightKind::directional)
-            return light->placed.position;
+        const auto light = session.stage().light(selection.number);
+        if (light && light->light.kind != LightKind::directional)
+            return light->position;
     }
     if (selection.kind == SelectionKind::object) {
         const World& world = session.stage().world();

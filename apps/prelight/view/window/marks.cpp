@@ -91,9 +91,8 @@ void draw_marks(const PanelFrame& frame) {
     const Selection selection = session.selection();
     const Pen pen(session);
     if (selection.kind == SelectionKind::light)
-        for (const LightEdits::Listed& light : session.stage().lights())
-            if (light.number == selection.number)
-                mark_light(pen, light.placed);
+        if (const auto light = session.stage().light(selection.number))
+            mark_light(pen, *light);
     if (selection.kind == SelectionKind::object)
         for (const Instance& instance : session.stage().world().instances)
             if (instance.node == selection.number)

@@ -26,13 +26,13 @@ void position_widget(const PanelFrame& frame, const char* verb, uint32_t number,
                   {fmt::format("{}", number), text(at[0] - before.x), text(at[1] - before.y), text(at[2] - before.z)});
 }
 
-void selected_light(const PanelFrame& frame, const LightEdits::Listed& listed, double size) {
-    const Light& light = listed.placed.light;
-    const std::string number = fmt::format("{}", listed.number);
+void selected_light(const PanelFrame& frame, uint32_t index, const PlacedLight& placed, double size) {
+    const Light& light = placed.light;
+    const std::string number = fmt::format("{}", index);
     const char* kinds[] = {"directional", "point", "spot"};
-    ImGui::Text("light %u: %s %s", listed.number, kinds[static_cast<size_t>(light.kind)], light.name.c_str());
+    ImGui::Text("light %u: %s %s", index, kinds[static_cast<size_t>(light.kind)], light.name.c_str());
     if (light.kind != LightKind::directional)
-        position_widget(frame, "move-light", listed.number, listed.placed.position, size);
+        position_widget(frame, "move-light", index, placed.position, size);
     float colour[] = {light.colour.r, light.colour.g, light.colour.b};
     if (ImGui::ColorEdit3("colour", colour, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR))
         frame.ask("light-colour", {number, text(colour[0]), text(colour[1]), text(colour[2])});
@@ -76,8 +76,9 @@ double size_of(const World& world) { return std::max(glm::length(world.bounds_ma
 
 void lights_panel(const PanelFrame& frame) {
     const Session& session = frame.session;
-    const auto lights = session.stage().lights();
-    if (!ImGui::CollapsingHeader(fmt::format("Lights ({})###Lights", lights.size()).c_str(),
+    const Stage& stage = session.stage();
+    const uint32_t numbers = stage.light_edits.numbers(stage.own_lights());
+    if (!ImGui::CollapsingHeader(fmt::format("Lights ({})###Lights", numbers - stage.light_edits.removed()).c_str(),
                                  ImGuiTreeNodeFlags_DefaultOpen))
         return;
     ImGui::PushID("lights");
@@ -90,13 +91,13 @@ void lights_panel(const PanelFrame& frame) {
     ImGui::SameLine();
     toggle(frame, "go round (V)", "turn-lights", session.turns_lights());
     const Selection selection = session.selection();
-    const auto at = std::ranges::find(lights, selection.number, &LightEdits::Listed::number);
-    const bool selected = selection.kind == SelectionKind::light && at != lights.end();
-    auto place = selected ? static_cast<int>(at - lights.begin()) : -1;
-    if (!lights.empty() && ImGui::SliderInt("select", &place, 0, static_cast<int>(lights.size()) - 1) && place >= 0)
-        frame.ask("select-light", {fmt::format("{}", lights[static_cast<size_t>(place)].number)});
-    if (selected) {
-        selected_light(frame, *at, size_of(session.stage().world()));
+    const auto light = selection.kind == SelectionKind::light ? stage.light(selection.number) : std::nullopt;
+    auto number = light ? static_cast<int>(selection.number) : -1;
+    if (numbers > 0 && ImGui::SliderInt("select", &number, 0, static_cast<int>(numbers) - 1) && number >= 0 &&
+        stage.light(static_cast<uint32_t>(number)))
+        frame.ask("select-light", {fmt::format("{}", number)});
+    if (light) {
+        selected_light(frame, selection.number, *light, size_of(stage.world()));
         reach_widget(frame);
     } else {
         ImGui::TextDisabled("L selects the light at the cursor");

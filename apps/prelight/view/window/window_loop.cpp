@@ -61,13 +61,19 @@ public:
         const WatchdogPause waits; // for whoever sits before it
         drawer_.follow(session_);  // a start that cannot be is a failure, not a message
         clock_ms_ = wall_ms();
-        while (!session_.done() && !window_.closed()) {
-            const double began = wall_ms();
-            take_input();
-            advance();
-            picture(began);
-            pace(began);
+        try {
+            while (!session_.done() && !window_.closed()) {
+                const double began = wall_ms();
+                take_input();
+                advance();
+                picture(began);
+                pace(began);
+            }
+        } catch (const Error&) { // what led there is worth keeping
+            save_recording();
+            throw;
         }
+        save_recording();
         finish();
     }
 
@@ -236,11 +242,14 @@ private:
         window_.wait(0); // what came meanwhile is in the next picture
     }
 
+    void save_recording() const {
+        if (command_.record.empty())
+            return;
+        const WriteGuard guard;
+        save_text(recording_text(recording_), command_.record);
+    }
+
     void finish() {
-        if (!command_.record.empty()) {
-            const WriteGuard guard;
-            save_text(recording_text(recording_), command_.record);
-        }
         drawer_.drop_renderer();
         take_down();
         check_validation(*drawer_.device());
