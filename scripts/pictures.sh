@@ -39,6 +39,12 @@ convert "$work/city.png" -filter box -resize 50% -strip -define png:compression-
 convert "$work/city.png" -strip -dither FloydSteinberg -define dither:diffusion-amount=40% -colors 256 \
     -define png:compression-level=9 "PNG8:$out/city.png"
 
+# The window, from its test: a selected light among the panels.
+if tests/window/session.sh "$prelight" "$work/session" >/dev/null; then
+    convert "$work/session/panels.png" -crop 800x500+0+0 +repage "$work/view.png"
+    few_colours view
+fi
+
 # What deferred shading keeps of it.
 "$prelight" render city --lights 1024 --size 1280x720 --renderer deferred -o "$work/deferred-final.png" \
     --view normal="$work/deferred-normal.png" --view albedo="$work/deferred-albedo.png" \

@@ -15,6 +15,7 @@ constexpr const char* program_footer = R"(Examples:
   prelight render city --lights 1024 -o night.png
   prelight render helmet.glb --camera 1 --size 1920x1080 -o helmet.exr
   prelight sequence fox.glb -o fox.####.png
+  prelight view city
   prelight compare city -o report
   prelight make spheres -o spheres.glb
   prelight renderers light-prepass
@@ -42,6 +43,13 @@ constexpr const char* sequence_footer = R"(Examples:
 Frame f shows the time f/F seconds, whatever was drawn before it. Without --frames-at: the animations
 up to their last keyframe, or one round of the turntable. docs/sequences.md has more.)";
 
+constexpr const char* view_footer = R"(Examples:
+  prelight view city --lights 4096
+  prelight view helmet.glb --environment sky.hdr --scale auto
+  prelight view motion --record session.txt
+  prelight view motion --play session.txt -o picture.png
+Keys: ? lists them. docs/view.md has the rest.)";
+
 constexpr const char* compare_footer = R"(Examples:
   prelight compare city -o report
   prelight compare scene.glb --lights 500 --size 640x360 -o report
@@ -58,6 +66,11 @@ struct RenderText {
     EnvironmentText environment;
     SceneReadingText reading;
     ViewText view;
+};
+
+struct ViewerText {
+    RenderText render;
+    std::string frames, scale = "1";
 };
 
 struct CompareText {
@@ -79,7 +92,7 @@ auto options_of(CLI::App& sub) {
     };
 }
 
-/// What says how one picture looks, for `render` and `sequence`.
+/// What says how one picture looks.
 void add_picture_options(CLI::App& sub, RenderCommand& command, RenderText& text) {
     const auto option = options_of(sub);
     sub.add_option("SCENE", command.scene, "A .gltf or .glb file, or a built-in scene: see `make`")
@@ -92,8 +105,6 @@ void add_picture_options(CLI::App& sub, RenderCommand& command, RenderText& text
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--lights", text.lights, "N", "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", text.seed, "S", "Seed of what is random (default 1)");
-    option("--view", text.views, "BUFFER[=FILE]",
-           "Write this buffer in place of the picture; with =FILE.png, beside it; repeatable");
     option("--material", text.materials, "NAME=FILE",
            "Shade the glTF material NAME with a GLSL file of your own; repeatable (docs/materials.md)");
     add_environment_options(option, text.environment);
@@ -105,12 +116,27 @@ void add_picture_options(CLI::App& sub, RenderCommand& command, RenderText& text
     option("--exposure", text.exposure, "EV|auto",
            "Multiplies light by 2^EV (default 0); auto: what suits the picture");
     option("--device", command.device, "DEVICE", "auto (default), cpu, an index or a name");
+    sub.add_flag("--validate", command.validate, "Run with Vulkan validation; any message is a failure");
+}
+
+/// What of a picture, and of what it took, is written, for `render` and `sequence`.
+void add_file_options(CLI::App& sub, RenderCommand& command, RenderText& text) {
+    const auto option = options_of(sub);
+    option("--view", text.views, "BUFFER[=FILE]",
+           "Write this buffer in place of the picture; with =FILE.png, beside it; repeatable");
     option("--stats", text.stats, "FILE", "Write the run's figures as JSON");
     sub.add_flag("--count-pairs", command.options.count_pairs,
                  "Count light x pixel pairs for --stats (not for timing)");
     sub.add_flag("--pass-cpu", command.options.pass_cpu,
                  "Each pass's CPU time for --stats: as many frames more, each pass submitted alone");
-    sub.add_flag("--validate", command.validate, "Run with Vulkan validation; any message is a failure");
+}
+
+/// What of a scene's animations is shown, for `render` and `view`.
+void add_moment_options(CLI::App& sub, RenderCommand& command, RenderText& text) {
+    const auto option = options_of(sub);
+    option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
+    option("--animation", command.animation, "NAME|INDEX",
+           "Only this animation of the scene (default all), at --time or else at 0 s");
 }
 
 void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
@@ -118,10 +144,9 @@ void add_render(CLI::App& app, RenderCommand& command, RenderText& text) {
     const auto option = options_of(sub);
     sub.footer(render_footer);
     add_picture_options(sub, command, text);
+    add_file_options(sub, command, text);
+    add_moment_options(sub, command, text);
     option("-o,--output", text.output, "IMAGE", "The picture: PNG, or EXR when the name ends so")->required();
-    option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
-    option("--animation", command.animation, "NAME|INDEX",
-           "Only this animation of the scene (default all), at --time or else at 0 s");
     option("--frames", text.frames, "N", "Frames to render and time (default 1)");
     sub.add_flag("--watch", command.watch, "Render again whenever the scene or a material file changes");
 }
@@ -131,11 +156,28 @@ void add_sequence(CLI::App& app, SequenceCommand& command, RenderText& picture, 
     const auto option = options_of(sub);
     sub.footer(sequence_footer);
     add_picture_options(sub, command.render, picture);
+    add_file_options(sub, command.render, picture);
     option("-o,--output", picture.output, "FILES",
            "Numbered pictures, as in out.####.png or out.####.exr; or a video: out.mp4, out.mkv")
         ->required();
     option("--animation", command.render.animation, "NAME|INDEX", "Only this animation of the scene (default all)");
     add_sequence_options(sub, option, text, command.sequence);
+}
+
+void add_view(CLI::App& app, ViewCommand& command, ViewerText& text) {
+    auto& sub = *app.add_subcommand("view", "Show a scene in a window");
+    const auto option = options_of(sub);
+    add_picture_options(sub, command.render, text.render);
+    add_moment_options(sub, command.render, text.render);
+    sub.footer(view_footer);
+    option("--view", text.render.views, "BUFFER", "Show this buffer in place of the picture");
+    option("--scale", text.scale, "FACTOR|auto",
+           "Pixels drawn for one of the window's, along each side, 0.1 to 1; auto: what keeps it fluent (default 1)");
+    option("--record", command.record, "FILE", "Write all input to FILE");
+    option("--play", command.play, "FILE", "Input from FILE; with -o without any window");
+    option("--frames", text.frames, "N", "How many steps of 1/60 s to play (default: up to the last event)");
+    option("-o,--output", text.render.output, "PICTURE", "What is seen at the end of --play: PNG or EXR");
+    sub.add_flag("--watch", command.render.watch, "What view does anyway: files that change are read again");
 }
 
 void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
@@ -230,6 +272,28 @@ void finish(SequenceCommand& command, const RenderText& picture, const SequenceT
     check_sequence(command);
 }
 
+void finish(ViewCommand& command, const ViewerText& text) {
+    finish_picture(command.render, text.render);
+    command.render.moment = parse_moment(text.render.time, command.render.animation);
+    if (!command.render.more_views.empty())
+        throw UsageError("--view: view shows one buffer, and writes none to a file");
+    command.render.options.views = {command.render.view};
+    if (!text.frames.empty())
+        command.steps = parse_count("--frames", text.frames, 1);
+    if (text.scale != "auto")
+        command.scale = parse_number("--scale", text.scale, 0.1, 1);
+    if (command.play.empty() && (command.steps || !command.render.output.empty()))
+        throw UsageError(fmt::format("{}: goes with --play FILE only", command.steps ? "--frames" : "-o"));
+    if (!command.play.empty() && !command.record.empty())
+        throw UsageError("--record: does not go with --play");
+    if (!command.render.output.empty()) {
+        const std::string extension = lower_extension(command.render.output);
+        if (extension != ".png" && extension != ".exr")
+            throw UsageError(fmt::format("-o {}: the name must end in .png or .exr", command.render.output.string()));
+        refuse_pattern("-o", command.render.output);
+    }
+}
+
 void finish(CompareCommand& command, const CompareText& text) {
     command.folder = text.output;
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
@@ -285,6 +349,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     SequenceCommand sequence;
     RenderText sequence_picture;
     SequenceText sequence_text;
+    ViewCommand view;
+    ViewerText view_text;
     CompareCommand compare;
     CompareText compare_text;
     MakeCommand make;
@@ -294,6 +360,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     BenchArguments bench;
     add_render(app, render, render_text);
     add_sequence(app, sequence, sequence_picture, sequence_text);
+    add_view(app, view, view_text);
     add_compare(app, compare, compare_text);
     add_make(app, make, make_text);
     bench.add(app);
@@ -323,6 +390,10 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (app.got_subcommand("sequence")) {
         finish(sequence, sequence_picture, sequence_text);
         return sequence;
+    }
+    if (app.got_subcommand("view")) {
+        finish(view, view_text);
+        return view;
     }
     if (app.got_subcommand("compare")) {
         for (int i = 1; i < argc; ++i)

@@ -53,6 +53,14 @@ struct SequenceCommand {
     SequenceOptions sequence;
 };
 
+/// `prelight view`
+struct ViewCommand {
+    RenderCommand render;               ///< at the start; `output`: the picture of --play, or empty
+    std::filesystem::path record, play; ///< empty: none
+    std::optional<uint32_t> steps;      ///< of --play; absent: up to the last event
+    std::optional<double> scale;        ///< absent: auto
+};
+
 /// `prelight compare`
 struct CompareCommand {
     std::string scene;     ///< a file, or the name of a built-in scene
@@ -134,7 +142,7 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RenderCommand, SequenceCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand,
+using Command = std::variant<RenderCommand, SequenceCommand, ViewCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand,
                              RenderersCommand, MaterialsCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.

@@ -6,6 +6,7 @@ namespace prelight::app {
 // One file a command. Each returns when its work is done; throws Error or UsageError.
 void run(const RenderCommand& command);
 void run(const SequenceCommand& command);
+void run(const ViewCommand& command);
 void run(const CompareCommand& command);
 void run(const MakeCommand& command);
 void run(const DevicesCommand& command);

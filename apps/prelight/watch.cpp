@@ -23,19 +23,22 @@ std::optional<FileWatch::States> FileWatch::look() const {
     return states;
 }
 
+bool FileWatch::changed() {
+    const std::optional<States> now = look();
+    const bool settled = now && now == before_ && now != known_;
+    before_ = now;
+    if (settled)
+        known_ = now;
+    return settled;
+}
+
 void FileWatch::wait() {
     using namespace std::chrono_literals;
     const WatchdogPause pause;
-    std::optional<States> before = known_;
-    for (;;) {
+    before_ = known_;
+    do
         std::this_thread::sleep_for(200ms);
-        const std::optional<States> now = look();
-        if (now && now == before && now != known_) {
-            known_ = now;
-            return;
-        }
-        before = now;
-    }
+    while (!changed());
 }
 
 } // namespace prelight::app

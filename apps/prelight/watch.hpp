@@ -12,6 +12,8 @@ public:
     /// Returns when a file has changed since the last call and all have then kept still for one poll,
     /// so that a writer has most likely finished. A file that is gone is waited for.
     void wait();
+    /// The same without waiting: for who asks a few times a second.
+    bool changed();
 
 private:
     struct State {
@@ -23,7 +25,7 @@ private:
     std::optional<States> look() const; ///< nothing: one of them is not there now
 
     std::vector<std::filesystem::path> files_;
-    std::optional<States> known_;
+    std::optional<States> known_, before_; ///< what was told, and what was seen last
 };
 
 } // namespace prelight::app

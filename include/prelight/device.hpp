@@ -25,6 +25,8 @@ struct DeviceOptions {
     std::vector<uint32_t> hidden_formats = {};
     /// The same of optional extensions, by name.
     std::vector<std::string> hidden_extensions = {};
+    /// Instance extensions that a window system asks for: with any, the device can also present to a window.
+    std::vector<std::string> window_extensions = {};
 };
 
 /// A Vulkan 1.3 device with its queue, allocator and caches. The Vulkan side is in src/gpu.

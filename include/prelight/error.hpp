@@ -16,6 +16,13 @@ public:
     explicit Error(std::string_view message) : std::runtime_error(escaped(message)) {}
 };
 
+/// The device stopped working (VK_ERROR_DEVICE_LOST): nothing that was made on it can be used any more, and another
+/// one may well be made.
+class DeviceLost : public Error {
+public:
+    using Error::Error;
+};
+
 /// The request itself was wrong: an unknown setting, a value out of range, a combination that no
 /// renderer offers. The program ends with exit status 2.
 class UsageError : public Error {

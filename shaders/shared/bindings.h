@@ -30,6 +30,12 @@
 // tone mapping
 #define INPUT_COLOUR 0
 // light lists
+// Of the window's own shaders (ui.vert, ui.frag), which have one set
+#define UI_TEXTURE 0
+#define UI_POSITION 0
+#define UI_TEXCOORD 1
+#define UI_COLOUR 2
+
 #define INPUT_LIGHT_CELLS 8
 #define INPUT_LIGHT_ENTRIES 9
 #define INPUT_COARSE_CELLS 10

@@ -42,6 +42,8 @@ void check(VkResult result, std::string_view what) {
     if (result == VK_SUCCESS)
         return;
     const std::string_view name = result_name(result);
+    if (result == VK_ERROR_DEVICE_LOST)
+        throw DeviceLost(fmt::format("{}: {}", what, name));
     throw Error(name.empty()
                     ? fmt::format("{}: VkResult {}, which Vulkan 1.3 has no name for", what, static_cast<int>(result))
                     : fmt::format("{}: {}", what, name));

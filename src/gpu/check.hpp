@@ -10,7 +10,7 @@ namespace prelight::gpu {
 /// Empty for one that Vulkan 1.3 does not have.
 std::string_view result_name(VkResult result);
 
-/// Throws Error "WHAT: reason" unless `result` is VK_SUCCESS.
+/// Throws Error "WHAT: reason" unless `result` is VK_SUCCESS; DeviceLost where that is the reason.
 void check(VkResult result, std::string_view what);
 
 } // namespace prelight::gpu

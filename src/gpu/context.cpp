@@ -31,14 +31,15 @@ Candidate take_chosen(const std::vector<Candidate>& all) {
 } // namespace
 
 Context::Context(const DeviceOptions& options)
-    : instance_(options.validate), chosen_(take_chosen(select_device(instance_, options.select))),
-      hidden_formats_(options.hidden_formats) {
+    : instance_(options.validate, options.window_extensions),
+      chosen_(take_chosen(select_device(instance_, options.select))), hidden_formats_(options.hidden_formats) {
     const auto hides = [&](const char* extension) {
         const auto& hidden = options.hidden_extensions;
         return std::find(hidden.begin(), hidden.end(), extension) != hidden.end();
     };
     chosen_.optional.conditional_rendering &= !hides(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     chosen_.optional.stencil_export &= !hides(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
+    presents_ = !options.window_extensions.empty();
     vkGetPhysicalDeviceProperties(physical(), &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical(), &memory_);
     create_device();
@@ -111,6 +112,8 @@ void Context::create_device() {
     }
     if (o.stencil_export)
         extensions.push_back(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
+    if (presents_)
+        extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
     info.queueCreateInfoCount = 1;
@@ -169,20 +172,33 @@ void Context::run(std::string_view label, const std::function<void(VkCommandBuff
     vkFreeCommandBuffers(device_, pool_, 1, &commands);
 }
 
-uint64_t Context::submit(VkCommandBuffer commands) const {
+uint64_t Context::submit(VkCommandBuffer commands, const WindowSync& sync) const {
     VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
     buffer.commandBuffer = commands;
-    VkSemaphoreSubmitInfo signal{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-    signal.semaphore = timeline_;
-    signal.value = ++timeline_value_;
-    signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkSemaphoreSubmitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    wait.semaphore = sync.wait;
+    wait.stageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_TRANSFER_BIT;
+    std::array<VkSemaphoreSubmitInfo, 2> signals{};
+    signals[0].sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
+    signals[0].semaphore = timeline_;
+    signals[0].value = ++timeline_value_;
+    signals[0].stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    signals[1] = signals[0];
+    signals[1].semaphore = sync.signal;
     VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    submit.waitSemaphoreInfoCount = sync.wait ? 1 : 0;
+    submit.pWaitSemaphoreInfos = &wait;
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &buffer;
-    submit.signalSemaphoreInfoCount = 1;
-    submit.pSignalSemaphoreInfos = &signal;
-    check(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), name());
+    submit.signalSemaphoreInfoCount = sync.signal ? 2 : 1;
+    submit.pSignalSemaphoreInfos = signals.data();
+    check(lost_ ? VK_ERROR_DEVICE_LOST : vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), name());
     return timeline_value_;
+}
+
+void Context::lose() {
+    vkDeviceWaitIdle(device_);
+    lost_ = true;
 }
 
 void Context::wait(uint64_t value) const {
@@ -190,7 +206,7 @@ void Context::wait(uint64_t value) const {
     wait.semaphoreCount = 1;
     wait.pSemaphores = timeline_.address();
     wait.pValues = &value;
-    check(vkWaitSemaphores(device_, &wait, UINT64_MAX), name());
+    check(lost_ ? VK_ERROR_DEVICE_LOST : vkWaitSemaphores(device_, &wait, UINT64_MAX), name());
 }
 
 bool Context::is_done(uint64_t value) const {

@@ -24,6 +24,7 @@ public:
     std::string driver() const override { return chosen_.info.driver; }
     std::vector<std::string> validation_messages() const override { return instance_.log().messages(); }
 
+    VkInstance instance() const { return instance_.handle(); }
     VkDevice device() const { return device_; }
     VkPhysicalDevice physical() const { return chosen_.physical; }
     VkQueue queue() const { return queue_; }
@@ -48,10 +49,17 @@ public:
 
     /// Records and submits commands, and waits until they are done.
     void run(std::string_view label, const std::function<void(VkCommandBuffer)>& record) const;
+    /// What a window's submission waits for before it writes colours, and signals at its end: binary semaphores.
+    struct WindowSync {
+        VkSemaphore wait = VK_NULL_HANDLE, signal = VK_NULL_HANDLE;
+    };
     /// Submits one command buffer and waits for its end with the timeline semaphore. Throws Error.
     void submit_and_wait(VkCommandBuffer commands) const { wait(submit(commands)); }
     /// Submits one command buffer, and gives the value that the timeline semaphore has at its end.
-    uint64_t submit(VkCommandBuffer commands) const;
+    uint64_t submit(VkCommandBuffer commands) const { return submit(commands, WindowSync{}); }
+    uint64_t submit(VkCommandBuffer commands, const WindowSync& sync) const;
+    /// A test's: waits for the device and takes it for lost from then on.
+    void lose();
     /// Waits until the timeline has come to `value`. Throws Error.
     void wait(uint64_t value) const;
     bool is_done(uint64_t value) const;
@@ -95,6 +103,8 @@ private:
     UniqueCommandPool pool_;
     UniqueSemaphore timeline_;
     mutable uint64_t timeline_value_ = 0;
+    bool lost_ = false; ///< lose()
+    bool presents_ = false;
     mutable std::atomic<uint64_t> device_bytes_ = 0, device_bytes_peak_ = 0;
     mutable std::array<std::atomic<uint64_t>, static_cast<size_t>(Kind::count)> created_{};
     PFN_vkSetDebugUtilsObjectNameEXT set_object_name_ = nullptr;

@@ -69,7 +69,7 @@ std::vector<std::string> MessageLog::messages() const {
     return messages_;
 }
 
-Instance::Instance(bool validate) {
+Instance::Instance(bool validate, const std::vector<std::string>& extensions) {
     if (validate) {
         point_loader_at_layer();
         if (!has_layer())
@@ -87,7 +87,14 @@ Instance::Instance(bool validate) {
     application.apiVersion = VK_API_VERSION_1_3;
 
     debug_utils_ = validate || has_extension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
-    const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+    std::vector<const char*> names;
+    if (debug_utils_)
+        names.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    for (const std::string& extension : extensions) {
+        if (!has_extension(extension.c_str()))
+            throw Error("Vulkan: the instance extension " + extension + " is missing, which a window needs");
+        names.push_back(extension.c_str());
+    }
     VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(log_.get());
     const VkValidationFeatureEnableEXT enables[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
     VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
@@ -97,8 +104,8 @@ Instance::Instance(bool validate) {
 
     VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
     info.pApplicationInfo = &application;
-    info.enabledExtensionCount = debug_utils_ ? 1 : 0;
-    info.ppEnabledExtensionNames = &extension;
+    info.enabledExtensionCount = static_cast<uint32_t>(names.size());
+    info.ppEnabledExtensionNames = names.data();
     if (validate) {
         info.pNext = &features;
         info.enabledLayerCount = 1;

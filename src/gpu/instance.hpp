@@ -23,9 +23,9 @@ private:
 /// newer layer in Debian's chromium-common, else from the system.
 class Instance {
 public:
-    /// Throws Error when there is no loader or driver, or when validation is asked for and no
-    /// validation layer is installed.
-    explicit Instance(bool validate);
+    /// Throws Error when there is no loader or driver, when validation is asked for and no
+    /// validation layer is installed, or when one of `extensions` is missing.
+    explicit Instance(bool validate, const std::vector<std::string>& extensions = {});
     ~Instance();
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;

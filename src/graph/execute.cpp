@@ -234,6 +234,14 @@ void FrameGraph::begin_persistent_images() const {
     }
 }
 
+gpu::ShownImage FrameGraph::shown(ImageId id) const {
+    const GraphImage& image = images_[id.index];
+    if (!image.kept || !image.usage)
+        throw Error("frame graph: image " + image.name + " was not kept");
+    return {image.image, image.desc.extent, image.final_access.stages, image.final_access.access,
+            image.final_access.layout};
+}
+
 std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
     const GraphImage& image = images_[id.index];
     if (!image.kept || !image.usage)

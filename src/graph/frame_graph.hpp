@@ -5,6 +5,7 @@
 #include <gpu/buffer.hpp>
 #include <gpu/descriptors.hpp>
 #include <gpu/frames_in_flight.hpp>
+#include <gpu/shown_image.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -211,6 +212,8 @@ public:
     std::vector<PassTraffic> traffic() const;
     /// Texels of a kept image, row by row, tightly packed. Submits and waits.
     std::vector<std::byte> read_back(ImageId image) const;
+    /// A kept image of four bytes a texel as a frame leaves it, for whoever shows it; until the graph is gone.
+    gpu::ShownImage shown(ImageId image) const;
     /// Memory that all images share, after aliasing.
     uint64_t memory_bytes() const { return memory_.size(); }
     /// What they would take if none shared memory with another: texels times bytes of a texel.

@@ -305,6 +305,15 @@ void DeviceRenderer::tell_shadows(Stats& stats) const {
                                           shadows.lights_without));
 }
 
+gpu::ShownImage DeviceRenderer::shown(std::string_view view) const {
+    if (!drawn_)
+        throw Error("renderer: render() comes before shown()");
+    const auto found = outputs_.find(view);
+    if (found == outputs_.end())
+        throw UsageError(fmt::format("--view {}: was not asked for when the renderer was made", view));
+    return graph_->shown(found->second);
+}
+
 Image DeviceRenderer::read(std::string_view view) {
     if (!drawn_)
         throw Error("renderer: render() comes before read()");

@@ -26,6 +26,13 @@ public:
     void render(const PlacedCamera& camera, uint32_t frames) final;
     Image read(std::string_view view) final;
     Stats stats() const final;
+    /// A buffer of the last frame where it lies, for a window: valid until the next call of anything that is not const.
+    /// The frame may still be in flight; later submissions to the device's queue come after it. Throws as read() does.
+    gpu::ShownImage shown(std::string_view view) const;
+    /// Figures of the last frame that is known to be done, without waiting for one.
+    const FrameFigures& last_frame() { return queue_->last_frame(); }
+    /// Every setting with the value in force: Stats::settings, without waiting.
+    std::map<std::string, std::string> settings_in_force() const { return settings_.all(); }
     uint64_t max_lights() const final { return context_.limits().maxStorageBufferRange / sizeof(shared::LightData); }
 
 protected:

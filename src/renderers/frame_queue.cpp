@@ -73,21 +73,27 @@ void FrameQueue::collect() {
     context_.wait(frame.value);
     pending_.pop_front();
     const double wall = wall_ms(), cpu = process_ms();
+    last_ = {last_.number + 1, wall - last_wall_, cpu - last_cpu_, 0, frame.graph->pass_times(frame.slot)};
+    for (const auto& [name, time] : last_.passes)
+        last_.gpu += time;
     if (frame.run == run_) {
-        samples_.wall.push_back(wall - last_wall_);
-        samples_.cpu.push_back(cpu - last_cpu_);
-        const auto times = frame.graph->pass_times(frame.slot);
-        samples_.passes.resize(times.size());
-        double total = 0;
-        for (size_t p = 0; p < times.size(); ++p) {
-            samples_.passes[p].first = times[p].first;
-            samples_.passes[p].second.push_back(times[p].second);
-            total += times[p].second;
+        samples_.wall.push_back(last_.wall);
+        samples_.cpu.push_back(last_.cpu);
+        samples_.passes.resize(last_.passes.size());
+        for (size_t p = 0; p < last_.passes.size(); ++p) {
+            samples_.passes[p].first = last_.passes[p].first;
+            samples_.passes[p].second.push_back(last_.passes[p].second);
         }
-        samples_.gpu.push_back(total);
+        samples_.gpu.push_back(last_.gpu);
     }
     last_wall_ = wall;
     last_cpu_ = cpu;
+}
+
+const FrameFigures& FrameQueue::last_frame() {
+    while (!pending_.empty() && context_.is_done(pending_.front().value))
+        collect();
+    return last_;
 }
 
 void FrameQueue::drain() {

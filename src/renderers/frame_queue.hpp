@@ -16,6 +16,13 @@ struct FrameSamples {
     std::vector<std::pair<std::string, std::vector<double>>> passes; ///< device time
 };
 
+/// Of one frame, milliseconds: as FrameSamples.
+struct FrameFigures {
+    uint64_t number = 0; ///< counts the device's frames; 0: there was none yet
+    double wall = 0, cpu = 0, gpu = 0;
+    std::vector<std::pair<std::string, double>> passes;
+};
+
 /// Frames in flight: the host records one while the device works on the one before, and waits only
 /// for the frame whose buffers it needs again.
 ///
@@ -42,6 +49,8 @@ public:
     /// Records commands, submits them and waits; no frame may be in flight, and none is counted.
     void run(const std::function<void(VkCommandBuffer)>& record);
     const FrameSamples& samples() const { return samples_; }
+    /// Of the last frame that is done, whichever run it was in. Waits for none.
+    const FrameFigures& last_frame();
 
 private:
     struct Slot {
@@ -66,6 +75,7 @@ private:
     uint64_t run_ = 0;
     double last_wall_ = 0, last_cpu_ = 0; ///< at the end of the last frame
     FrameSamples samples_;
+    FrameFigures last_;
 };
 
 } // namespace prelight

@@ -19,7 +19,8 @@ inline constexpr uint64_t picture = 0x7fffffff;            ///< the codecs count
 inline constexpr uint64_t environment = uint64_t(2) << 30; ///< 16,384 × 8,192 pixels of three floats and some more
 inline constexpr uint64_t light_profile = uint64_t(16) << 20;
 inline constexpr uint64_t material = uint64_t(1) << 20;
-inline constexpr uint64_t figures = uint64_t(256) << 20; ///< JSON of the program's own
+inline constexpr uint64_t figures = uint64_t(256) << 20;  ///< JSON of the program's own
+inline constexpr uint64_t recording = uint64_t(64) << 20; ///< of input
 inline constexpr uint64_t pipeline_cache = uint64_t(256) << 20;
 } // namespace largest_file
 

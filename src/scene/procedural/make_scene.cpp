@@ -10,6 +10,8 @@
 #include <scene/procedural/lights.hpp>
 #include <scene/procedural/materials.hpp>
 #include <scene/procedural/motion.hpp>
+#include <scene/procedural/multipass.hpp>
+#include <scene/procedural/round2.hpp>
 #include <scene/procedural/shadows.hpp>
 #include <scene/procedural/spheres.hpp>
 
@@ -39,6 +41,9 @@ constexpr auto entries = std::to_array<Entry>({
     {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
     {{"decals", "cracks, paint, bolts, a puddle and a burn on brick walls and a floor, lights that go round", 8},
      make_decals_scene},
+    {{"round2", "one textured model under six directional lights, as in the Round 2 sample", 6}, make_round2_scene},
+    {{"multipass", "a few meshes and materials to turn, lights to add and remove, as in the multipass sample", 6},
+     make_multipass_scene},
     {{"bounce", "a room with a sunlit patch, and small lights on it in place of its indirect light", 65},
      make_bounce_scene},
 });

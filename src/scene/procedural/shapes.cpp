@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <scene/procedural/shapes.hpp>
@@ -42,6 +43,36 @@ Primitive make_sphere(float radius, uint32_t slices, uint32_t stacks) {
         }
     add_grid_indices(sphere, slices, stacks);
     return sphere;
+}
+
+Primitive make_knot(float size, float tube, uint32_t along, uint32_t around) {
+    constexpr double repeats = 16;
+    // Twice about the axis, three times about the ring.
+    const auto curve = [&](double turn) {
+        const double about = 2 * full_turn * turn, over = 3 * full_turn * turn;
+        const double radius = size * (1 + 0.5 * std::cos(over));
+        return glm::dvec3(radius * std::cos(about), radius * std::sin(about), 0.5 * size * std::sin(over));
+    };
+    Primitive knot;
+    for (uint32_t row = 0; row <= around; ++row)
+        for (uint32_t column = 0; column <= along; ++column) {
+            const double turn = double(column % along) / along;
+            constexpr double step = 1e-4;
+            const glm::dvec3 centre = curve(turn);
+            const glm::dvec3 tangent = glm::normalize(curve(turn + step) - curve(turn - step));
+            // Up from the torus' own surface: it comes back to itself after the whole knot.
+            const double about = 2 * full_turn * turn;
+            const glm::dvec3 ring(size * std::cos(about), size * std::sin(about), 0);
+            const glm::dvec3 up = glm::normalize(centre - ring - glm::dot(centre - ring, tangent) * tangent);
+            const glm::dvec3 side = glm::cross(tangent, up);
+            const glm::dvec2 angle = cos_sin(row % around, around);
+            const glm::dvec3 normal = angle.x * up + angle.y * side;
+            knot.positions.emplace_back(centre + double(tube) * normal);
+            knot.normals.emplace_back(normal);
+            knot.texcoords[0].emplace_back(repeats * column / along, double(row) / around);
+        }
+    add_grid_indices(knot, along, around);
+    return knot;
 }
 
 Primitive make_box(glm::vec3 low, glm::vec3 high) {

@@ -23,4 +23,9 @@ Primitive make_box(glm::vec3 low, glm::vec3 high);
 /// into `quads` × `quads`; texture coordinates 0 … 1, v along +z.
 Primitive make_ground(glm::vec2 size, uint32_t quads);
 
+/// Tube along a trefoil knot around the origin, in `along` × `around` quads. The knot winds about a torus of radius
+/// `size` in the xy plane, and again `size` / 2 about that; `tube` is its own radius. Metres. Normals point out of the
+/// tube; texture coordinates repeat without a seam: u 16 times along it, v once around.
+Primitive make_knot(float size, float tube, uint32_t along, uint32_t around);
+
 } // namespace prelight

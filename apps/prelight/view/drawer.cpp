@@ -1,0 +1,110 @@
+#include "drawer.hpp"
+
+#include "../device_type.hpp"
+#include "../memory_check.hpp"
+#include "../validation.hpp"
+
+#include <fmt/format.h>
+#include <gpu/context.hpp>
+#include <prelight/error.hpp>
+
+namespace prelight::app::viewer {
+
+Drawer::Drawer(const RenderCommand& command, std::vector<std::string> window_extensions)
+    : command_(command), window_extensions_(std::move(window_extensions)) {
+    open();
+}
+
+void Drawer::open() {
+    DeviceOptions options{.select = command_.device, .validate = command_.validate};
+    options.window_extensions = window_extensions_;
+    device_ = open_device(options, command_.options.width, command_.options.height, command_.options.msaa);
+}
+
+bool Drawer::make_renderer(Session& session) {
+    const Look& look = session.look();
+    RenderOptions options = look.options;
+    options.width = session.picture_width();
+    options.height = session.picture_height();
+    try {
+        auto next = create_renderer(look.renderer, device_.get(), options);
+        next->set_world(session.stage().world());
+        renderer_ = std::move(next);
+    } catch (const DeviceLost&) {
+        throw;
+    } catch (const Error& error) {
+        if (!renderer_)
+            throw;
+        session.refuse_look(error.what());
+        return false;
+    }
+    width_ = options.width;
+    height_ = options.height;
+    session.accept_look();
+    return true;
+}
+
+void Drawer::follow(Session& session) {
+    if (session.minimised())
+        return;
+    const Changes changes = session.take_changes();
+    if (changes.any())
+        session.need_picture(); // until one is drawn
+    bool world = changes.world || !renderer_;
+    if (world && type_of(*device_) == "software")
+        check_memory_for(session.stage().scene());
+    bool lights = changes.lights || world;
+    if (changes.look || !renderer_) {
+        const bool made = make_renderer(session);
+        world &= !made;
+        lights |= made;
+    }
+    if (width_ != session.picture_width() || height_ != session.picture_height()) {
+        renderer_->resize(session.picture_width(), session.picture_height());
+        width_ = session.picture_width();
+        height_ = session.picture_height();
+    }
+    if (world)
+        renderer_->set_world(session.stage().world());
+    session.forget_earlier();
+    if (lights && (session.only_selected() || !session.stage().light_edits.empty() || changes.lights))
+        renderer_->set_lights(session.shining());
+}
+
+bool Drawer::draw(Session& session) {
+    if (session.minimised())
+        return false;
+    follow(session);
+    session.take_changes();
+    renderer_->render(session.camera());
+    return true;
+}
+
+void Drawer::lose_device() { dynamic_cast<gpu::Context&>(*device_).lose(); }
+
+void Drawer::keep(Session& session, const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const DeviceLost& loss) {
+        if (lost_at_ && session.steps() - *lost_at_ < 10 * steps_per_second)
+            throw;
+        lost_at_ = session.steps();
+        session.tell(fmt::format("{}; everything was made anew", loss.what()));
+        recover(session);
+        work();
+    }
+}
+
+void Drawer::recover(Session& session) {
+    if (down_)
+        down_();
+    renderer_.reset();
+    check_validation(*device_);
+    device_.reset();
+    open();
+    if (up_)
+        up_();
+    session.renew();
+}
+
+} // namespace prelight::app::viewer

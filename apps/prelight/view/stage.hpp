@@ -1,0 +1,64 @@
+#pragma once
+#include "../command_line.hpp"
+#include "../own_materials.hpp"
+#include "../scene_source.hpp"
+#include "light_edits.hpp"
+#include "object_edits.hpp"
+
+namespace prelight::app::viewer {
+
+/// Reads scenes as the command line says, again and again: other ones, and when they have changed.
+class SceneReader {
+public:
+    explicit SceneReader(const RenderCommand& command);
+    SceneReader(const SceneReader&) = delete;
+    SceneReader& operator=(const SceneReader&) = delete;
+    /// Throws Error, UsageError.
+    std::unique_ptr<LoadedScene> read(const std::string& scene, double aspect);
+    /// The environment file takes the place of the command's. Throws Error when it is none.
+    void take_environment(const std::filesystem::path& file);
+    /// Materials with a mistake stay as they were, and the mistake is told.
+    void take_changes() { materials_.take_changes(); }
+    /// Lights that `--lights` adds to a scene's own.
+    uint32_t scattered(const std::string& scene) const;
+    /// What is read by name for this scene.
+    std::vector<std::filesystem::path> files(const std::string& scene) const;
+
+private:
+    RenderCommand command_;
+    OwnMaterials materials_;
+};
+
+/// A scene at a moment, with what has been done to it.
+class Stage {
+public:
+    Stage(std::unique_ptr<LoadedScene> loaded, uint32_t scattered);
+
+    const Scene& scene() const { return loaded_->scene; }
+    const World& world() const { return *world_; }
+    /// The lights before edits, and after.
+    const std::vector<PlacedLight>& own_lights() const { return world_->lights; }
+    std::vector<LightEdits::Listed> lights() const { return light_edits.applied(world_->lights); }
+    std::optional<PlacedLight> light(uint32_t number) const { return light_edits.one(world_->lights, number); }
+    /// What the world is like then: the one place where time and objects that move are paid for. Throws Error.
+    void pose(const std::optional<Moment>& moment, std::optional<uint32_t> animation);
+    /// Objects of the node, or all, take the next material; false: there is none.
+    bool next_material(std::optional<uint32_t> node);
+    /// Of the animation, or of all: seconds.
+    double length(std::optional<uint32_t> animation) const;
+
+    /// No renderer looks at another world any more.
+    void forget_earlier() { earlier_.clear(); }
+
+    LightEdits light_edits;
+    ObjectEdits object_edits;
+
+private:
+    std::unique_ptr<LoadedScene> loaded_;
+    std::vector<PlacedLight> scattered_; ///< stay where they are
+    std::vector<PlacedCamera> framed_;   ///< of a scene without cameras, or in their place
+    std::unique_ptr<World> world_;
+    std::vector<std::unique_ptr<World>> earlier_; ///< which a renderer may still look at
+};
+
+} // namespace prelight::app::viewer

@@ -1,0 +1,286 @@
+// The window: input to events, events to the session, the session's picture to the screen.
+#include "../../interrupt.hpp"
+#include "../../meter.hpp"
+#include "../../output.hpp"
+#include "../../validation.hpp"
+#include "../../watch.hpp"
+#include "../../watchdog.hpp"
+#include "../drawer.hpp"
+#include "../recording.hpp"
+#include "../scale_control.hpp"
+#include "../screenshot.hpp"
+#include "../window_run.hpp"
+#include "glfw_window.hpp"
+
+#include "ui.hpp"
+#include "ui_backend.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <future>
+#include <imgui.h>
+#include <prelight/error.hpp>
+#include <renderers/device_renderer.hpp>
+#include <timing/clocks.hpp>
+
+namespace prelight::app::viewer {
+namespace {
+
+constexpr int settling_pictures = 3;     // of the panels, after input
+constexpr double look_every_ms = 250;    // at files that may have changed, and at the plot
+constexpr uint32_t most_steps_late = 15; // after a pause longer than that the clock does not catch up
+
+class WindowLoop {
+public:
+    explicit WindowLoop(const ViewCommand& command)
+        : command_(command), start_ms_(wall_ms()),
+          window_("prelight", command.render.options.width, command.render.options.height),
+          made_(std::async(std::launch::async,
+                           [&, size = window_.extent()] {
+                               return std::make_unique<Session>(command.render, size.width, size.height);
+                           })),
+          drawer_(command.render, GlfwWindow::extensions()), owned_(made_.get()), session_(*owned_),
+          ui_(window_.handle(), window_.content_scale()), watch_(session_.files()), watched_(session_.scene_name()) {
+        recording_.width = session_.window_width();
+        recording_.height = session_.window_height();
+        if (!command.play.empty())
+            played_ = load_recording(command.play).events;
+        drawer_.on_loss([this] { take_down(); }, [this] { set_up(); });
+        set_up();
+        if (command.scale && *command.scale != 1)
+            take({0, "scale", {fmt::format("{}", *command.scale)}});
+        if (command.render.auto_exposure)
+            take({0,
+                  "exposure",
+                  {fmt::format("{}", meter_exposure(drawer_.device(), session_.stage().world(), session_.camera(),
+                                                    command.render.options))}});
+    }
+
+    void run() {
+        const WatchdogPause waits; // for whoever sits before it
+        drawer_.follow(session_);  // a start that cannot be is a failure, not a message
+        clock_ms_ = wall_ms();
+        try {
+            while (!session_.done() && !window_.closed()) {
+                const double began = wall_ms();
+                take_input();
+                advance();
+                picture(began);
+                pace(began);
+            }
+        } catch (const Error&) { // what led there is worth keeping
+            save_recording();
+            throw;
+        }
+        save_recording();
+        finish();
+    }
+
+private:
+    void set_up() {
+        auto& context = dynamic_cast<gpu::Context&>(*drawer_.device());
+        presenter_.emplace(context, window_.make_surface(context.instance()));
+        backend_.emplace(context, presenter_->format());
+        redraw_ = settling_pictures;
+    }
+    void take_down() {
+        backend_.reset();
+        presenter_.reset();
+    }
+
+    void take(Event event) {
+        event.step = session_.steps();
+        if (!command_.record.empty())
+            recording_.events.push_back(event);
+        session_.apply(event);
+    }
+
+    void take_input() {
+        window_.capture(ui_.wants_mouse(), ui_.wants_keyboard());
+        if (window_.take_stir())
+            redraw_ = settling_pictures;
+        for (Event& event : window_.take_events())
+            take(std::move(event));
+        for (Event& event : std::exchange(asked_, {}))
+            take(std::move(event));
+        look_at_files();
+        const std::string loss = session_.take_loss();
+        if (loss == "device")
+            drawer_.lose_device();
+        if (loss == "surface")
+            presenter_->lose_surface();
+    }
+
+    void look_at_files() {
+        if (wall_ms() - looked_ms_ < look_every_ms)
+            return;
+        looked_ms_ = wall_ms();
+        redraw_ = std::max(redraw_, 1);
+        if (watched_ != session_.scene_name()) {
+            watch_ = FileWatch(session_.files());
+            watched_ = session_.scene_name();
+        } else if (watch_.changed()) {
+            take({0, "reload", {}});
+        }
+    }
+
+    /// The session's clock up to now, with what a recording says on the way.
+    void advance() {
+        const double now = wall_ms();
+        const double step_ms = 1000.0 / steps_per_second;
+        auto due = static_cast<uint32_t>(std::max((now - clock_ms_) / step_ms, 0.0));
+        if (due > most_steps_late) {
+            due = 1;
+            clock_ms_ = now - step_ms;
+        }
+        clock_ms_ += due * step_ms;
+        for (uint32_t i = 0; i < due; ++i) {
+            for (; next_played_ < played_.size() && played_[next_played_].step <= session_.steps(); ++next_played_)
+                take(played_[next_played_]);
+            session_.step();
+            if (session_.changes().look) // as when it is played: refused at the step that asks for it
+                drawer_.keep(session_, [&] { drawer_.follow(session_); });
+        }
+        if (!command_.play.empty() && command_.steps && session_.steps() >= *command_.steps)
+            take({0, "quit", {}});
+    }
+
+    void picture(double began) {
+        const bool changed = session_.changes().any();
+        if (changed)
+            changed_ms_ = began;
+        else if (command_.scale == std::nullopt)
+            if (const auto scale = control_.still((began - changed_ms_) / 1000, session_.scale()))
+                take({0, "scale", {fmt::format("{}", *scale)}});
+        if (session_.minimised() || (!session_.changes().any() && redraw_ <= 0 && !ui_.busy()))
+            return;
+        redraw_ = std::max(redraw_ - 1, 0);
+        try {
+            drawer_.keep(session_, [&] { draw_and_show(); });
+        } catch (const gpu::SurfaceLost& loss) {
+            if (surface_lost_at_ && session_.steps() - *surface_lost_at_ < 10 * steps_per_second)
+                throw;
+            surface_lost_at_ = session_.steps();
+            session_.tell(fmt::format("{}; there is another one", loss.what()));
+            take_down();
+            set_up();
+            session_.need_picture();
+        }
+        if (changed && command_.scale == std::nullopt)
+            if (const auto scale = control_.moving(wall_ms() - began, session_.scale()))
+                take({0, "scale", {fmt::format("{}", *scale)}});
+        add_figures(changed ? std::optional(wall_ms() - began) : std::nullopt);
+    }
+
+    void draw_and_show() {
+        bool drawn = false;
+        if (session_.changes().any()) {
+            drawn = drawer_.draw(session_);
+            if (drawn)
+                hand_over();
+        }
+        screenshots();
+        std::vector<Event> asked = ui_.build(session_, figures_, in_force_);
+        asked_.insert(asked_.end(), asked.begin(), asked.end());
+        const bool shown = presenter_->show(
+            window_.extent(), [&](const gpu::OverlayContext& target) { backend_->draw(ui_.data(), target); });
+        if (!shown && drawn)
+            session_.need_picture();
+        if (shown && first_) {
+            first_ = false;
+            fmt::print("{}: first picture after {:.0f} ms\n", escaped(command_.render.scene), wall_ms() - start_ms_);
+            std::fflush(stdout);
+        }
+    }
+
+    void hand_over() {
+        const std::string& buffer = session_.look().buffer;
+        if (auto* renderer = dynamic_cast<DeviceRenderer*>(drawer_.renderer()))
+            presenter_->take(renderer->shown(buffer));
+        else
+            presenter_->take(drawer_.read(buffer));
+    }
+
+    /// Of the frame before, mostly: nobody waits for this one.
+    void add_figures(std::optional<double> shown_ms) {
+        if (auto* renderer = dynamic_cast<DeviceRenderer*>(drawer_.renderer())) {
+            figures_.add(renderer->last_frame(), shown_ms);
+            in_force_ = renderer->settings_in_force();
+        } else if (shown_ms) {
+            figures_.add({}, shown_ms);
+            in_force_ = drawer_.stats().settings;
+        }
+    }
+
+    void screenshots() {
+        for (const std::string& name : session_.take_screenshots()) {
+            try {
+                const auto file = save_screenshot(drawer_.read(session_.look().buffer), name);
+                session_.tell(fmt::format("{} is written", file.string()));
+            } catch (const DeviceLost&) {
+                throw;
+            } catch (const Error& error) {
+                session_.tell(error.what());
+            }
+        }
+    }
+
+    /// FIFO does not wait everywhere: no more pictures than the screen shows.
+    void pace(double began) {
+        const double picture_ms = 1000 / window_.refresh_rate();
+        const double left = picture_ms - (wall_ms() - began);
+        const bool idle = !session_.changes().any() && redraw_ <= 0 && asked_.empty();
+        // Input ends the wait where nothing moves by itself; else it is as good at the next picture.
+        if (idle) {
+            window_.wait(std::max(left, 1.0) / 1000);
+            return;
+        }
+        window_.wait(0);
+        if (left > 0)
+            std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(left));
+        window_.wait(0); // what came meanwhile is in the next picture
+    }
+
+    void save_recording() const {
+        if (command_.record.empty())
+            return;
+        const WriteGuard guard;
+        save_text(recording_text(recording_), command_.record);
+    }
+
+    void finish() {
+        drawer_.drop_renderer();
+        take_down();
+        check_validation(*drawer_.device());
+    }
+
+    const ViewCommand& command_;
+    double start_ms_;
+    GlfwWindow window_;
+    std::future<std::unique_ptr<Session>> made_; ///< while the device is opened
+    Drawer drawer_;
+    std::unique_ptr<Session> owned_;
+    Session& session_;
+    Ui ui_;
+    std::optional<gpu::Presenter> presenter_;
+    std::optional<UiBackend> backend_;
+    FileWatch watch_;
+    std::string watched_; ///< the scene whose files are watched
+    Recording recording_;
+    std::vector<Event> played_, asked_; ///< asked_: by panels, for the next step
+    size_t next_played_ = 0;
+    Figures figures_;
+    std::map<std::string, std::string> in_force_;
+    ScaleControl control_;
+    std::optional<uint32_t> surface_lost_at_; ///< step
+    int redraw_ = settling_pictures;
+    bool first_ = true;
+    double clock_ms_ = 0, looked_ms_ = 0, changed_ms_ = 0;
+};
+
+} // namespace
+
+void run_window(const ViewCommand& command) { WindowLoop(command).run(); }
+
+} // namespace prelight::app::viewer
