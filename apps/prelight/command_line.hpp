@@ -142,8 +142,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RenderCommand, SequenceCommand, ViewCommand, CompareCommand, BenchCommand, MakeCommand, DevicesCommand,
-                             RenderersCommand, MaterialsCommand, PrintCommand>;
+using Command = std::variant<RenderCommand, SequenceCommand, ViewCommand, CompareCommand, BenchCommand, MakeCommand,
+                             DevicesCommand, RenderersCommand, MaterialsCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);

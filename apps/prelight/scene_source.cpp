@@ -57,8 +57,7 @@ World resolve_at(const Scene& scene, const SceneTime& time, const SceneView& vie
     if (!own_camera && !added)
         return world;
     const bool later = time.moment && time.moment->time != 0;
-    const std::optional<World> at_start =
-        later ? std::optional(resolve(scene, {}, Moment{}, animation)) : std::nullopt;
+    const std::optional<World> at_start = later ? std::optional(resolve(scene, {}, Moment{}, animation)) : std::nullopt;
     const World& start = at_start ? *at_start : world;
     const bool framed = view.framing || start.framed;
     std::vector<PlacedCamera> cameras = start.cameras;

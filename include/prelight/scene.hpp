@@ -199,6 +199,8 @@ struct WorldChanges {
     std::vector<uint32_t> materials{};
     bool lights = false; ///< any of World::lights, or their number
     bool decals = false; ///< any of World::decals
+    /// And these, which came later.
+    void add(const WorldChanges& more);
     bool empty() const {
         return !all && instances.empty() && deformed.empty() && materials.empty() && !lights && !decals;
     }

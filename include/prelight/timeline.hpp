@@ -4,6 +4,10 @@
 
 namespace prelight {
 
+/// `world` becomes `next`, another state of the same scene, where it stands; what has changed of it is told. What has
+/// not stays where it is in memory, for a renderer may refer to it.
+WorldChanges become(World& world, World&& next);
+
 /// A scene's world at one moment after another, for a renderer that is kept: the world changes where it stands, and
 /// what of it has changed goes into Renderer::update_world(). It is at any moment what resolve() gives for it, whatever
 /// came before.

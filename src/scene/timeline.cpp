@@ -44,6 +44,53 @@ bool differ(const std::vector<T>& a, const std::vector<T>& b, Same same) {
 
 } // namespace
 
+WorldChanges become(World& now, World&& next) {
+    WorldChanges changes;
+    if (!same_draws(now, next)) {
+        now = std::move(next);
+        changes.all = true;
+        return changes;
+    }
+    for (uint32_t i = 0; i < now.instances.size(); ++i)
+        if (!same_place(now.instances[i], next.instances[i])) {
+            now.instances[i] = next.instances[i];
+            changes.instances.push_back(i);
+        }
+    for (uint32_t d = 0; d < now.deformed.size(); ++d)
+        if (now.deformations[d] != next.deformations[d] || !same_shape(now.deformed[d], next.deformed[d])) {
+            now.deformations[d] = std::move(next.deformations[d]);
+            now.deformed[d] = std::move(next.deformed[d]);
+            changes.deformed.push_back(d);
+        }
+    changes.lights = differ(now.lights, next.lights, same_light);
+    if (changes.lights)
+        now.lights = std::move(next.lights);
+    changes.decals = differ(now.decals, next.decals, same_decal);
+    if (changes.decals)
+        now.decals = std::move(next.decals);
+    now.cameras = std::move(next.cameras);
+    now.framed = next.framed;
+    now.ambient = next.ambient;
+    now.bounds_min = next.bounds_min;
+    now.bounds_max = next.bounds_max;
+    now.triangles = next.triangles;
+    return changes;
+}
+
+void WorldChanges::add(const WorldChanges& more) {
+    const auto append = [](std::vector<uint32_t>& to, const std::vector<uint32_t>& from) {
+        to.insert(to.end(), from.begin(), from.end());
+        std::sort(to.begin(), to.end());
+        to.erase(std::unique(to.begin(), to.end()), to.end());
+    };
+    all = all || more.all;
+    lights = lights || more.lights;
+    decals = decals || more.decals;
+    append(instances, more.instances);
+    append(deformed, more.deformed);
+    append(materials, more.materials);
+}
+
 struct Timeline::State {
     const Scene& scene;
     std::optional<uint32_t> scene_index, animation;
@@ -75,42 +122,11 @@ World Timeline::at(const Moment& moment) const {
 WorldChanges Timeline::move_to(const Moment& moment) { return take(at(moment)); }
 
 WorldChanges Timeline::take(World&& next) {
-    World& now = state_->world;
-    WorldChanges changes;
     if (next.cameras.empty()) { // the scene has none: the first one stays
-        next.cameras = std::move(now.cameras);
-        next.framed = now.framed;
+        next.cameras = state_->world.cameras;
+        next.framed = state_->world.framed;
     }
-    if (!same_draws(now, next)) {
-        now = std::move(next);
-        changes.all = true;
-        return changes;
-    }
-    // What has not changed stays where it is in memory: a renderer may refer to it.
-    for (uint32_t i = 0; i < now.instances.size(); ++i)
-        if (!same_place(now.instances[i], next.instances[i])) {
-            now.instances[i] = next.instances[i];
-            changes.instances.push_back(i);
-        }
-    for (uint32_t d = 0; d < now.deformed.size(); ++d)
-        if (now.deformations[d] != next.deformations[d] || !same_shape(now.deformed[d], next.deformed[d])) {
-            now.deformations[d] = std::move(next.deformations[d]);
-            now.deformed[d] = std::move(next.deformed[d]);
-            changes.deformed.push_back(d);
-        }
-    changes.lights = differ(now.lights, next.lights, same_light);
-    if (changes.lights)
-        now.lights = std::move(next.lights);
-    changes.decals = differ(now.decals, next.decals, same_decal);
-    if (changes.decals)
-        now.decals = std::move(next.decals);
-    now.cameras = std::move(next.cameras);
-    now.framed = next.framed;
-    now.ambient = next.ambient;
-    now.bounds_min = next.bounds_min;
-    now.bounds_max = next.bounds_max;
-    now.triangles = next.triangles;
-    return changes;
+    return become(state_->world, std::move(next));
 }
 
 } // namespace prelight

@@ -4,8 +4,8 @@
 
 namespace prelight::app {
 
-SceneAtTime::SceneAtTime(std::unique_ptr<LoadedScene> loaded, const SceneTime& time, const SceneView& view, size_t added,
-                         bool on_device)
+SceneAtTime::SceneAtTime(std::unique_ptr<LoadedScene> loaded, const SceneTime& time, const SceneView& view,
+                         size_t added, bool on_device)
     : loaded_(std::move(loaded)), time_(time),
       added_(loaded_->world.lights.end() - static_cast<ptrdiff_t>(added), loaded_->world.lights.end()),
       own_camera_(view.framing || !has_camera(loaded_->scene)), on_device_(on_device) {}

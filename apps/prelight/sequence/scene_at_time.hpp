@@ -11,9 +11,9 @@ namespace prelight::app {
 /// to the next: it is told what changed. What a moment shows does not depend on those before it.
 class SceneAtTime {
 public:
-    /// `loaded`: the scene at time 0, with `added` lights of the program's own, the last of its world's. `time`, `view`:
-    /// what it was loaded with; of `time` the moment is not used. `on_device`: the renderers that are shown it deform
-    /// skins and morph targets themselves.
+    /// `loaded`: the scene at time 0, with `added` lights of the program's own, the last of its world's. `time`,
+    /// `view`: what it was loaded with; of `time` the moment is not used. `on_device`: the renderers that are shown it
+    /// deform skins and morph targets themselves.
     SceneAtTime(std::unique_ptr<LoadedScene> loaded, const SceneTime& time, const SceneView& view, size_t added,
                 bool on_device);
 

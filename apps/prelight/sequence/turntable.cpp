@@ -20,7 +20,8 @@ std::pair<double, double> depths_round(const World& world, const PlacedCamera& c
 
 /// A camera in a room or a street: its way round the centre would lead through walls.
 bool is_inside(const World& world, const glm::dvec3& position) {
-    return glm::all(glm::greaterThan(position, world.bounds_min)) && glm::all(glm::lessThan(position, world.bounds_max));
+    return glm::all(glm::greaterThan(position, world.bounds_min)) &&
+           glm::all(glm::lessThan(position, world.bounds_max));
 }
 
 } // namespace

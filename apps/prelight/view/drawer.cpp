@@ -29,6 +29,7 @@ bool Drawer::make_renderer(Session& session) {
     try {
         auto next = create_renderer(look.renderer, device_.get(), options);
         next->set_world(session.stage().world());
+        session.stage().take_changes();
         renderer_ = std::move(next);
     } catch (const DeviceLost&) {
         throw;
@@ -49,11 +50,11 @@ void Drawer::follow(Session& session) {
         return;
     const Changes changes = session.take_changes();
     if (changes.any())
-        session.need_picture(); // until one is drawn
-    bool world = changes.world || !renderer_;
+        session.need_picture();               // until one is drawn
+    bool world = changes.scene || !renderer_; // to be taken in whole
     if (world && type_of(*device_) == "software")
         check_memory_for(session.stage().scene());
-    bool lights = changes.lights || world;
+    bool lights = changes.lights || world || changes.world;
     if (changes.look || !renderer_) {
         const bool made = make_renderer(session);
         world &= !made;
@@ -64,10 +65,14 @@ void Drawer::follow(Session& session) {
         width_ = session.picture_width();
         height_ = session.picture_height();
     }
+    WorldChanges moved = session.stage().take_changes();
+    moved.lights = false; // below
     if (world)
         renderer_->set_world(session.stage().world());
+    else if (!moved.empty())
+        renderer_->update_world(moved);
     session.forget_earlier();
-    if (lights && (session.only_selected() || !session.stage().light_edits.empty() || changes.lights))
+    if (lights)
         renderer_->set_lights(session.shining());
 }
 

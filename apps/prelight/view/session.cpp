@@ -49,15 +49,12 @@ void Session::load(const std::string& scene) {
     selection_ = {};
     if (!same || follows_)
         show_camera(camera);
-    changes_.world = changes_.lights = changes_.picture = true;
+    changes_.scene = changes_.lights = changes_.picture = true;
     if (same && moment_)
         pose();
 }
 
-void Session::forget_earlier() {
-    earlier_.clear();
-    stage_->forget_earlier();
-}
+void Session::forget_earlier() { earlier_.clear(); }
 
 void Session::show_camera(const PlacedCamera& camera) {
     rig_ = rig_of(camera, stage_->world());

@@ -14,8 +14,9 @@ struct Look {
 /// What has changed since a renderer last looked.
 struct Changes {
     bool look = false;                                                 ///< another renderer is needed
+    bool scene = false;                                                ///< the stage is another
     bool world = false, lights = false, size = false, picture = false; ///< picture: a frame is due
-    bool any() const { return look || world || lights || size || picture; }
+    bool any() const { return look || scene || world || lights || size || picture; }
 };
 
 enum class SelectionKind { none, light, object };
@@ -76,7 +77,7 @@ public:
     /// A frame is due, though nothing has changed.
     void need_picture() { changes_.picture = true; }
     /// All is due again: after a loss.
-    void renew() { changes_ = {true, true, true, true, true}; }
+    void renew() { changes_ = {true, true, true, true, true, true}; }
     /// The look can be had; or cannot, and the last one that could stays.
     void accept_look() { accepted_ = look_; }
     void refuse_look(std::string_view reason);
@@ -126,7 +127,7 @@ private:
     Selection selection_;
     std::vector<uint32_t> pick_order_; ///< of lights, while the same place is picked again
     glm::dvec2 picked_at_{-1};
-    Changes changes_{true, true, true, true, true};
+    Changes changes_{true, true, true, true, true, true};
     std::vector<std::string> messages_, screenshots_;
     std::string loss_;
 };

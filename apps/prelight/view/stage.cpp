@@ -68,12 +68,16 @@ Stage::Stage(std::unique_ptr<LoadedScene> loaded, uint32_t scattered) : loaded_(
 }
 
 void Stage::pose(const std::optional<Moment>& moment, std::optional<uint32_t> animation) {
-    auto next = std::make_unique<World>(resolve(loaded_->scene, {}, moment, animation));
-    next->lights.insert(next->lights.end(), scattered_.begin(), scattered_.end());
+    if (moment && (!timeline_ || timed_ != animation)) {
+        timeline_.emplace(loaded_->scene, std::nullopt, moment, animation);
+        timed_ = animation;
+    }
+    World next = moment ? timeline_->at(*moment) : resolve(loaded_->scene, {}, {}, animation);
+    next.lights.insert(next.lights.end(), scattered_.begin(), scattered_.end());
     if (!framed_.empty())
-        next->cameras = framed_;
-    object_edits.apply(*next);
-    earlier_.push_back(std::exchange(world_, std::move(next)));
+        next.cameras = framed_;
+    object_edits.apply(next);
+    changes_.add(become(*world_, std::move(next)));
 }
 
 bool Stage::next_material(std::optional<uint32_t> node) {
@@ -85,6 +89,7 @@ bool Stage::next_material(std::optional<uint32_t> node) {
         done[instance.mesh] = true;
         any |= take_next_material(loaded_->scene, loaded_->scene.meshes[instance.mesh]);
     }
+    changes_.all |= any;
     return any;
 }
 

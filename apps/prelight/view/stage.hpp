@@ -5,6 +5,9 @@
 #include "light_edits.hpp"
 #include "object_edits.hpp"
 
+#include <prelight/timeline.hpp>
+#include <utility>
+
 namespace prelight::app::viewer {
 
 /// Reads scenes as the command line says, again and again: other ones, and when they have changed.
@@ -40,15 +43,15 @@ public:
     const std::vector<PlacedLight>& own_lights() const { return world_->lights; }
     std::vector<LightEdits::Listed> lights() const { return light_edits.applied(world_->lights); }
     std::optional<PlacedLight> light(uint32_t number) const { return light_edits.one(world_->lights, number); }
-    /// What the world is like then: the one place where time and objects that move are paid for. Throws Error.
+    /// What the world is like then, where it stands: what changes waits for take_changes(). Throws Error.
     void pose(const std::optional<Moment>& moment, std::optional<uint32_t> animation);
     /// Objects of the node, or all, take the next material; false: there is none.
     bool next_material(std::optional<uint32_t> node);
     /// Of the animation, or of all: seconds.
     double length(std::optional<uint32_t> animation) const;
 
-    /// No renderer looks at another world any more.
-    void forget_earlier() { earlier_.clear(); }
+    /// What a renderer has to be told that took in the world when this was asked last.
+    WorldChanges take_changes() { return std::exchange(changes_, {}); }
 
     LightEdits light_edits;
     ObjectEdits object_edits;
@@ -58,7 +61,9 @@ private:
     std::vector<PlacedLight> scattered_; ///< stay where they are
     std::vector<PlacedCamera> framed_;   ///< of a scene without cameras, or in their place
     std::unique_ptr<World> world_;
-    std::vector<std::unique_ptr<World>> earlier_; ///< which a renderer may still look at
+    std::optional<Timeline> timeline_; ///< of `timed_`, from the first moment on
+    std::optional<uint32_t> timed_;    ///< the animation
+    WorldChanges changes_;
 };
 
 } // namespace prelight::app::viewer
