@@ -238,7 +238,7 @@ gpu::ShownImage FrameGraph::shown(ImageId id) const {
     const GraphImage& image = images_[id.index];
     if (!image.kept || !image.usage)
         throw Error("frame graph: image " + image.name + " was not kept");
-    return {image.image, image.desc.extent, image.final_access.stages, image.final_access.access,
+    return {image.image, image.desc.raster.extent, image.final_access.stages, image.final_access.access,
             image.final_access.layout};
 }
 
