@@ -78,7 +78,8 @@ void crowd(Device& device) {
         world.instances.push_back({.transform = glm::translate(glm::dmat4(1), {i % 100, 0, i / 100})});
     world.ambient = glm::vec3(0.3f);
     const PlacedCamera camera = look_at({.yfov = 1}, {-10, 30, -10}, {50, 0, 50});
-    const auto renderer = create_renderer("light-prepass", &device, {.width = width, .height = height});
+    const auto renderer = create_renderer("light-prepass", &device,
+                                          {.width = width, .height = height, .settings = {{"index-trimming", "off"}}});
     renderer->set_world(world);
     measure("10,000 objects, none moves", *renderer, camera, [](uint32_t) {});
     measure("10,000 objects, 100 move", *renderer, camera, [&](uint32_t f) {
@@ -146,7 +147,8 @@ void characters(Device& device, const char* file) {
     const Scene scene = copies(load_gltf(file), 100);
     Timeline timeline(scene, {}, Moment{0}, {}, false);
     const PlacedCamera camera = look_at({.yfov = 1}, {-4, 6, 20}, {7, 0, 7});
-    const auto renderer = create_renderer("light-prepass", &device, {.width = width, .height = height});
+    const auto renderer = create_renderer("light-prepass", &device,
+                                          {.width = width, .height = height, .settings = {{"index-trimming", "off"}}});
     renderer->set_world(timeline.world());
     measure("100 characters, still", *renderer, camera, [](uint32_t) {});
     measure("100 characters, walking", *renderer, camera,
@@ -156,7 +158,8 @@ void characters(Device& device, const char* file) {
 void lights(Device& device) {
     const Scene scene = make_scene("lights", 65536, 1);
     World world = resolve(scene);
-    const auto renderer = create_renderer("light-prepass", &device, {.width = width, .height = height});
+    const auto renderer = create_renderer("light-prepass", &device,
+                                          {.width = width, .height = height, .settings = {{"index-trimming", "off"}}});
     renderer->set_world(world);
     measure("65,536 lights, still", *renderer, world.cameras[0], [](uint32_t) {});
     measure("65,536 lights, all move", *renderer, world.cameras[0], [&](uint32_t f) {

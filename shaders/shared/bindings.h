@@ -86,6 +86,9 @@
 #define INPUT_DEFORM_ATTRIBUTES 54
 #define INPUT_DEFORM_JOBS 55
 #define INPUT_DEFORM_GROUPS 56
+// motion blur
+#define INPUT_MOTION_TILES 57
+#define MOTION_TILE 40  // pixels along an axis; the longest motion that blurs
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0

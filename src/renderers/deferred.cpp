@@ -11,6 +11,7 @@
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/light_scale.hpp>
+#include <passes/motion_blur.hpp>
 #include <passes/sun_occlusion.hpp>
 #include <passes/view.hpp>
 #include <shared/light_scale.h>
@@ -101,9 +102,15 @@ private:
         passes::light_pass(graph, view, "light", lighting);
         if (scale_)
             scale_->count_clipped(graph, view, gbuffer.light, gbuffer.light);
-        Outputs outputs = picture_outputs(graph, view, gbuffer.surface.depth, [&](passes::Display display) {
+        const auto resolve = [&](passes::Display display) {
             return passes::light_resolve_pass(graph, view, gbuffer, display);
-        });
+        };
+        const auto blur = [&](graph::ImageId linear) {
+            return passes::motion_blur_pass(graph, view, gbuffer, linear);
+        };
+        const graph::ImageId depth = gbuffer.surface.depth;
+        Outputs outputs = settings().is("motion-blur", "on") ? linear_outputs(graph, view, resolve({}), depth, blur)
+                                                             : picture_outputs(graph, view, depth, resolve);
         using passes::ViewKind;
         const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
             if (wants(name))
@@ -146,6 +153,10 @@ RendererInfo deferred_info() {
                       "auto",
                       "accumulation=rgba8: the light that its RGB holds; auto: from the light of each frame"},
                      model_setting(),
+                     {"motion-blur",
+                      {"off", "on"},
+                      "off",
+                      "what moved since the moment's previous state (1/60 s) is blurred, by the G-buffer's motion vectors"},
                      {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
                      specular_gate_setting(),
                      specular_vector_setting(),

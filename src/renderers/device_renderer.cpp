@@ -60,8 +60,11 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
 }
 
 DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph, const resident::View& view,
-                                                       graph::ImageId linear, graph::ImageId depth) const {
+                                                       graph::ImageId linear, graph::ImageId depth,
+                                                       const std::function<graph::ImageId(graph::ImageId)>& filter) const {
     passes::background_pass(graph, view, linear, depth, {});
+    if (filter)
+        linear = filter(linear);
     Outputs outputs{{"final", passes::tonemap_pass(graph, view, linear, options_.tonemap)}};
     if (wants("linear"))
         outputs["linear"] = linear;

@@ -48,9 +48,11 @@ protected:
     virtual uint32_t blended_adds(const resident::View&) const { return 0; }
     /// What that takes, for build().
     const LightSums& light_sums() const { return light_sums_; }
-    /// The picture from `linear`, which is kept when it was asked for; where `depth` is empty, the background.
+    /// The picture from `linear`, which is kept when it was asked for; where `depth` is empty, the background. `filter`
+    /// makes another scene-linear picture of the whole.
     Outputs linear_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId linear,
-                           graph::ImageId depth) const;
+                           graph::ImageId depth,
+                           const std::function<graph::ImageId(graph::ImageId)>& filter = {}) const;
     /// The picture from `draw`, which draws it finished or scene-linear: finished, unless "linear" was
     /// asked for. That saves an image of 8 bytes a pixel and a pass.
     Outputs picture_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,

@@ -1,5 +1,6 @@
 #include "decals.hpp"
 #include "deformation.hpp"
+#include "objects.hpp"
 #include "scene.hpp"
 #include <algorithm>
 #include <cmath>
@@ -133,6 +134,12 @@ void Draw::bound(const glm::dmat4& transform) {
     high = centre + reach;
 }
 
+void Draw::place(const Instance& instance) {
+    bound(instance.transform);
+    normal_row = normal_rows(instance);
+    visible = instance.visible;
+}
+
 Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals) {
     Vertices vertices(motion);
@@ -169,8 +176,7 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
                      shaped ? nullptr : &primitive});
             draw.own_low = shaped ? world.deformations[*instance.deformed].low : place.low;
             draw.own_high = shaped ? world.deformations[*instance.deformed].high : place.high;
-            draw.visible = instance.visible;
-            draw.bound(instance.transform);
+            draw.place(instance);
             if (instance.receives_decals && material.receives_decals && reaches_any(decals, draw.low, draw.high))
                 draw.features |= FEATURE_DECALS;
         }

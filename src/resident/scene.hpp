@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <glm/common.hpp>
 #include <gpu/buffer.hpp>
 #include <gpu/buffer_updates.hpp>
@@ -30,11 +31,14 @@ struct Draw {
     const Primitive* primitive = nullptr; ///< whose indices and vertices these are; null: the device makes the vertices
     glm::vec3 own_low{0}, own_high{0};    ///< a box around its vertices, object space
     glm::dvec3 low{0}, high{0};           ///< the same in world space
+    std::array<glm::vec4, 3> normal_row{}; ///< of the object's record
     bool visible = true;
     uint32_t version = 0; ///< another one after each change of what the draw shows
 
     /// After a change of `own_low` and `own_high`, or of the object's transform.
     void bound(const glm::dmat4& transform);
+    /// All that follows from where the object is: also its record, and whether it shows.
+    void place(const Instance& instance);
     /// |coordinate| of its vertices, object space.
     glm::vec3 largest() const { return glm::max(glm::abs(own_low), glm::abs(own_high)); }
 };

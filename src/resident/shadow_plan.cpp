@@ -1,5 +1,4 @@
 #include "shadow_plan.hpp"
-#include "visible_draws.hpp"
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -50,16 +49,17 @@ void ShadowPlan::find_moved() {
         world_ = box_around(draws_);
 }
 
-bool ShadowPlan::casts(const ShadowSight& sight, uint32_t draw) const {
-    return draws_[draw].visible && may_show(draws_[draw], sight.clip_from_centre, world_.centre());
+bool ShadowPlan::casts(const Frustum& sight, uint32_t draw) const {
+    return draws_[draw].visible && sight.may_show(draws_[draw], world_.centre());
 }
 
 std::vector<uint32_t> ShadowPlan::casters_still(const ShadowSight& sight, std::vector<uint32_t> before) const {
     if (moved_.empty())
         return before;
+    const Frustum frustum(sight.clip_from_centre);
     std::erase_if(before, [&](uint32_t d) { return std::binary_search(moved_.begin(), moved_.end(), d); });
     for (const uint32_t d : moved_)
-        if (reaches(sight.light, draws_[d]) && casts(sight, d))
+        if (reaches(sight.light, draws_[d]) && casts(frustum, d))
             before.push_back(d);
     std::sort(before.begin(), before.end());
     return before;
@@ -169,9 +169,10 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
 }
 
 std::vector<uint32_t> ShadowPlan::casters_of(const ShadowSight& sight, std::span<const uint32_t> reached) const {
+    const Frustum frustum(sight.clip_from_centre);
     std::vector<uint32_t> casters;
     for (const uint32_t d : reached)
-        if (casts(sight, d))
+        if (casts(frustum, d))
             casters.push_back(d);
     return casters;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "frustum.hpp"
 #include "light_reach.hpp"
 #include "shadow_atlas.hpp"
 #include "shadow_views.hpp"
@@ -98,7 +99,7 @@ private:
     void add_tiles(const Wish& wish, const PlacedLight& light, std::span<const ShadowView> views,
                    std::span<const ShadowTilePlace> places, std::vector<ShadowTile>::iterator& before);
     void find_moved();
-    bool casts(const ShadowSight& sight, uint32_t draw) const;
+    bool casts(const Frustum& sight, uint32_t draw) const;
     /// Of a tile that looks as in the frame before: its casters, but for those that moved.
     std::vector<uint32_t> casters_still(const ShadowSight& sight, std::vector<uint32_t> before) const;
     std::vector<uint32_t> casters_of(const ShadowSight& sight, std::span<const uint32_t> reached) const;

@@ -159,8 +159,7 @@ void GpuScene::update_boxes(std::span<const uint32_t> instances) {
             Draw& draw = geometry_.draws[d];
             if (instance.deformed)
                 set_shape(draw);
-            draw.bound(instance.transform);
-            draw.visible = instance.visible;
+            draw.place(instance);
             ++draw.version;
         }
     if (instances.empty())

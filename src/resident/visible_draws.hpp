@@ -58,9 +58,6 @@ struct DrawBuffers {
     uint64_t device_indices = 0;                      ///< room of the device for those it trims; the same
 };
 
-/// True where some of the draw's box may lie in the picture; never false where some of it does.
-bool may_show(const Draw& draw, const glm::mat4& clip_from_world, glm::dvec3 eye);
-
 /// `constants`: of this frame's camera, which stands at `eye`, for pictures of `extent` pixels.
 void find_visible(VisibleDraws& out, const Geometry& geometry, const World& world,
                   const shared::FrameConstants& constants, VkExtent2D extent, glm::dvec3 eye, uint32_t subpixel_bits,

@@ -47,11 +47,11 @@ TEST(MotionConstants, PreviousRowsAreRelativeToTheCurrentCamera) {
     const glm::dvec3 camera(10'000, 20, -3);
     Instance instance;
     instance.transform = glm::translate(glm::dmat4(1), {10'001, 20, -5});
-    const shared::ObjectData still = resident::object_data(instance, camera);
+    const shared::ObjectData still = resident::object_data(instance, resident::normal_rows(instance), camera);
     for (int row = 0; row < 3; ++row)
         EXPECT_EQ(still.previous_world_row[row], still.world_row[row]);
     instance.previous_transform = glm::rotate(glm::translate(glm::dmat4(1), {10'000.5, 20, -5}), 1.0, {0, 0, 1});
-    const shared::ObjectData moved = resident::object_data(instance, camera);
+    const shared::ObjectData moved = resident::object_data(instance, resident::normal_rows(instance), camera);
     const glm::dvec3 point(0.25, 0.5, 2);
     const glm::dvec3 expected = glm::dvec3(*instance.previous_transform * glm::dvec4(point, 1)) - camera;
     for (int row = 0; row < 3; ++row) {
