@@ -147,7 +147,7 @@ TEST(View, LightsAndObjectsAreEditedByNumber) {
     session->apply({0, "only-selected", {"on"}});
     ASSERT_EQ(session->shining().size(), 1u);
     EXPECT_EQ(session->shining()[0].light.intensity, 7.5f);
-    session->apply({0, "pick-object", {"48", "20"}});
+    session->apply({0, "pick-object", {"52.5", "27"}});
     ASSERT_EQ(session->selection().kind, SelectionKind::object);
     const uint32_t node = session->selection().number;
     const auto place = [&] {

@@ -1,6 +1,6 @@
 #include "session.hpp"
 
-#include "keys.hpp"
+#include "picker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +58,9 @@ void Session::forget_earlier() { earlier_.clear(); }
 
 void Session::show_camera(const PlacedCamera& camera) {
     rig_ = rig_of(camera, stage_->world());
+    // What it looks at is what it goes round.
+    if (const auto hit = hit_by(stage_->world(), ray_through(camera, {0, 0, aspect()})))
+        rig_.distance = hit->distance;
     follows_ = true;
     changes_.picture = true;
 }

@@ -93,8 +93,9 @@ void lights_panel(const PanelFrame& frame) {
     const Selection selection = session.selection();
     const auto light = selection.kind == SelectionKind::light ? stage.light(selection.number) : std::nullopt;
     auto number = light ? static_cast<int>(selection.number) : -1;
-    if (numbers > 0 && ImGui::SliderInt("select", &number, 0, static_cast<int>(numbers) - 1) && number >= 0 &&
-        stage.light(static_cast<uint32_t>(number)))
+    if (numbers > 0 &&
+        ImGui::SliderInt("select", &number, 0, static_cast<int>(numbers) - 1, number < 0 ? "none" : "%d") &&
+        number >= 0 && stage.light(static_cast<uint32_t>(number)))
         frame.ask("select-light", {fmt::format("{}", number)});
     if (light) {
         selected_light(frame, selection.number, *light, size_of(stage.world()));

@@ -3,6 +3,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <utility>
 
 namespace prelight::app::viewer {
 namespace {
@@ -64,6 +65,8 @@ std::vector<Event> Ui::build(Session& session, const Figures& figures,
         objects_panel(frame);
         camera_panel(frame);
         time_panel(frame);
+        if (std::exchange(first_, false)) // keys are the camera's until somebody asks for the panels
+            ImGui::SetWindowFocus(nullptr);
         if (ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive() &&
             ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
             ImGui::SetWindowFocus(nullptr);

@@ -56,7 +56,7 @@ public:
 private:
     double scale_;
     Gizmo gizmo_;
-    bool focus_panels_ = false;
+    bool first_ = true; ///< panels are laid out for the first time
 };
 
 } // namespace prelight::app::viewer
