@@ -2,6 +2,7 @@
 // moving lights. Prints the table of docs/moving.md.
 //
 //     example_moving_worlds [CHARACTER.glb]
+#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/ext/matrix_transform.hpp>
@@ -36,8 +37,8 @@ Primitive box() {
     return p;
 }
 
-/// A frame's figures, milliseconds and bytes; medians of `frames` frames.
-void report(const char* what, const std::vector<Stats>& all) {
+/// A frame's figures, milliseconds and bytes; medians of `frames` frames. `steps`: what changing the world took.
+void report(const char* what, const std::vector<Stats>& all, const std::vector<double>& steps) {
     const auto median = [&](auto value) {
         std::vector<double> samples;
         for (const Stats& stats : all)
@@ -48,7 +49,7 @@ void report(const char* what, const std::vector<Stats>& all) {
         return s.host_ms->lights.median + s.host_ms->culling.median + s.host_ms->objects.median +
                s.host_ms->record.median;
     };
-    fmt::print("| {} | {:.2f} | {:.1f} | {:.0f} | {:.0f} | {} |\n", what, median(host),
+    fmt::print("| {} | {:.2f} | {:.2f} | {:.1f} | {:.0f} | {:.0f} | {} |\n", what, spread(steps).median, median(host),
                median([](const Stats& s) { return s.gpu_ms.median; }),
                median([](const Stats& s) { return double(s.updated_bytes); }) / 1024,
                median([](const Stats& s) { return double(s.frame_bytes); }) / 1024,
@@ -59,13 +60,18 @@ void report(const char* what, const std::vector<Stats>& all) {
 template <class Step>
 void measure(const char* what, Renderer& renderer, const PlacedCamera& camera, Step step) {
     std::vector<Stats> all;
+    std::vector<double> steps;
     for (uint32_t f = 0; f < frames + 2; ++f) {
+        const auto start = std::chrono::steady_clock::now();
         step(f);
+        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
         renderer.render(camera);
-        if (f >= 2)
-            all.push_back(renderer.stats());
+        if (f < 2)
+            continue;
+        steps.push_back(taken.count());
+        all.push_back(renderer.stats());
     }
-    report(what, all);
+    report(what, all, steps);
 }
 
 void crowd(Device& device) {
@@ -174,8 +180,9 @@ void lights(Device& device) {
 int main(int argc, char** argv) {
     try {
         const auto device = Device::create({});
-        fmt::print("{}, {}x{}\n\n| world | host ms | device ms | updated KiB | of the frame KiB | made |\n"
-                   "| --- | --- | --- | --- | --- | --- |\n",
+        fmt::print("{}, {}x{}\n\n| world | change ms | frame ms, host | frame ms, device | updated KiB | of the frame "
+                   "KiB | made |\n"
+                   "| --- | --- | --- | --- | --- | --- | --- |\n",
                    device->name(), width, height);
         crowd(*device);
         if (argc > 1)

@@ -106,7 +106,6 @@ TEST_P(FrameGraphBuffers, FramesFollowEachOtherWithoutAWait) {
     counts(graph, a, 5);
     mirrors(graph, a, b);
     graph.compile();
-    const uint64_t held = context().device_bytes();
     context().run("two frames", [&](VkCommandBuffer commands) {
         graph.record(commands);
         graph.record(commands);

@@ -50,7 +50,7 @@ UiBackend::UiBackend(const gpu::Context& context, VkFormat format) : context_(co
     desc.attributes = {{UI_POSITION, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, pos)},
                        {UI_TEXCOORD, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, uv)},
                        {UI_COLOUR, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ImDrawVert, col)}};
-    desc.colour_formats = {format};
+    desc.attachments.colours = {format};
     desc.blend = gpu::Blend::over;
     desc.sets = {layout};
     desc.push_bytes = 4 * sizeof(float);
