@@ -180,9 +180,11 @@ TEST_F(TurntableTest, KeepsDistanceHeightAndLook) {
     }
 }
 
-TEST_F(TurntableTest, TurnsOnTheSpotWithinAScene) {
-    const PlacedCamera start = look_at({.yfov = 1}, 0.5 * world.bounds_min + 0.5 * world.bounds_max, world.bounds_max);
-    const Turntable table(world, start, 4, true);
+TEST_F(TurntableTest, TurnsOnTheSpotInAStreet) {
+    const Scene streets = make_scene("city", 1, 1);
+    const World city = resolve(streets);
+    const PlacedCamera start = city.cameras[0];
+    const Turntable table(city, start, 4, true);
     const PlacedCamera quarter = table.at(1, 0.1);
     EXPECT_EQ(quarter.position, start.position);
     EXPECT_NEAR(glm::dot(quarter.axes[0], start.axes[0]), 0, 1e-12);

@@ -41,7 +41,6 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"NoCommand", "", "--help"}, //
         Wrong{"UnknownCommand", "paint city -o a.png", "paint: not a command"},
-        Wrong{"NotYetView", "view city", "view: not a command"},
         Wrong{"SequenceWithoutOutput", "sequence motion", "--output"},
         Wrong{"SequenceEnding", "sequence motion -o a.#.jpg", ".png, .exr, .mp4 or .mkv"},
         Wrong{"SequenceList", "sequence motion -o a.#.png --frames-at 5-1", "5-1 ends before it begins"},

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <numbers>
+#include <scene/enclosure.hpp>
 
 namespace prelight::app {
 namespace {

@@ -4,7 +4,8 @@
 namespace prelight::app {
 
 /// A camera that goes round a scene's vertical axis, through the centre of its bounds, counter-clockwise seen from
-/// above, as azimuths count. One that stands within the bounds turns on the spot.
+/// above, as azimuths count. One that stands in a room, a
+/// courtyard or a street turns on the spot.
 class Turntable {
 public:
     /// `seconds` > 0: one round. `start`: the camera at time 0; its distance from the axis, its height and what it
