@@ -14,7 +14,8 @@ void OwnMaterials::check() const {
         check_material_shader(*shader);
 }
 
-void OwnMaterials::take_changes() {
+std::vector<std::string> OwnMaterials::take_changes() {
+    std::vector<std::string> mistakes;
     for (size_t i = 0; i < files_.size(); ++i) {
         try {
             auto shader = load_material_shader(files_[i].second);
@@ -23,9 +24,10 @@ void OwnMaterials::take_changes() {
             check_material_shader(*shader);
             shaders_[i] = std::move(shader);
         } catch (const Error& error) {
-            fmt::print(stderr, "prelight: {}; {} stays as it was\n", error.what(), escaped(files_[i].first));
+            mistakes.push_back(fmt::format("{}; {} stays as it was", error.what(), escaped(files_[i].first)));
         }
     }
+    return mistakes;
 }
 
 void OwnMaterials::assign(Scene& scene) const {

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <prelight/material_shader.hpp>
 #include <prelight/scene.hpp>
+#include <string>
+#include <vector>
 
 namespace prelight::app {
 
@@ -13,8 +15,8 @@ public:
     explicit OwnMaterials(const Files& files);
     /// Compiles them once, for their mistakes. Throws Error.
     void check() const;
-    /// Reads them again. One with a mistake stays as it was, and the mistake is told on stderr.
-    void take_changes();
+    /// Reads them again. One with a mistake stays as it was; the mistakes come back, one line each.
+    std::vector<std::string> take_changes();
     /// Gives them to the scene's materials. Throws UsageError for a name that the scene does not have.
     void assign(Scene& scene) const;
 

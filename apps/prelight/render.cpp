@@ -99,7 +99,8 @@ void run(const RenderCommand& given) {
 
     while (command.watch) {
         watch.wait();
-        materials.take_changes();
+        for (const std::string& mistake : materials.take_changes())
+            fmt::print(stderr, "prelight: {}\n", mistake);
         std::unique_ptr<LoadedScene> changed;
         try {
             changed = load();

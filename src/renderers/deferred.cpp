@@ -105,9 +105,7 @@ private:
         const auto resolve = [&](passes::Display display) {
             return passes::light_resolve_pass(graph, view, gbuffer, display);
         };
-        const auto blur = [&](graph::ImageId linear) {
-            return passes::motion_blur_pass(graph, view, gbuffer, linear);
-        };
+        const auto blur = [&](graph::ImageId linear) { return passes::motion_blur_pass(graph, view, gbuffer, linear); };
         const graph::ImageId depth = gbuffer.surface.depth;
         Outputs outputs = settings().is("motion-blur", "on") ? linear_outputs(graph, view, resolve({}), depth, blur)
                                                              : picture_outputs(graph, view, depth, resolve);
@@ -146,23 +144,24 @@ RendererInfo deferred_info() {
     RendererInfo info{
         .name = "deferred",
         .description = "geometry once into a G-buffer, then each light with the pixel's material",
-        .settings = {{"g-buffer", {"wide", "killzone2"}, "wide", "exact for the model, or Valient's 20 bytes a pixel"},
-                     {"accumulation", {"rgba16f", "rgba8"}, "rgba16f", "the target that light is added up in"},
-                     {"light-scale",
-                      {"auto", "0.01 … 1000"},
-                      "auto",
-                      "accumulation=rgba8: the light that its RGB holds; auto: from the light of each frame"},
-                     model_setting(),
-                     {"motion-blur",
-                      {"off", "on"},
-                      "off",
-                      "what moved since the moment's previous state (1/60 s) is blurred, by the G-buffer's motion vectors"},
-                     {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
-                     specular_gate_setting(),
-                     specular_vector_setting(),
-                     light_sums_setting(),
-                     specular_antialiasing_setting(),
-                     texture_filter_setting()},
+        .settings =
+            {{"g-buffer", {"wide", "killzone2"}, "wide", "exact for the model, or Valient's 20 bytes a pixel"},
+             {"accumulation", {"rgba16f", "rgba8"}, "rgba16f", "the target that light is added up in"},
+             {"light-scale",
+              {"auto", "0.01 … 1000"},
+              "auto",
+              "accumulation=rgba8: the light that its RGB holds; auto: from the light of each frame"},
+             model_setting(),
+             {"motion-blur",
+              {"off", "on"},
+              "off",
+              "what moved since the moment's previous state (1/60 s) is blurred, by the G-buffer's motion vectors"},
+             {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
+             specular_gate_setting(),
+             specular_vector_setting(),
+             light_sums_setting(),
+             specular_antialiasing_setting(),
+             texture_filter_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "sun-occlusion", "motion",
                   "light-count", "ambient-occlusion"},
         .presets = {"killzone2"},

@@ -59,9 +59,10 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
             .casters = view.shadows.on};
 }
 
-DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph, const resident::View& view,
-                                                       graph::ImageId linear, graph::ImageId depth,
-                                                       const std::function<graph::ImageId(graph::ImageId)>& filter) const {
+DeviceRenderer::Outputs
+DeviceRenderer::linear_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId linear,
+                               graph::ImageId depth,
+                               const std::function<graph::ImageId(graph::ImageId)>& filter) const {
     passes::background_pass(graph, view, linear, depth, {});
     if (filter)
         linear = filter(linear);

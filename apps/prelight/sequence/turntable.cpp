@@ -22,7 +22,7 @@ std::pair<double, double> depths_round(const World& world, const PlacedCamera& c
 /// A camera in a room or a street: its way round the centre would lead through walls.
 bool is_inside(const World& world, const glm::dvec3& position) {
     return glm::all(glm::greaterThan(position, world.bounds_min)) &&
-           glm::all(glm::lessThan(position, world.bounds_max));
+           glm::all(glm::lessThan(position, world.bounds_max)) && camera_inside(world);
 }
 
 } // namespace

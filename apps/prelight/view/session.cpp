@@ -43,6 +43,10 @@ void Session::load(const std::string& scene) {
         animation_.reset();
     const PlacedCamera camera = camera_.empty() ? next->world().cameras.at(0) : find_camera(next->world(), camera_);
     scene_ = scene;
+    if (same) { // what was done to it stays
+        next->light_edits = stage_->light_edits;
+        next->object_edits = stage_->object_edits;
+    }
     if (stage_)
         earlier_.push_back(std::move(stage_));
     stage_ = std::move(next);
@@ -50,7 +54,7 @@ void Session::load(const std::string& scene) {
     if (!same || follows_)
         show_camera(camera);
     changes_.scene = changes_.lights = changes_.picture = true;
-    if (same && moment_)
+    if (same && (moment_ || !stage_->object_edits.empty()))
         pose();
 }
 

@@ -137,7 +137,8 @@ struct Handlers {
         s.changes_.size = s.changes_.picture = true;
     }
     static void reload(Session& s) {
-        s.reader_.take_changes();
+        for (const std::string& mistake : s.reader_.take_changes())
+            s.tell(mistake);
         s.load(s.scene_);
     }
 };

@@ -20,8 +20,8 @@ public:
     std::unique_ptr<LoadedScene> read(const std::string& scene, double aspect);
     /// The environment file takes the place of the command's. Throws Error when it is none.
     void take_environment(const std::filesystem::path& file);
-    /// Materials with a mistake stay as they were, and the mistake is told.
-    void take_changes() { materials_.take_changes(); }
+    /// Materials with a mistake stay as they were; the mistakes come back.
+    std::vector<std::string> take_changes() { return materials_.take_changes(); }
     /// Lights that `--lights` adds to a scene's own.
     uint32_t scattered(const std::string& scene) const;
     /// What is read by name for this scene.

@@ -81,6 +81,9 @@ struct GlfwWindow::Callbacks {
     static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
         GlfwWindow& self = of(window);
         const std::string name = key_name(key, modifiers);
+        self.stirred_ = true;
+        if (self.keyboard_captured_ && action == GLFW_PRESS && name == "Escape")
+            self.escaped_ = true;
         if (name.empty() || action == GLFW_REPEAT || (self.keyboard_captured_ && action == GLFW_PRESS))
             return;
         self.add("key", {name, action == GLFW_PRESS ? "down" : "up"});

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 #include <vulkan/vulkan_core.h>
 
@@ -31,6 +32,8 @@ public:
     bool take_stir();
     /// The panels have the mouse or the keyboard: what begins there is no event.
     void capture(bool mouse, bool keyboard);
+    /// Escape was pressed while the panels had the keyboard.
+    bool take_escape() { return std::exchange(escaped_, false); }
     bool closed() const;
     void set_title(const std::string& title) const;
     /// Pixels now.
@@ -45,7 +48,7 @@ private:
 
     GLFWwindow* window_ = nullptr;
     std::vector<Event> events_;
-    bool mouse_captured_ = false, keyboard_captured_ = false, stirred_ = true;
+    bool mouse_captured_ = false, keyboard_captured_ = false, escaped_ = false, stirred_ = true;
     double pixels_per_unit_ = 1; ///< of the window system's coordinates
 };
 

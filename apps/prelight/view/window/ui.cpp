@@ -56,7 +56,8 @@ std::vector<Event> Ui::build(Session& session, const Figures& figures,
         ImGui::SetNextWindowPos({10 * unit, 10 * unit}, ImGuiCond_FirstUseEver);
         ImGui::SetNextWindowSize({panel_width * unit, std::max(screen.y - 20 * unit, 100 * unit)},
                                  ImGuiCond_FirstUseEver);
-        if (!ImGui::GetIO().WantCaptureKeyboard && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab), false))
+        const std::optional<bool> focus = std::exchange(focus_, {});
+        if (focus == true)
             ImGui::SetNextWindowFocus();
         ImGui::Begin("Prelight (G hides, ? helps)", nullptr, ImGuiWindowFlags_NoFocusOnAppearing);
         renderer_panel(frame);
@@ -65,10 +66,7 @@ std::vector<Event> Ui::build(Session& session, const Figures& figures,
         objects_panel(frame);
         camera_panel(frame);
         time_panel(frame);
-        if (std::exchange(first_, false)) // keys are the camera's until somebody asks for the panels
-            ImGui::SetWindowFocus(nullptr);
-        if (ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive() &&
-            ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+        if (focus == false && !ImGui::IsAnyItemActive()) // a text that is edited ends first
             ImGui::SetWindowFocus(nullptr);
         ImGui::End();
     }

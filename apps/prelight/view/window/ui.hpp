@@ -47,6 +47,9 @@ public:
     /// Lays out one picture's panels; what the user does in them comes back as events.
     std::vector<Event> build(Session& session, const Figures& figures,
                              const std::map<std::string, std::string>& in_force);
+    /// The keyboard goes to the panels, or back to the camera, with the next picture. Not by ImGui's own keys: of those
+    /// it sees only what is held down when a picture begins.
+    void focus_panels(bool on) { focus_ = on; }
     const ImDrawData& data() const;
     bool wants_mouse() const;
     bool wants_keyboard() const;
@@ -56,7 +59,7 @@ public:
 private:
     double scale_;
     Gizmo gizmo_;
-    bool first_ = true; ///< panels are laid out for the first time
+    std::optional<bool> focus_ = false; ///< asked for; at the start keys are the camera's
 };
 
 } // namespace prelight::app::viewer

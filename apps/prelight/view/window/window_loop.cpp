@@ -100,8 +100,13 @@ private:
         window_.capture(ui_.wants_mouse(), ui_.wants_keyboard());
         if (window_.take_stir())
             redraw_ = settling_pictures;
-        for (Event& event : window_.take_events())
+        if (window_.take_escape())
+            ui_.focus_panels(false);
+        for (Event& event : window_.take_events()) {
+            if (event.verb == "key" && event.words == std::vector<std::string>{"Tab", "down"})
+                ui_.focus_panels(true);
             take(std::move(event));
+        }
         for (Event& event : std::exchange(asked_, {}))
             take(std::move(event));
         look_at_files();
