@@ -150,6 +150,8 @@ keep environment
 convert "$work/ssao-half.png" "$work/ssao-rays.png" -append "$work/ssao.png"
 keep ssao
 
+"$prelight" sequence city-sparks --frames-at 80 --size 480x270 -o "$out/moving-sparks.png"
+
 # Every scene that others made, as it shows without an option; what burns out at EV 0, metered.
 shared=${PRELIGHT_SHARED_SCENES:-../shared/scenes}
 if [ -d "$shared" ]; then
@@ -164,6 +166,8 @@ if [ -d "$shared" ]; then
         fi
         tiles+=(-label "$label" "$work/$name.png")
     done
+    "$prelight" sequence "$shared/CesiumMan.glb" --lights 256 --environment studio --exposure -1 --frames-at 20 --size 480x270 \
+        -o "$out/moving-walk.png"
     hall=$(dirname "$prelight")/examples/example_shadowed_hall
     "$hall" "$shared/sponza-512.glb" "$work/sponza-shadows.png"
     "$hall" "$shared/sponza-512.glb" "$work/sponza-shadows-reference.png" reference

@@ -118,6 +118,10 @@ TEST(FrameList, RangesEndWithTheSequenceAndNumbersDoNot) {
     EXPECT_THROW(all_frames(options, "a.glb", 1e6, false), UsageError) << "more than one list may have";
     options.turntable = 0.3;
     EXPECT_THAT(all_frames(options, "a.glb", 0.5, false), ElementsAre(0, 1, 2)) << "one round";
+    options.turntable.reset();
+    options.loop = 0.7;
+    EXPECT_THAT(all_frames(options, "a.glb", 0.2, false), ElementsAre(0, 1, 2, 3, 4, 5, 6));
+    EXPECT_THROW(all_frames(options, "a.glb", {}, false), UsageError) << "nothing to repeat";
 }
 
 TEST(FrameList, AnimationsAreShownToTheirEnd) {

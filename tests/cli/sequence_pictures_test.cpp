@@ -117,6 +117,15 @@ TEST(Sequence, ATurntableBeginsWhereRenderLooks) {
     EXPECT_FALSE(bytes_of(folder.path / "s.1.png") == bytes_of(folder.path / "r.png"));
 }
 
+TEST(Sequence, ALoopBeginsAgain) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run({"sequence", "motion", "--size", "64x36", "--loop", "9", "--fps", "2", "--frames-at",
+                               "1,9,17", "-o", "s.##.png"},
+                              folder.path)));
+    EXPECT_TRUE(bytes_of(folder.path / "s.01.png") == bytes_of(folder.path / "s.09.png")) << "its length is 4 s";
+    EXPECT_TRUE(bytes_of(folder.path / "s.01.png") == bytes_of(folder.path / "s.17.png"));
+}
+
 TEST(Sequence, OneExposureForAllFrames) {
     const TemporaryFolder folder;
     const auto draw = [&](const Words& words) {

@@ -2,6 +2,8 @@
 
 #include "validation.hpp"
 
+#include <cmath>
+
 namespace prelight::app {
 namespace {
 
@@ -24,9 +26,9 @@ void FrameDrawer::draw(const FrameNumbers& frames, FrameWriter& writer) {
     Stopwatch watch;
     for (size_t i = 0; i < frames.size(); ++i) {
         const double time = rate.time_of(frames[i]);
-        const World& world = scene_.show(time, *session_.renderer);
+        const World& world = scene_.show(time_of(frames[i]), *session_.renderer);
         if (i + 1 < frames.size()) // the host's part of the next frame, while the device draws this one
-            scene_.prepare(rate.time_of(frames[i + 1]));
+            scene_.prepare(time_of(frames[i + 1]));
         session_.renderer->render(turntable_ ? turntable_->at(time, motion_interval) : camera());
         figures_.stats.add(session_.renderer->stats());
         DrawnFrame frame = read(frames[i]);
@@ -39,6 +41,11 @@ void FrameDrawer::draw(const FrameNumbers& frames, FrameWriter& writer) {
         if (i > 0) // the first makes pipelines
             figures_.interval_ms.push_back(lap);
     }
+}
+
+double FrameDrawer::time_of(uint32_t frame) const {
+    const double time = command_.sequence.rate.time_of(frame);
+    return command_.sequence.loop ? std::fmod(time, *scene_.length()) : time;
 }
 
 DrawnFrame FrameDrawer::read(uint32_t number) {

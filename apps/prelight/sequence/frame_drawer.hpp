@@ -21,6 +21,8 @@ public:
     SequenceFigures& figures() { return figures_; }
 
 private:
+    /// Of the scene, at a frame: with --loop, from the animations' last beginning on.
+    double time_of(uint32_t frame) const;
     DrawnFrame read(uint32_t number);
     void tell(const DrawnFrame& frame, const World& world) const;
 

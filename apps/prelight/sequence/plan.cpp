@@ -84,7 +84,7 @@ void check_sequence(const SequenceCommand& command) {
 }
 
 std::optional<uint32_t> frames_in(const SequenceOptions& options, std::optional<double> length) {
-    const std::optional<double> seconds = options.turntable ? options.turntable : length;
+    const std::optional<double> seconds = options.turntable ? options.turntable : options.loop ? options.loop : length;
     if (!seconds)
         return {};
     // A round that is no whole number of frames is rounded; animations are shown to their end. Keyframes are floats,
@@ -100,6 +100,8 @@ std::optional<uint32_t> frames_in(const SequenceOptions& options, std::optional<
 FrameNumbers all_frames(const SequenceOptions& options, const std::string& scene, std::optional<double> length,
                         bool endless) {
     FrameNumbers frames;
+    if (options.loop && !length.value_or(0))
+        throw UsageError(fmt::format("--loop: {} has no animation that could begin again", scene));
     if (options.frames.empty()) {
         const std::optional<uint32_t> count = frames_in(options, length);
         if (!count)

@@ -36,8 +36,8 @@ struct SequencePlan {
     FrameNumbers existing; ///< of these, the rest
 };
 
-/// How many frames the sequence has by itself: one round of the turntable, or else the animations up to their last
-/// keyframe. Absent: it has neither. `length`: of the animations, seconds.
+/// How many frames the sequence has by itself: one round of the turntable, or else the loop, or else the
+/// animations up to their last keyframe. Absent: it has neither. `length`: of the animations, seconds.
 std::optional<uint32_t> frames_in(const SequenceOptions& options, std::optional<double> length);
 
 /// The frames of the list, which all tasks share. `endless`: the scene goes on moving after its animations' end. Throws

@@ -11,6 +11,8 @@ void finish(SequenceOptions& options, const SequenceText& text) {
     options.rate = parse_frame_rate("--fps", text.rate);
     if (!text.turntable.empty())
         options.turntable = parse_number("--turntable", text.turntable, 0.001, 1e6);
+    if (!text.loop.empty())
+        options.loop = parse_number("--loop", text.loop, 0.001, 1e6);
     if (!text.shard.empty())
         options.shard = parse_shard("--shard", text.shard);
 }
