@@ -41,7 +41,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"NoCommand", "", "--help"}, //
         Wrong{"UnknownCommand", "paint city -o a.png", "paint: not a command"},
-        Wrong{"NotYetView", "view city", "view: not a command"},
+        Wrong{"ViewWithoutScene", "view", "SCENE"}, //
+        Wrong{"ViewPictureWithoutPlay", "view city -o a.png", "-o: goes with --play FILE only"},
+        Wrong{"ViewFramesWithoutPlay", "view city --frames 5", "--frames: goes with --play FILE only"},
+        Wrong{"ViewRecordAndPlay", "view city --play a.txt --record b.txt", "--record: does not go with --play"},
+        Wrong{"ViewPlayIntoText", "view city --play a.txt -o b.txt", ".png or .exr"},
+        Wrong{"ViewTooManyPixels", "view city --scale 2", "--scale"},
+        Wrong{"ViewBufferIntoAFile", "view city --view normal=n.png", "view shows one buffer"},
+        Wrong{"ViewUnknownBuffer", "view city --view taste", "taste"},
         Wrong{"CompareWithoutFolder", "compare city", "--output"},
         Wrong{"CompareUnknownRenderer", "compare city -o out --renderers a", "a: not a renderer"},
         Wrong{"CompareEmptyRenderer", "compare city -o out --renderers multipass,", "--renderers"},
