@@ -49,7 +49,8 @@ public:
     /// Records commands, submits them and waits; no frame may be in flight, and none is counted.
     void run(const std::function<void(VkCommandBuffer)>& record);
     const FrameSamples& samples() const { return samples_; }
-    /// Of the last frame that is done, whichever run it was in. Waits for none.
+    /// Of the last frame that is done, whichever run it was in. Waits for none. From the first call on times are asked
+    /// for after each frame.
     const FrameFigures& last_frame();
 
 private:
@@ -76,6 +77,7 @@ private:
     double last_wall_ = 0, last_cpu_ = 0; ///< at the end of the last frame
     FrameSamples samples_;
     FrameFigures last_;
+    bool watched_ = false; ///< last_frame() was called
 };
 
 } // namespace prelight

@@ -1,6 +1,5 @@
 #include "drawer.hpp"
 
-#include "../device_type.hpp"
 #include "../memory_check.hpp"
 #include "../validation.hpp"
 
@@ -19,6 +18,7 @@ void Drawer::open() {
     DeviceOptions options{.select = command_.device, .validate = command_.validate};
     options.window_extensions = window_extensions_;
     device_ = open_device(options, command_.options.width, command_.options.height, command_.options.msaa);
+    software_ = dynamic_cast<gpu::Context&>(*device_).is_software();
 }
 
 bool Drawer::make_renderer(Session& session) {
@@ -52,8 +52,10 @@ void Drawer::follow(Session& session) {
     if (changes.any())
         session.need_picture();               // until one is drawn
     bool world = changes.scene || !renderer_; // to be taken in whole
-    if (world && type_of(*device_) == "software")
+    if (world && software_ && checked_ != &session.stage().scene()) {
         check_memory_for(session.stage().scene());
+        checked_ = &session.stage().scene();
+    }
     bool lights = changes.lights || world || changes.world;
     if (changes.look || !renderer_) {
         const bool made = make_renderer(session);

@@ -45,6 +45,8 @@ private:
     std::vector<std::string> window_extensions_;
     std::unique_ptr<Device> device_;
     std::unique_ptr<Renderer> renderer_;
+    bool software_ = false;
+    const Scene* checked_ = nullptr;  ///< there is memory for it
     uint32_t width_ = 0, height_ = 0; ///< of its pictures
     std::optional<uint32_t> lost_at_; ///< step
     std::function<void()> down_, up_;
