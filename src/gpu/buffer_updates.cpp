@@ -1,23 +1,8 @@
 #include "buffer_updates.hpp"
+#include "barrier.hpp"
 #include <cstring>
 
 namespace prelight::gpu {
-namespace {
-
-void barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 wrote, VkPipelineStageFlags2 to,
-             VkAccessFlags2 access) {
-    VkMemoryBarrier2 memory{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    memory.srcStageMask = from;
-    memory.srcAccessMask = wrote;
-    memory.dstStageMask = to;
-    memory.dstAccessMask = access;
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &memory;
-    vkCmdPipelineBarrier2(commands, &info);
-}
-
-} // namespace
 
 void BufferUpdates::write(const Buffer& target, uint64_t offset, std::span<const std::byte> bytes) {
     if (bytes.empty())
@@ -41,10 +26,10 @@ void BufferUpdates::record(VkCommandBuffer commands, uint32_t slot) {
     std::memcpy(staging.mapped<std::byte>(), bytes_.data(), bytes_.size());
     context_.begin_label(commands, "world updates");
     constexpr VkPipelineStageFlags2 all = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, copy = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier(commands, all, VK_ACCESS_2_NONE, copy, VK_ACCESS_2_TRANSFER_WRITE_BIT); // earlier frames have read
+    memory_barrier(commands, all, VK_ACCESS_2_NONE, copy, VK_ACCESS_2_TRANSFER_WRITE_BIT); // earlier frames have read
     for (const Region& region : regions_)
         vkCmdCopyBuffer(commands, staging.handle(), region.target, 1, &region.copy);
-    barrier(commands, copy, VK_ACCESS_2_TRANSFER_WRITE_BIT, all, VK_ACCESS_2_MEMORY_READ_BIT);
+    memory_barrier(commands, copy, VK_ACCESS_2_TRANSFER_WRITE_BIT, all, VK_ACCESS_2_MEMORY_READ_BIT);
     context_.end_label(commands);
     bytes_.clear();
     regions_.clear();

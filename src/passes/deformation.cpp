@@ -1,26 +1,10 @@
 #include "deformation.hpp"
 #include <algorithm>
+#include <gpu/barrier.hpp>
 #include <gpu/compute_pipeline.hpp>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
-namespace {
-
-/// Vertices are read by all that draws, and nobody declares it.
-void vertex_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 wrote,
-                    VkPipelineStageFlags2 to, VkAccessFlags2 access) {
-    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = from;
-    barrier.srcAccessMask = wrote;
-    barrier.dstStageMask = to;
-    barrier.dstAccessMask = access;
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &info);
-}
-
-} // namespace
 
 void deformation_pass(graph::FrameGraph& graph, const resident::View& view) {
     const resident::DeviceDeformation* deformation = view.scene().deformation();
@@ -52,7 +36,8 @@ void deformation_pass(graph::FrameGraph& graph, const resident::View& view) {
             return;
         constexpr VkPipelineStageFlags2 all = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                         compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-        vertex_barrier(context.commands, all, VK_ACCESS_2_NONE, compute, VK_ACCESS_2_SHADER_WRITE_BIT);
+        // Vertices are read by all that draws, and nobody declares it.
+        gpu::memory_barrier(context.commands, all, VK_ACCESS_2_NONE, compute, VK_ACCESS_2_SHADER_WRITE_BIT);
         pipeline->bind(context.commands);
         pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
@@ -60,7 +45,7 @@ void deformation_pass(graph::FrameGraph& graph, const resident::View& view) {
         pipeline->push(context.commands, std::as_bytes(std::span(&groups, 1)));
         vkCmdDispatch(context.commands, std::min<uint32_t>(groups, DEFORM_ROW), (groups + DEFORM_ROW - 1) / DEFORM_ROW,
                       1);
-        vertex_barrier(context.commands, compute, VK_ACCESS_2_SHADER_WRITE_BIT, all, VK_ACCESS_2_MEMORY_READ_BIT);
+        gpu::memory_barrier(context.commands, compute, VK_ACCESS_2_SHADER_WRITE_BIT, all, VK_ACCESS_2_MEMORY_READ_BIT);
         if (!context.one_pixel)
             made = deformation->version();
     });

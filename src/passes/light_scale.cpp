@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <fmt/format.h>
+#include <gpu/barrier.hpp>
 #include <gpu/compute_pipeline.hpp>
 #include <shared/bindings.h>
 #include <shared/light_scale.h>
@@ -33,20 +34,6 @@ void dispatches(graph::Pass& pass, const resident::View& view, const gpu::Shader
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
         dispatch(context, *pipeline);
     });
-}
-
-/// Every pass reads the frame's constants, and says so to nobody.
-void constants_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 wrote,
-                       VkPipelineStageFlags2 to, VkAccessFlags2 access) {
-    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = from;
-    barrier.srcAccessMask = wrote;
-    barrier.dstStageMask = to;
-    barrier.dstAccessMask = access;
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &info);
 }
 
 } // namespace
@@ -126,11 +113,12 @@ void LightScale::measure(graph::FrameGraph& graph, const resident::View& view, c
                [](const graph::PassContext& context, const gpu::ComputePipeline&) {
                    constexpr VkPipelineStageFlags2 all = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                                    compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-                   constants_barrier(context.commands, all, VK_ACCESS_2_NONE, compute,
-                                     VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+                   // Every pass reads the frame's constants, and says so to nobody.
+                   gpu::memory_barrier(context.commands, all, VK_ACCESS_2_NONE, compute,
+                                       VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
                    vkCmdDispatch(context.commands, 1, 1, 1);
-                   constants_barrier(context.commands, compute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, all,
-                                     VK_ACCESS_2_UNIFORM_READ_BIT);
+                   gpu::memory_barrier(context.commands, compute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, all,
+                                       VK_ACCESS_2_UNIFORM_READ_BIT);
                });
 }
 
