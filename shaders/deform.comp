@@ -33,7 +33,7 @@ struct Shape {
 
 Shape shape_now() { return Shape(job.state.x, job.state.x + 6u * job.state.y); }
 Shape shape_before() {
-    return Shape(job.state.x + 3u * job.state.y, job.state.x + 6u * job.state.y + (job.data.w + 3u) / 4u);
+    return Shape(job.state.x + 3u * job.state.y, job.state.x + 6u * job.state.y + job.state.w);
 }
 
 vec3 morphed(uint vertex, uint offset, Shape shape) {

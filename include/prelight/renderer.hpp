@@ -92,8 +92,8 @@ struct CreatedObjects {
 
 /// CPU time of the calling thread for one frame, milliseconds.
 struct HostTimes {
-    Spread
-        lights; ///< the lights' records: what of each light shaders read; with what set_lights(), update_world() took
+    Spread lights;  ///< the lights' records: what of each light shaders read; with the time of set_lights() and
+                    ///< update_world()
     Spread culling; ///< which lights reach the picture or an object, in which group, with which bounds
     Spread objects; ///< the objects' records
     Spread record;  ///< recording and submitting the frame's commands
@@ -167,7 +167,7 @@ public:
     /// the next render() on the picture is that of the world as it is now. What moves, is shown or hidden, takes other
     /// vertices, factors or lights costs what it takes to upload that. What needs other draws or pipelines (a texture,
     /// an alpha mode, a transform that mirrors what was not mirrored, an object that comes under a decal for the first
-    /// time, `all`) costs as much as set_world(). ambient light is read for each picture and need not be told. Lights
+    /// time, `all`) costs as much as set_world(). Ambient light is read for each picture and need not be told. Lights
     /// of set_lights() stay unless `changes.lights`. A read() needs another render() first. Throws Error: before
     /// set_world(), numbers that are not there, and as set_world() does; then the renderer has no world.
     virtual void update_world(const WorldChanges& changes) = 0;

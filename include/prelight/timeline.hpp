@@ -5,7 +5,8 @@
 namespace prelight {
 
 /// `world` becomes `next`, another state of the same scene, where it stands; what has changed of it is told. What has
-/// not stays where it is in memory, for a renderer may refer to it.
+/// not stays where it is in memory, for a renderer may refer to it; one that shows the world must be told before it
+/// draws.
 WorldChanges become(World& world, World&& next);
 
 /// A scene's world at one moment after another, for a renderer that is kept: the world changes where it stands, and
@@ -26,7 +27,7 @@ public:
 
     /// The same object as long as the timeline lives.
     const World& world() const;
-    /// Whether anything of the scene depends on the moment: animations, emitters.
+    /// Whether the scene has animations or emitters, in whichever of its trees.
     bool moves() const;
     /// Cameras, bounds and ambient light change too, and nobody need be told. Throws Error; the world is as before
     /// then.

@@ -21,7 +21,8 @@ struct DeformJob {
     uvec4 vertices; // first to write, how many, first at rest, flags
     uvec4 data;     // where influences begin (words), sets of them, where targets begin (floats), how many
     uvec4 state;    // where the state begins (vec4): three rows of each joint, the same of the previous joints, weights
-                    // of targets four to a vec4, previous weights; y: joints; z: vertices of the primitive
+                    // of targets four to a vec4, previous weights; y: joints; z: vertices of the primitive;
+                    // w: vec4 of weights
 };
 
 SHARED_END

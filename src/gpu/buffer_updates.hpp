@@ -12,8 +12,8 @@ namespace prelight::gpu {
 class BufferUpdates {
 public:
     explicit BufferUpdates(const Context& context) : context_(context) {}
-    /// Bytes of `target`, made with make_device_buffer(), from `offset` on; both sizes are multiples of 4. Written once
-    /// more to the same offset and as long, the later bytes count; pieces that overlap otherwise are not allowed.
+    /// Bytes of `target`, made with make_device_buffer(), from `offset` on; both sizes are multiples of 4. If the same
+    /// range is written again, the later bytes count; ranges that overlap in any other way are not allowed.
     void write(const Buffer& target, uint64_t offset, std::span<const std::byte> bytes);
     /// Bytes that wait for record().
     uint64_t waiting() const { return bytes_.size(); }

@@ -188,7 +188,7 @@ public:
     /// image is 0, a depth image undefined. It shares memory with none.
     void persist(ImageId image);
     const ImageDesc& desc(ImageId image) const { return images_[image.index].desc; }
-    const gpu::Raster& raster(ImageId image) const { return desc(image).raster; }
+    gpu::Raster raster(ImageId image) const { return desc(image).raster; }
     const std::string& name(ImageId image) const { return images_[image.index].name; }
 
     /// Removes passes that nothing needs, places the images, derives the barriers, makes descriptor

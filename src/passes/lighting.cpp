@@ -49,7 +49,7 @@ bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
 
 LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
                               const LightModel& model, bool pair, bool wide) {
-    const gpu::Raster& raster = graph.raster(surface.depth);
+    const gpu::Raster raster = graph.raster(surface.depth);
     LightBuffer out;
     if (pair) {
         out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, raster});

@@ -7,7 +7,7 @@ namespace prelight::passes {
 graph::ImageId motion_blur_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                                 graph::ImageId linear) {
     const gpu::Constants constants = gbuffer.surface.format.constants();
-    const gpu::Raster& picture = graph.raster(linear);
+    const gpu::Raster picture = graph.raster(linear);
     const auto tiles = [](uint32_t size) { return (size + MOTION_TILE - 1) / MOTION_TILE; };
     const graph::ImageDesc small{VK_FORMAT_R16G16_SFLOAT,
                                  {{tiles(picture.extent.width), tiles(picture.extent.height)}}};

@@ -100,12 +100,21 @@ void DeviceRenderer::set_world(const World& world) {
 void DeviceRenderer::update_world(const WorldChanges& changes) {
     if (!world_)
         throw Error("renderer: set_world() comes before update_world()");
+    try {
+        take_changes(changes);
+    } catch (const Error&) {
+        world_ = nullptr; // some of it has been taken in
+        throw;
+    }
+}
+
+void DeviceRenderer::take_changes(const WorldChanges& changes) {
     const double start = thread_ms();
     if (!scene_->update(changes)) {
         const std::span placed = lights_->placed();
         const std::vector<PlacedLight> lights(placed.begin(), placed.end());
         set_world(*world_);
-        if (!changes.all && !changes.lights)
+        if (!changes.lights)
             set_lights(lights);
         return;
     }

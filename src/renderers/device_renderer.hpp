@@ -76,6 +76,8 @@ protected:
     const gpu::Buffer& pair_counters() const { return pair_counters_->buffer(); }
 
 private:
+    /// update_world(). Throws Error, and has taken in some of it.
+    void take_changes(const WorldChanges& changes);
     /// Throws Error.
     void check_size(uint32_t width, uint32_t height) const;
     /// View, counters and graph for pictures of this size. Throws Error, and has taken down some of them.

@@ -84,19 +84,25 @@ std::vector<glm::vec4> state_of(const Deformation& shape) {
     return out;
 }
 
-template <class T>
-gpu::Buffer upload(const gpu::Context& context, const char* name, const std::vector<T>& values) {
-    const uint64_t bytes = values.size() * sizeof(T), limit = context.limits().maxStorageBufferRange;
+void check_size(const gpu::Context& context, const char* name, uint64_t bytes) {
+    const uint64_t limit = context.limits().maxStorageBufferRange;
     if (bytes > limit)
         throw Error(
             fmt::format("{}: {} of skins and morph targets need a buffer of {} bytes, and the device's limit is {}",
                         context.name(), name, bytes, limit));
+}
+
+template <class T>
+gpu::Buffer upload(const gpu::Context& context, const char* name, const std::vector<T>& values) {
+    check_size(context, name, values.size() * sizeof(T));
     return gpu::make_device_buffer(context, name, std::as_bytes(std::span(values)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 } // namespace
 
 DeviceDeformation::DeviceDeformation(const gpu::Context& context, const World& world, const Geometry& geometry) {
+    check_size(context, "positions", geometry.positions.size());
+    check_size(context, "vertex attributes", geometry.attributes.size());
     Meshes meshes;
     std::vector<glm::vec4> state;
     std::vector<shared::DeformJob> jobs;
@@ -124,7 +130,7 @@ DeviceDeformation::DeviceDeformation(const gpu::Context& context, const World& w
                 groups.emplace_back(jobs.size(), v);
             jobs.push_back({.vertices = {geometry.deformed[d][p].first, count, rest.vertices, flags},
                             .data = {rest.influences, skinned ? primitive.joint_sets.size() : 0, rest.targets, targets},
-                            .state = {state.size(), shape.joints.size(), count, 0}});
+                            .state = {state.size(), shape.joints.size(), count, vec4s(shape.weights.size())}});
         }
         state.insert(state.end(), own.begin(), own.end());
     }

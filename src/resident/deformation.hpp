@@ -20,7 +20,7 @@ public:
     /// Another one after each update().
     uint64_t version() const { return version_; }
 
-    /// Workgroups of deform.comp: so many vertices of one primitive each.
+    /// Workgroups of deform.comp; each takes DEFORM_GROUP vertices of one primitive.
     uint32_t groups() const { return groups_; }
     const gpu::Buffer& jobs() const { return jobs_; }
     const gpu::Buffer& group_list() const { return group_list_; }
@@ -47,7 +47,7 @@ inline bool deforms_on_device(const World& world, uint32_t deformed) {
     return deformed < world.deformations.size() && world.deformations[deformed].mesh.has_value();
 }
 
-/// The mesh whose vertices and triangles an instance is drawn with: of one that the device deforms, that at rest.
+/// The mesh whose vertices and triangles an instance is drawn with: for one that the device deforms, the mesh at rest.
 inline const Mesh& drawn_mesh(const World& world, const Instance& instance) {
     return instance.deformed && deforms_on_device(world, *instance.deformed)
                ? world.scene->meshes[*world.deformations[*instance.deformed].mesh]

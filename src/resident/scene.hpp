@@ -132,10 +132,10 @@ uint32_t features_of(const Scene& scene, const Material& material);
 /// reach objects.
 Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals);
-/// `exposure`: factor on emissive light. Throws Error naming an image that the device cannot hold.
 /// Writes the material's constants and parameters. Throws Error for values that it may not have.
 void update_material(const Materials& materials, const Scene& scene, uint32_t material, double exposure,
                      gpu::BufferUpdates& updates);
+/// `exposure`: factor on emissive light. Throws Error naming an image that the device cannot hold.
 Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu::TextureFilter filter, double exposure);
 
 } // namespace prelight::resident

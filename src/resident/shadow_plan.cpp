@@ -186,6 +186,7 @@ void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span
     for (size_t i = 0; i < views.size(); ++i) {
         ShadowTile tile{.light = wish.light, .sight = {volume, glm::mat4(views[i].clip_from_centre)}};
         tile.map.place = places[i];
+        tile.map.centre = world_.centre();
         tile.map.clip_from_centre = tile.sight.clip_from_centre;
         const bool known = before != before_.end() && before->light == wish.light;
         if (known && options_.cached && before->sight == tile.sight) {

@@ -69,6 +69,8 @@ bool GpuScene::can_update(const WorldChanges& changes, std::span<const DecalBox>
     check_numbers(changes.deformed, world_.deformed.size(), "deformed mesh", *world_.scene);
     check_numbers(changes.materials, world_.scene->materials.size(), "material", *world_.scene);
     for (const uint32_t d : changes.deformed) {
+        if (geometry_.deformed[d].empty())
+            continue; // no instance shows it
         if (deformation_ && !deformation_->fits(world_, d))
             return false;
         if (deforms_on_device(world_, d)) {
@@ -121,13 +123,19 @@ bool GpuScene::update(const WorldChanges& changes) {
         return false;
     if (decals)
         decals_ = std::move(*decals);
-    for (const uint32_t m : changes.materials)
+    for (const uint32_t m : changes.materials) {
         update_material(materials_, *world_.scene, m, settings_.exposure, updates_);
-    for (const uint32_t d : changes.deformed)
-        if (!deforms_on_device(world_, d))
-            update_vertices(d);
-        else if (!geometry_.deformed[d].empty())
+        for (Draw& draw : geometry_.draws) // a mask casts another shadow
+            draw.version += draw.material == m && (draw.features & FEATURE_ALPHA_MASK);
+    }
+    for (const uint32_t d : changes.deformed) {
+        if (geometry_.deformed[d].empty())
+            continue;
+        if (deforms_on_device(world_, d))
             deformation_->update(world_, d, updates_);
+        else
+            update_vertices(d);
+    }
     std::vector<uint32_t> moved = changes.instances;
     const std::vector<uint32_t> shaped = showing(changes.deformed);
     moved.insert(moved.end(), shaped.begin(), shaped.end());

@@ -59,8 +59,9 @@ Bounds box_around(const MeshFacts& facts, const Shape& shape) {
     Bounds out;
     if (shape.joints.empty())
         return wider(facts.box);
-    for (size_t j = 0; j < std::min(facts.joint_boxes.size(), shape.joints.size()); ++j)
-        add_box(out, wider(facts.joint_boxes[j]), shape.joints[j]);
+    for (const auto& [joint, box] : facts.joint_boxes)
+        if (joint < shape.joints.size())
+            add_box(out, wider(box), shape.joints[joint]);
     add_box(out, wider(facts.weightless), shape.joints[0]);
     return out;
 }

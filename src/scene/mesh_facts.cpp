@@ -7,11 +7,6 @@ namespace {
 
 /// Whose vertices a joint or a target moves.
 void add_movers(const Primitive& primitive, const std::vector<bool>& seen, MeshFacts& facts) {
-    const auto box_of = [&](size_t joint) -> Bounds& {
-        if (facts.joint_boxes.size() <= joint)
-            facts.joint_boxes.resize(joint + 1);
-        return facts.joint_boxes[joint];
-    };
     for (uint32_t v = 0; v < seen.size(); ++v) {
         if (!seen[v])
             continue;
@@ -19,7 +14,7 @@ void add_movers(const Primitive& primitive, const std::vector<bool>& seen, MeshF
         for (const JointSet& set : primitive.joint_sets)
             for (int i = 0; i < 4; ++i)
                 if (set.weights[v][i] != 0) {
-                    box_of(set.joints[v][i]).add(glm::dvec3(primitive.positions[v]));
+                    facts.joint_boxes[set.joints[v][i]].add(glm::dvec3(primitive.positions[v]));
                     moved = true;
                 }
         if (!moved)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <limits>
+#include <map>
 #include <prelight/scene.hpp>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct MeshFacts {
     uint64_t vertices = 0;                   ///< that a triangle uses
     std::vector<std::vector<uint32_t>> used; ///< per primitive, sorted; empty: every vertex
     Bounds box;                              ///< object space
-    std::vector<Bounds> joint_boxes;         ///< by joint: of the vertices that it moves; empty boxes: none
+    std::map<uint16_t, Bounds> joint_boxes;  ///< by joint: of the vertices that it moves
     Bounds weightless;                       ///< of those that no joint moves
     std::vector<Bounds> targets;             ///< by morph target: what it adds, 0 included
 };

@@ -200,14 +200,14 @@ private:
             world_.deformations.emplace_back(describe(mesh, *node.mesh, facts, shape, previous, origin));
         if (!host_vertices_ && !finite_shape(made)) // else each vertex is looked at
             throw Error(fmt::format("{}: it is deformed to a place that is not finite", object));
+        const uint64_t vertices = vertex_count(mesh), work = host_vertices_ ? deform_work(mesh) * (before_ ? 2 : 1) : 0;
+        if (vertices > max_deformed_vertices - deformed_vertices_ || work > max_deform_work - deform_work_)
+            throw Error(fmt::format("{}: the scene's skins and morph targets move more vertices than "
+                                    "can be deformed ({} million, {} million steps)",
+                                    object, max_deformed_vertices >> 20, max_deform_work >> 20));
+        deformed_vertices_ += vertices;
+        deform_work_ += work;
         if (host_vertices_) {
-            const uint64_t vertices = vertex_count(mesh), work = deform_work(mesh) * (before_ ? 2 : 1);
-            if (vertices > max_deformed_vertices - deformed_vertices_ || work > max_deform_work - deform_work_)
-                throw Error(fmt::format("{}: the scene's skins and morph targets move more vertices than "
-                                        "can be deformed ({} million, {} million steps)",
-                                        object, max_deformed_vertices >> 20, max_deform_work >> 20));
-            deformed_vertices_ += vertices;
-            deform_work_ += work;
             world_.deformed.push_back(deform(mesh, shape, before_ ? &previous : nullptr, origin, made.turned, object));
             deformed_boxes_.push_back(facts_of(world_.deformed.back()).box);
         } else {

@@ -6,6 +6,16 @@
 namespace prelight {
 namespace {
 
+bool same_triangles(const Mesh& a, const Mesh& b) {
+    return std::equal(a.primitives.begin(), a.primitives.end(), b.primitives.begin(), b.primitives.end(),
+                      [](const Primitive& x, const Primitive& y) { return x.indices == y.indices; });
+}
+
+const Deformation& shape_of(const World& world, uint32_t deformed) {
+    static const Deformation none;
+    return deformed < world.deformations.size() ? world.deformations[deformed] : none;
+}
+
 /// Other draws: not a change in place.
 bool same_draws(const World& a, const World& b) {
     const auto same = [](const Instance& x, const Instance& y) {
@@ -13,7 +23,7 @@ bool same_draws(const World& a, const World& b) {
                x.receives_decals == y.receives_decals;
     };
     return std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(), same) &&
-           a.deformed.size() == b.deformed.size();
+           std::equal(a.deformed.begin(), a.deformed.end(), b.deformed.begin(), b.deformed.end(), same_triangles);
 }
 
 bool same_place(const Instance& a, const Instance& b) {
@@ -23,7 +33,7 @@ bool same_place(const Instance& a, const Instance& b) {
 
 bool same_vertices(const Primitive& a, const Primitive& b) {
     return a.positions == b.positions && a.previous_positions == b.previous_positions && a.normals == b.normals &&
-           a.tangents == b.tangents && a.colours == b.colours && a.texcoords == b.texcoords && a.indices == b.indices;
+           a.tangents == b.tangents && a.colours == b.colours && a.texcoords == b.texcoords;
 }
 
 bool same_shape(const Mesh& a, const Mesh& b) {
@@ -48,7 +58,7 @@ WorldChanges become(World& now, World&& next) {
     WorldChanges changes;
     if (!same_draws(now, next)) {
         now = std::move(next);
-        changes.all = true;
+        changes.all = changes.lights = true;
         return changes;
     }
     for (uint32_t i = 0; i < now.instances.size(); ++i)
@@ -57,11 +67,11 @@ WorldChanges become(World& now, World&& next) {
             changes.instances.push_back(i);
         }
     for (uint32_t d = 0; d < now.deformed.size(); ++d)
-        if (now.deformations[d] != next.deformations[d] || !same_shape(now.deformed[d], next.deformed[d])) {
-            now.deformations[d] = std::move(next.deformations[d]);
+        if (shape_of(now, d) != shape_of(next, d) || !same_shape(now.deformed[d], next.deformed[d])) {
             now.deformed[d] = std::move(next.deformed[d]);
             changes.deformed.push_back(d);
         }
+    now.deformations = std::move(next.deformations);
     changes.lights = differ(now.lights, next.lights, same_light);
     if (changes.lights)
         now.lights = std::move(next.lights);

@@ -63,7 +63,7 @@ private:
         Instance& instance = world.instances[which];
         const uint32_t m = random_.below(static_cast<uint32_t>(scene.materials.size()));
         Material& material = scene.materials[m];
-        switch (random_.below(12)) {
+        switch (random_.below(13)) {
         case 0: instance.visible = !instance.visible; break;
         case 1:
             instance.transform = glm::translate(glm::dmat4(1), {0, number(2, 5), 0}) * thing();
@@ -85,6 +85,11 @@ private:
             material.base_colour = glm::vec4(number(0, 1), number(0, 1), number(0, 1), material.base_colour.a);
             material.roughness = static_cast<float>(number(0.1, 1));
             material.metallic = static_cast<float>(random_.below(2));
+            changes.materials.push_back(m);
+            return;
+        case 9:
+            material.alpha_cutoff = static_cast<float>(number(0.1, 0.9));
+            material.base_colour.a = static_cast<float>(number(0.3, 1));
             changes.materials.push_back(m);
             return;
         case 6:
