@@ -22,11 +22,12 @@ struct Guess {
 };
 
 Guess follow(vec2 here, float time, vec2 motion) {
-    ivec2 pixel = pixel_at(here + time * motion);
-    pixel = pixel_at(here + time * motion_at(pixel));
+    ivec2 first = pixel_at(here + time * motion), pixel = pixel_at(here + time * motion_at(first));
     vec2 off = here + time * motion_at(pixel) - (vec2(pixel) + 0.5);
+    bool holds = dot(off, off) < 1.0;
+    pixel = holds ? pixel : first; // beyond the surface's edge: what is behind it
     float stored = read_depth(pixel);
-    return Guess(pixel, stored > 0.0 ? (linear_depth ? stored : view_depth(stored)) : 3e38, dot(off, off) < 1.0);
+    return Guess(pixel, stored > 0.0 ? (linear_depth ? stored : view_depth(stored)) : 3e38, holds);
 }
 
 void main() {

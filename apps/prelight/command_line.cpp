@@ -189,9 +189,7 @@ void finish(ViewCommand& command, const ViewerText& text) {
     if (!command.play.empty() && !command.record.empty())
         throw UsageError("--record: does not go with --play");
     if (!command.render.output.empty()) {
-        const std::string extension = lower_extension(command.render.output);
-        if (extension != ".png" && extension != ".exr")
-            throw UsageError(fmt::format("-o {}: the name must end in .png or .exr", command.render.output.string()));
+        check_endings(command.render, false);
         refuse_pattern("-o", command.render.output);
     }
 }

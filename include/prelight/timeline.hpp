@@ -15,9 +15,9 @@ WorldChanges become(World& world, World&& next);
 class Timeline {
 public:
     /// As resolve(); the scene must outlive it, and stay as it is but for its materials. Without `host_vertices` skins
-    /// and morph targets are left to the device from the first move_to() on: World::deformed holds no vertices of
-    /// theirs then, World::bounds are those of boxes around them, and a camera of resolve()'s own stays where it was
-    /// first. For renderers on a device. Throws Error.
+    /// and morph targets are left to the device: World::deformed holds no vertices of theirs, from the first move_to()
+    /// on World::bounds are those of boxes around them, and a camera of resolve()'s own stays where it was first. For
+    /// renderers on a device. Throws Error.
     explicit Timeline(const Scene& scene, std::optional<uint32_t> scene_index = {},
                       const std::optional<Moment>& moment = {}, std::optional<uint32_t> animation = {},
                       bool host_vertices = true);

@@ -26,7 +26,8 @@ struct ShadowOptions {
 /// so that what he needs besides must become a field here, and is compared.
 struct ShadowMap {
     ShadowTilePlace place;
-    glm::mat4 clip_from_centre{1};  ///< world relative to its centre
+    glm::dvec3 centre{0};           ///< the world's, which all that is drawn stands relative to
+    glm::mat4 clip_from_centre{1};  ///< world relative to it
     std::vector<uint32_t> casters;  ///< indices into the plan's draws, rising
     std::vector<uint32_t> versions; ///< Draw::version of each
     bool operator==(const ShadowMap&) const = default;

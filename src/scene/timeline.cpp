@@ -7,8 +7,9 @@ namespace prelight {
 namespace {
 
 bool same_triangles(const Mesh& a, const Mesh& b) {
-    return std::equal(a.primitives.begin(), a.primitives.end(), b.primitives.begin(), b.primitives.end(),
-                      [](const Primitive& x, const Primitive& y) { return x.indices == y.indices; });
+    return std::equal(
+        a.primitives.begin(), a.primitives.end(), b.primitives.begin(), b.primitives.end(),
+        [](const Primitive& x, const Primitive& y) { return x.indices == y.indices && x.material == y.material; });
 }
 
 const Deformation& shape_of(const World& world, uint32_t deformed) {
@@ -112,7 +113,16 @@ struct Timeline::State {
 Timeline::Timeline(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
                    std::optional<uint32_t> animation, bool host_vertices)
     : state_(new State{scene, scene_index, animation, host_vertices, facts_of(scene), {}}) {
-    state_->world = resolve(scene, state_->facts, scene_index, moment, animation, true);
+    World& world = state_->world;
+    world = resolve(scene, state_->facts, scene_index, moment, animation, true);
+    if (host_vertices)
+        return;
+    World boxes = resolve(scene, state_->facts, scene_index, moment, animation, false);
+    boxes.cameras = std::move(world.cameras); // which may have been found by vertices
+    boxes.framed = world.framed;
+    boxes.bounds_min = world.bounds_min;
+    boxes.bounds_max = world.bounds_max;
+    world = std::move(boxes);
 }
 Timeline::~Timeline() = default;
 Timeline::Timeline(Timeline&&) noexcept = default;

@@ -23,6 +23,8 @@ constexpr size_t longest_message = 65536;
 
 /// A descriptor above those that the child is given: duplicated there, it would be closed under another's name.
 int above_standard(int descriptor) {
+    if (descriptor < 0)
+        return descriptor;
     const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, output_in_child + 1);
     close(descriptor);
     return moved;

@@ -18,7 +18,7 @@ FrameDrawer::FrameDrawer(const SequenceCommand& command, const SequenceFiles& fi
     const PlacedCamera& start = camera();
     if (command.sequence.turntable)
         turntable_.emplace(scene.start(), start, *command.sequence.turntable,
-                           command.render.framing || scene.scene().cameras.empty());
+                           command.render.framing || !has_camera(scene.scene()));
 }
 
 void FrameDrawer::draw(const FrameNumbers& frames, FrameWriter& writer) {

@@ -29,7 +29,7 @@ public:
     void prepare(double time);
     /// Afterwards the renderer shows the scene at that time; nothing is done when it does already. Always the same
     /// renderer. Gives the world, but for lights of the program's own, which stays as it is until the next call. Throws
-    /// Error; the renderer has no world then.
+    /// Error.
     const World& show(double time, Renderer& renderer);
     /// Of the moment that was shown last, before the first of time 0: by name or index, empty: the first. Throws
     /// UsageError.

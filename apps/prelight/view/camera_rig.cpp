@@ -84,10 +84,12 @@ Rig panned(const Rig& rig, double right, double up) {
 Rig dollied(const Rig& rig, double notches, const PicturePoint& to) {
     Rig next = rig;
     next.camera.previous.reset();
-    const double left = std::pow(step_of_notch, notches); // of the way
+    const bool parallel = rig.camera.camera.kind == ProjectionKind::orthographic;
+    const double size = parallel ? double(rig.camera.camera.ymag) : rig.distance;
+    const double left = std::clamp(size * std::pow(step_of_notch, notches), 1e-6, 1e9) / size; // of the way
     const double half = half_height(rig);
     const glm::dvec3 aside = half * (to.x * to.aspect * rig.camera.axes[0] + to.y * rig.camera.axes[1]);
-    if (rig.camera.camera.kind == ProjectionKind::orthographic) {
+    if (parallel) {
         next.camera.camera.ymag *= left;
         next.camera.position += (1 - left) * aside;
         return next;

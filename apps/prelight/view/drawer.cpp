@@ -28,6 +28,7 @@ bool Drawer::make_renderer(Session& session) {
     options.height = session.picture_height();
     try {
         auto next = create_renderer(look.renderer, device_.get(), options);
+        check_memory(session);
         next->set_world(session.stage().world());
         session.stage().take_changes();
         renderer_ = std::move(next);
@@ -52,10 +53,6 @@ void Drawer::follow(Session& session) {
     if (changes.any())
         session.need_picture();               // until one is drawn
     bool world = changes.scene || !renderer_; // to be taken in whole
-    if (world && software_ && checked_ != &session.stage().scene()) {
-        check_memory_for(session.stage().scene());
-        checked_ = &session.stage().scene();
-    }
     bool lights = changes.lights || world || changes.world;
     if (changes.look || !renderer_) {
         const bool made = make_renderer(session);
@@ -70,12 +67,34 @@ void Drawer::follow(Session& session) {
     WorldChanges moved = session.stage().take_changes();
     moved.lights = false; // below
     if (world)
-        renderer_->set_world(session.stage().world());
+        take_scene(session);
     else if (!moved.empty())
         renderer_->update_world(moved);
     session.forget_earlier();
     if (lights)
         renderer_->set_lights(session.shining());
+}
+
+void Drawer::check_memory(const Session& session) {
+    if (!software_ || checked_ == &session.stage().scene())
+        return;
+    check_memory_for(session.stage().scene());
+    checked_ = &session.stage().scene();
+}
+
+/// One that does not fit gives way to the one before it.
+void Drawer::take_scene(Session& session) {
+    try {
+        check_memory(session);
+        renderer_->set_world(session.stage().world());
+    } catch (const DeviceLost&) {
+        throw;
+    } catch (const Error& error) {
+        if (!session.go_back(error.what()))
+            throw;
+        renderer_->set_world(session.stage().world());
+    }
+    session.stage().take_changes();
 }
 
 bool Drawer::draw(Session& session) {

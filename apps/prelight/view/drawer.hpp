@@ -39,6 +39,8 @@ public:
 private:
     void open();
     bool make_renderer(Session& session);
+    void check_memory(const Session& session);
+    void take_scene(Session& session);
     void recover(Session& session);
 
     RenderCommand command_;

@@ -52,14 +52,16 @@ void ObjectEdits::apply(World& world) const {
     for (Instance& instance : world.instances) {
         const InstanceBox box = box_of(world, instance);
         const glm::dvec3 own = box.high - box.low;
+        glm::dmat4 edit(1);
         if (turned_ != 0 && std::max({own.x, own.y, own.z}) < widest) {
             const glm::dvec3 middle = (box.low + box.high) * 0.5;
-            instance.transform =
-                shifted(glm::rotate(glm::dmat4(1), turned_, glm::dvec3(0, 1, 0)) * shifted(instance.transform, -middle),
-                        middle);
+            edit = shifted(glm::rotate(glm::dmat4(1), turned_, glm::dvec3(0, 1, 0)) * shifted(edit, -middle), middle);
         }
         if (const auto moved = moved_.find(instance.node); moved != moved_.end())
-            instance.transform = shifted(instance.transform, moved->second);
+            edit = shifted(edit, moved->second);
+        instance.transform = edit * instance.transform;
+        if (instance.previous_transform) // it is no motion
+            *instance.previous_transform = edit * *instance.previous_transform;
         const InstanceBox now = box_of(world, instance);
         world.bounds_min = glm::min(world.bounds_min, now.low);
         world.bounds_max = glm::max(world.bounds_max, now.high);

@@ -78,6 +78,9 @@ void play(const ViewCommand& command) {
     drawer.keep(session, [&] { drawer.draw(session); });
     print_messages(session);
     const bool exr = lower_extension(render.output) == ".exr";
+    if (exr && session.look().buffer != "final")
+        throw Error(fmt::format("{}: ends with {} on show, of which there is no scene-linear picture: write a .png",
+                                command.play.string(), session.look().buffer));
     const Image picture = drawer.read(exr ? "linear" : session.look().buffer);
     const Stats stats = drawer.stats();
     drawer.drop_renderer(); // taking everything down is checked too

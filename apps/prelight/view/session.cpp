@@ -30,8 +30,10 @@ Session::Session(const RenderCommand& command, uint32_t width, uint32_t height)
 }
 
 void Session::load(const std::string& scene) {
-    auto next = std::make_unique<Stage>(reader_.read(scene, aspect()), reader_.scattered(scene));
     const bool same = scene == scene_ && stage_;
+    const std::optional<Moment> moment = same || !stage_ ? moment_ : std::nullopt;
+    auto next =
+        std::make_unique<Stage>(reader_.read(scene, aspect(), moment), reader_.scattered(scene), reader_.frames(scene));
     if (!same && stage_) { // nothing of what was said of the other one holds
         camera_.clear();
         animation_.reset();
@@ -43,6 +45,7 @@ void Session::load(const std::string& scene) {
         animation_.reset();
     const PlacedCamera camera = camera_.empty() ? next->world().cameras.at(0) : find_camera(next->world(), camera_);
     scene_ = scene;
+    ++loads_;
     if (same) { // what was done to it stays
         next->light_edits = stage_->light_edits;
         next->object_edits = stage_->object_edits;
@@ -59,6 +62,18 @@ void Session::load(const std::string& scene) {
 }
 
 void Session::forget_earlier() { earlier_.clear(); }
+
+bool Session::go_back(std::string_view reason) {
+    if (earlier_.empty())
+        return false;
+    stage_ = std::move(earlier_.back());
+    earlier_.pop_back();
+    scene_ = earlier_scene_;
+    selection_ = {};
+    show_camera(stage_->world().cameras.at(0));
+    tell(reason);
+    return true;
+}
 
 void Session::show_camera(const PlacedCamera& camera) {
     rig_ = rig_of(camera, stage_->world());
@@ -105,11 +120,12 @@ void Session::step() {
         if (playing_) {
             ++played_;
             const double length = stage_->length(animation_);
-            double time = std::max(played_from_ + played_ * speed_ / steps_per_second, 0.0);
+            double time = played_from_ + played_ * speed_ / steps_per_second;
             if (length > 0)
-                time = std::fmod(time, length);
-            moment_ = Moment{.time = time};
-            moved = true;
+                time -= std::floor(time / length) * length;
+            moved = stage_->moves();
+            if (moved)
+                moment_ = Moment{.time = std::max(time, 0.0)};
         }
         if (turn_objects_) {
             stage_->object_edits.turn(step_of(object_round));

@@ -70,6 +70,8 @@ public:
     const std::string& scene_name() const { return scene_; }
     /// Files of the scene and what belongs to it: one that changes is a reason to reload.
     std::vector<std::filesystem::path> files() const { return reader_.files(scene_); }
+    /// Another one after each time that files were read: files() may be others.
+    uint32_t loads() const { return loads_; }
 
     /// For who draws.
     Changes take_changes() { return std::exchange(changes_, {}); }
@@ -84,6 +86,8 @@ public:
     Stage& stage() { return *stage_; }
     /// No renderer looks at another scene any more.
     void forget_earlier();
+    /// The scene from before the last one, which no renderer can show. False: there is none.
+    bool go_back(std::string_view reason);
 
     /// Lines for a person, the last ones last: what went wrong, and what was written.
     const std::vector<std::string>& messages() const { return messages_; }
@@ -107,8 +111,10 @@ private:
 
     SceneReader reader_;
     std::string scene_;
+    uint32_t loads_ = 0;
     std::unique_ptr<Stage> stage_;
     std::vector<std::unique_ptr<Stage>> earlier_; ///< which a renderer may still look at
+    std::string earlier_scene_;                   ///< of the last of them
     uint32_t width_, height_;
     double scale_ = 1;
     uint32_t steps_ = 0;

@@ -88,10 +88,14 @@ struct Handlers {
             throw Error(fmt::format("light {}: there is none", number));
         select(s, {SelectionKind::light, number});
     }
-    static void select_object(Session& s, uint32_t node) {
+    static void check_object(const Session& s, uint32_t node) {
         const auto& instances = s.stage_->world().instances;
         if (std::ranges::find(instances, node, &Instance::node) == instances.end())
             throw Error(fmt::format("object {}: there is none", node));
+    }
+
+    static void select_object(Session& s, uint32_t node) {
+        check_object(s, node);
         select(s, {SelectionKind::object, node});
     }
 
@@ -245,6 +249,7 @@ const std::map<std::string_view, Handlers::Handler>& Handlers::all() {
          }},
         {"move-object",
          [](S& s, const E& e) {
+             check_object(s, e.count(0));
              s.stage_->object_edits.move(e.count(0), {e.number(1), e.number(2), e.number(3)});
              s.pose();
          }},

@@ -3,10 +3,14 @@
 #include "../scene_files.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace prelight::app::viewer {
+namespace {
+
+constexpr uint32_t most_lights = 1u << 24; ///< as the reference holds; a renderer may hold fewer, and says so
+
+} // namespace
 
 SceneReader::SceneReader(const RenderCommand& command) : command_(command), materials_(command_.materials) {
     materials_.check();
@@ -16,11 +20,12 @@ uint32_t SceneReader::scattered(const std::string& scene) const {
     return names_file(scene) ? command_.lights.value_or(0) : 0;
 }
 
-std::unique_ptr<LoadedScene> SceneReader::read(const std::string& scene, double aspect) {
+std::unique_ptr<LoadedScene> SceneReader::read(const std::string& scene, double aspect,
+                                               const std::optional<Moment>& moment) {
     const bool own = scene == command_.scene;
     // Another scene has none of the names that the command line gave.
     const std::optional<uint32_t> lights = own || !names_builtin(scene) ? command_.lights : std::nullopt;
-    SceneTime time{command_.moment, own ? command_.animation : "", command_.reading};
+    SceneTime time{moment, own ? command_.animation : "", command_.reading};
     if (!own)
         time.reading.scene.clear();
     const bool studio_where_dark = names_file(scene) && !command_.lights;
@@ -29,7 +34,7 @@ std::unique_ptr<LoadedScene> SceneReader::read(const std::string& scene, double 
             materials_.assign(made);
         environment(made);
     };
-    return load_scene(scene, lights, command_.seed, std::numeric_limits<uint32_t>::max(), time, edit,
+    return load_scene(scene, lights, command_.seed, most_lights, time, edit,
                       {aspect, own ? command_.framing : std::nullopt});
 }
 
@@ -57,12 +62,11 @@ std::vector<std::filesystem::path> SceneReader::files(const std::string& scene) 
     return files;
 }
 
-Stage::Stage(std::unique_ptr<LoadedScene> loaded, uint32_t scattered) : loaded_(std::move(loaded)) {
+Stage::Stage(std::unique_ptr<LoadedScene> loaded, uint32_t scattered, bool framed) : loaded_(std::move(loaded)) {
     World& first = loaded_->world;
     const size_t own = first.lights.size() - std::min<size_t>(first.lights.size(), scattered);
     scattered_.assign(first.lights.begin() + static_cast<std::ptrdiff_t>(own), first.lights.end());
-    const bool own_cameras = first.cameras.size() != 1 || first.cameras[0].camera.name != "framed";
-    if (!own_cameras)
+    if (framed || !has_camera(loaded_->scene))
         framed_ = first.cameras;
     world_ = std::make_unique<World>(std::move(first));
 }
@@ -84,7 +88,8 @@ bool Stage::next_material(std::optional<uint32_t> node) {
     bool any = false;
     std::vector<bool> done(loaded_->scene.meshes.size());
     for (const Instance& instance : world_->instances) {
-        if ((node && instance.node != *node) || instance.mesh >= done.size() || done[instance.mesh])
+        const bool particles = instance.deformed && !world_->deformations.at(*instance.deformed).mesh;
+        if (particles || (node && instance.node != *node) || instance.mesh >= done.size() || done[instance.mesh])
             continue;
         done[instance.mesh] = true;
         any |= take_next_material(loaded_->scene, loaded_->scene.meshes[instance.mesh]);

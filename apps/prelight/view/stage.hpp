@@ -17,7 +17,9 @@ public:
     SceneReader(const SceneReader&) = delete;
     SceneReader& operator=(const SceneReader&) = delete;
     /// Throws Error, UsageError.
-    std::unique_ptr<LoadedScene> read(const std::string& scene, double aspect);
+    std::unique_ptr<LoadedScene> read(const std::string& scene, double aspect, const std::optional<Moment>& moment);
+    /// Whether the command line frames this scene in place of its cameras.
+    bool frames(const std::string& scene) const { return scene == command_.scene && command_.framing; }
     /// The environment file takes the place of the command's. Throws Error when it is none.
     void take_environment(const std::filesystem::path& file);
     /// Materials with a mistake stay as they were; the mistakes come back.
@@ -35,7 +37,8 @@ private:
 /// A scene at a moment, with what has been done to it.
 class Stage {
 public:
-    Stage(std::unique_ptr<LoadedScene> loaded, uint32_t scattered);
+    /// `framed`: its camera is not the scene's.
+    Stage(std::unique_ptr<LoadedScene> loaded, uint32_t scattered, bool framed);
 
     const Scene& scene() const { return loaded_->scene; }
     const World& world() const { return *world_; }
@@ -47,6 +50,7 @@ public:
     void pose(const std::optional<Moment>& moment, std::optional<uint32_t> animation);
     /// Objects of the node, or all, take the next material; false: there is none.
     bool next_material(std::optional<uint32_t> node);
+    bool moves() const { return !scene().animations.empty() || !scene().emitters.empty(); }
     /// Of the animation, or of all: seconds.
     double length(std::optional<uint32_t> animation) const;
 

@@ -2,11 +2,11 @@
 #include "../output.hpp"
 #include "../renderer_info.hpp"
 #include "../scene_source.hpp"
+#include "../session.hpp"
 #include "player.hpp"
 #include "window_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 
@@ -19,11 +19,8 @@ void check_files(const ViewCommand& command) {
     for (const auto& output : {command.render.output, command.record})
         if (!output.empty())
             outputs.push_back(output);
-    std::vector<std::filesystem::path> inputs{command.play};
-    if (names_file(command.render.scene))
-        inputs.emplace_back(command.render.scene);
-    for (const auto& [name, file] : command.render.materials)
-        inputs.push_back(file);
+    std::vector<std::filesystem::path> inputs = inputs_of(command.render);
+    inputs.push_back(command.play);
     check_distinct(outputs, inputs);
     for (const auto& output : outputs)
         check_writable(output);

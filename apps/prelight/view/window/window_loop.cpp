@@ -41,7 +41,7 @@ public:
                                return std::make_unique<Session>(command.render, size.width, size.height);
                            })),
           drawer_(command.render, GlfwWindow::extensions()), owned_(made_.get()), session_(*owned_),
-          ui_(window_.handle(), window_.content_scale()), watch_(session_.files()), watched_(session_.scene_name()) {
+          ui_(window_.handle(), window_.content_scale()), watch_(session_.files()), watched_(session_.loads()) {
         recording_.width = session_.window_width();
         recording_.height = session_.window_height();
         if (!command.play.empty())
@@ -51,10 +51,7 @@ public:
         if (command.scale && *command.scale != 1)
             take({0, "scale", {fmt::format("{}", *command.scale)}});
         if (command.render.auto_exposure)
-            take({0,
-                  "exposure",
-                  {fmt::format("{}", meter_exposure(drawer_.device(), session_.stage().world(), session_.camera(),
-                                                    command.render.options))}});
+            take_exposure();
     }
 
     void run() {
@@ -89,11 +86,27 @@ private:
         presenter_.reset();
     }
 
+    void take_exposure() {
+        const double ev =
+            meter_exposure(drawer_.device(), session_.stage().world(), session_.camera(), command_.render.options);
+        print_exposure(ev);
+        take({0, "exposure", {fmt::format("{}", ev)}});
+    }
+
+    static bool is_good(const Event& event) {
+        try {
+            check_event(event);
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
+    }
+
     void take(Event event) {
         event.step = session_.steps();
-        if (!command_.record.empty())
+        if (!command_.record.empty() && is_good(event))
             recording_.events.push_back(event);
-        session_.apply(event);
+        session_.apply(event); // tells what is wrong with one that is not
     }
 
     void take_input() {
@@ -122,9 +135,9 @@ private:
             return;
         looked_ms_ = wall_ms();
         redraw_ = std::max(redraw_, 1);
-        if (watched_ != session_.scene_name()) {
+        if (watched_ != session_.loads()) {
+            watched_ = session_.loads();
             watch_ = FileWatch(session_.files());
-            watched_ = session_.scene_name();
         } else if (watch_.changed()) {
             take({0, "reload", {}});
         }
@@ -271,7 +284,7 @@ private:
     std::optional<gpu::Presenter> presenter_;
     std::optional<UiBackend> backend_;
     FileWatch watch_;
-    std::string watched_; ///< the scene whose files are watched
+    uint32_t watched_ = 0; ///< Session::loads() of the files that are watched
     Recording recording_;
     std::vector<Event> played_, asked_; ///< asked_: by panels, for the next step
     size_t next_played_ = 0;
