@@ -251,8 +251,12 @@ TEST_F(RoundTrip, BuiltinScenes) {
         for (size_t i = 0; i < a.meshes.size(); ++i) {
             ASSERT_EQ(a.meshes[i].primitives.size(), b.meshes[i].primitives.size());
             EXPECT_EQ(a.meshes[i].weights, b.meshes[i].weights);
-            for (size_t k = 0; k < a.meshes[i].primitives.size(); ++k)
-                expect_same(a.meshes[i].primitives[k], b.meshes[i].primitives[k], true);
+            for (size_t k = 0; k < a.meshes[i].primitives.size(); ++k) {
+                const Primitive &in = a.meshes[i].primitives[k], &out = b.meshes[i].primitives[k];
+                // `multipass` has tangents for materials to come.
+                const bool kept = bool(a.materials[in.material].normal_texture);
+                expect_same(in, out, kept || in.tangents.empty() == out.tangents.empty());
+            }
         }
         EXPECT_EQ(resolve(a).triangles, resolve(b).triangles);
     }
