@@ -1,7 +1,7 @@
 // What decals leave of a surface. Included where DECALS is defined: by passes over the objects that decals reach.
 #ifndef PRELIGHT_DECALS_GLSL
 #define PRELIGHT_DECALS_GLSL
-#include "shared/pixel_reads.glsl"
+#include "shared/pixel_images.glsl"
 #include "shared/surface.glsl"
 
 layout(set = SET_INPUTS, binding = INPUT_DECAL_COLOUR) uniform PIXEL_IMAGE decal_colour;

@@ -3,7 +3,7 @@
 #define PRELIGHT_LIGHT_BUFFER_GLSL
 #include "shared/frame.glsl"
 #include "shared/luv.glsl"
-#include "shared/pixel_reads.glsl"
+#include "shared/pixel_images.glsl"
 
 layout(constant_id = CONSTANT_PACKED_LIGHT) const bool packed_light = false;
 layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_STORED;

@@ -122,6 +122,11 @@ Pass& Pass::raster(const gpu::Raster& raster) {
     return *this;
 }
 
+Pass& Pass::without_raster() {
+    has_raster_ = false;
+    return *this;
+}
+
 Pass& Pass::prepare(std::function<void(const PassInterface&)> callback) {
     prepare_ = std::move(callback);
     return *this;
@@ -303,8 +308,9 @@ void FrameGraph::prepare_passes() {
         std::vector<std::vector<gpu::Binding>> sets;
         for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot) {
             sets.push_back(bindings(*pass, slot));
-            sets.back().push_back(gpu::Binding::uniform(INPUT_RASTER, rasters_.handle(), p * raster_stride_,
-                                                        sizeof(shared::RasterConstants)));
+            if (pass->has_raster_)
+                sets.back().push_back(gpu::Binding::uniform(INPUT_RASTER, rasters_.handle(), p * raster_stride_,
+                                                            sizeof(shared::RasterConstants)));
         }
         pass->layout_ = gpu::make_set_layout(context_, pass->name_, sets[0]);
         pass->sets_ = gpu::DescriptorSets(context_, pass->name_, pass->layout_, sets);

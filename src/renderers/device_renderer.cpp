@@ -104,6 +104,7 @@ void DeviceRenderer::update_world(const WorldChanges& changes) {
         take_changes(changes);
     } catch (const Error&) {
         world_ = nullptr; // some of it has been taken in
+        drawn_ = false;   // stats() asks the world
         throw;
     }
 }
