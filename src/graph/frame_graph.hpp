@@ -77,7 +77,7 @@ public:
     /// What the shader finds as `raster` in set `inputs`: that of the images which it reads or writes by pixel. Without
     /// it, the attachments'; a pass that has none, and names none, has an empty one.
     Pass& raster(const gpu::Raster& raster);
-    /// Its shader has no `raster`. lavapipe (Mesa 22.3) crashes in long fragment shaders with one uniform buffer more.
+    /// Its shader has no `raster`. lavapipe (Mesa 22.3) crashes in custom materials that have one uniform buffer more.
     Pass& without_raster();
     Pass& prepare(std::function<void(const PassInterface&)> callback);
     /// Commands that may not stand inside of rendering, recorded before it begins.
