@@ -169,7 +169,9 @@ TEST(Render, StatsHoldWhatTheContractNames) {
     EXPECT_EQ(stats.at("exposure"), 0);
     EXPECT_EQ(stats.at("notes"), Json::array());
     EXPECT_EQ(stats.at("warnings"), Json::array());
-    EXPECT_EQ(stats.size(), 31u) << "a key that the contract does not name";
+    EXPECT_EQ(stats.at("updated_bytes"), 0) << "nothing of the world changes";
+    EXPECT_GT(stats.at("frame_bytes"), 0);
+    EXPECT_EQ(stats.size(), 34u) << "a key that the contract does not name";
 }
 
 TEST(Render, StatsTellOfShadowsWhereThereAreAny) {
