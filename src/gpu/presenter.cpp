@@ -50,16 +50,7 @@ bool equal(VkExtent2D a, VkExtent2D b) { return a.width == b.width && a.height =
 
 Presenter::Presenter(const Context& context, VkSurfaceKHR surface) : context_(context), swapchain_(context, surface) {
     for (Slot& slot : slots_) {
-        VkCommandPoolCreateInfo info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-        info.queueFamilyIndex = context.queue_family();
-        VkCommandPool pool = VK_NULL_HANDLE;
-        check(vkCreateCommandPool(context.device(), &info, nullptr, &pool), "window commands");
-        slot.pool = {context.device(), pool};
-        VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-        allocate.commandPool = pool;
-        allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-        allocate.commandBufferCount = 1;
-        check(vkAllocateCommandBuffers(context.device(), &allocate, &slot.commands), "window commands");
+        slot.recorded = make_command_slot(context, "window commands");
         slot.ready = make_semaphore(context, "window image ready");
     }
 }
@@ -194,15 +185,13 @@ bool Presenter::show(VkExtent2D window, const std::function<void(const OverlayCo
         taken_.reset();
         return false;
     }
-    check(vkResetCommandPool(context_.device(), slot.pool, 0), "window");
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(slot.commands, &begin), "window");
-    context_.begin_label(slot.commands, "window");
-    record(slot.commands, *index, slot_, overlay);
-    context_.end_label(slot.commands);
-    check(vkEndCommandBuffer(slot.commands), "window");
-    slot.value = context_.submit(slot.commands, {slot.ready, swapchain_.done(*index)});
+    begin_commands(context_, slot.recorded);
+    const VkCommandBuffer commands = slot.recorded.commands;
+    context_.begin_label(commands, "window");
+    record(commands, *index, slot_, overlay);
+    context_.end_label(commands);
+    check(vkEndCommandBuffer(commands), "window");
+    slot.value = context_.submit(commands, {slot.ready, swapchain_.done(*index)});
     swapchain_.present(*index);
     return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "buffer.hpp"
+#include "command_slot.hpp"
 #include "frames_in_flight.hpp"
 #include "shown_image.hpp"
 #include "swapchain.hpp"
@@ -39,8 +40,7 @@ public:
 
 private:
     struct Slot {
-        UniqueCommandPool pool;
-        VkCommandBuffer commands = VK_NULL_HANDLE;
+        CommandSlot recorded;
         UniqueSemaphore ready;
         uint64_t value = 0; ///< of the timeline, at its end; 0: not in flight
     };

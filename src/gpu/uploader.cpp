@@ -39,31 +39,18 @@ void Uploader::begin(uint64_t size) {
         block.buffer = Buffer(context_, "staging", std::max(size, block_bytes), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                               BufferPlace::upload);
     block.used = 0;
-    if (!block.pool) {
-        VkCommandPoolCreateInfo info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-        info.queueFamilyIndex = context_.queue_family();
-        VkCommandPool pool = VK_NULL_HANDLE;
-        check(vkCreateCommandPool(context_.device(), &info, nullptr, &pool), "upload commands");
-        block.pool = {context_.device(), pool};
-        VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-        allocate.commandPool = pool;
-        allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-        allocate.commandBufferCount = 1;
-        check(vkAllocateCommandBuffers(context_.device(), &allocate, &block.commands), "upload commands");
-    }
-    check(vkResetCommandPool(context_.device(), block.pool, 0), "upload commands");
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(block.commands, &begin), "upload");
-    context_.begin_label(block.commands, "upload");
+    if (!block.recorded.commands)
+        block.recorded = make_command_slot(context_, "upload commands");
+    begin_commands(context_, block.recorded);
+    context_.begin_label(commands(), "upload");
     recording_ = true;
 }
 
 void Uploader::submit() {
     Block& block = blocks_[current_];
-    context_.end_label(block.commands);
-    check(vkEndCommandBuffer(block.commands), "upload");
-    block.submitted = context_.submit(block.commands);
+    context_.end_label(commands());
+    check(vkEndCommandBuffer(commands()), "upload");
+    block.submitted = context_.submit(commands());
     recording_ = false;
     current_ = (current_ + 1) % frames_in_flight;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "buffer.hpp"
+#include "command_slot.hpp"
 #include "frames_in_flight.hpp"
 
 namespace prelight::gpu {
@@ -21,7 +22,7 @@ public:
     };
     Staging stage(uint64_t size);
     /// Where the copy from the last stage() is recorded.
-    VkCommandBuffer commands() const { return blocks_[current_].commands; }
+    VkCommandBuffer commands() const { return blocks_[current_].recorded.commands; }
     /// Submits what is recorded and waits for all of it. Throws Error.
     void finish();
 
@@ -29,8 +30,7 @@ private:
     struct Block {
         Buffer buffer;
         uint64_t used = 0;
-        UniqueCommandPool pool;
-        VkCommandBuffer commands = VK_NULL_HANDLE;
+        CommandSlot recorded;
         uint64_t submitted = 0; ///< value of the timeline; 0: not in flight
     };
     void begin(uint64_t size);

@@ -7,21 +7,8 @@
 namespace prelight {
 
 FrameQueue::FrameQueue(const gpu::Context& context) : context_(context) {
-    for (uint32_t s = 0; s < gpu::frames_in_flight; ++s) {
-        VkCommandPoolCreateInfo info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-        info.queueFamilyIndex = context_.queue_family();
-        VkCommandPool pool = VK_NULL_HANDLE;
-        gpu::check(vkCreateCommandPool(context_.device(), &info, nullptr, &pool), "command pool");
-        slots_[s].pool = {context_.device(), pool};
-        const std::string name = fmt::format("frame commands {}", s);
-        context_.set_name(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<uint64_t>(pool), name);
-        VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-        allocate.commandPool = pool;
-        allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-        allocate.commandBufferCount = 1;
-        gpu::check(vkAllocateCommandBuffers(context_.device(), &allocate, &slots_[s].commands), "command buffer");
-        context_.set_name(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<uint64_t>(slots_[s].commands), name);
-    }
+    for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
+        slots_[s] = gpu::make_command_slot(context_, fmt::format("frame commands {}", s));
 }
 
 FrameQueue::~FrameQueue() {
@@ -46,16 +33,8 @@ gpu::FrameTurn FrameQueue::begin() {
     slot_ = (slot_ + 1) % gpu::frames_in_flight;
     while (!pending_.empty() && pending_.front().slot == slot_)
         collect();
-    begin_commands();
+    gpu::begin_commands(context_, slots_[slot_]);
     return {slot_, drained_};
-}
-
-void FrameQueue::begin_commands() {
-    const Slot& slot = slots_[slot_];
-    gpu::check(vkResetCommandPool(context_.device(), slot.pool, 0), "command pool");
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    gpu::check(vkBeginCommandBuffer(slot.commands, &begin), "frame");
 }
 
 uint64_t FrameQueue::end_commands() {
@@ -107,7 +86,7 @@ void FrameQueue::drain() {
 }
 
 void FrameQueue::run(const std::function<void(VkCommandBuffer)>& record) {
-    begin_commands();
+    gpu::begin_commands(context_, slots_[slot_]);
     record(commands());
     context_.wait(end_commands());
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include <deque>
 #include <functional>
-#include <gpu/context.hpp>
+#include <gpu/command_slot.hpp>
 #include <gpu/frames_in_flight.hpp>
 #include <graph/frame_graph.hpp>
 #include <string>
@@ -54,22 +54,17 @@ public:
     const FrameFigures& last_frame();
 
 private:
-    struct Slot {
-        gpu::UniqueCommandPool pool;
-        VkCommandBuffer commands = VK_NULL_HANDLE;
-    };
     struct Pending {
         uint32_t slot = 0;
         uint64_t value = 0; ///< of the context's timeline
         uint64_t run = 0;
         const graph::FrameGraph* graph = nullptr;
     };
-    void begin_commands();
     uint64_t end_commands();
     void collect();
 
     const gpu::Context& context_;
-    gpu::PerFrame<Slot> slots_;
+    gpu::PerFrame<gpu::CommandSlot> slots_;
     uint32_t slot_ = 0;
     bool drained_ = true; ///< since then no frame was submitted
     std::deque<Pending> pending_;
