@@ -138,11 +138,14 @@ TEST(Presets, WhatIsWithoutEffectInTheOtherModelGivesWayAndIsTold) {
     };
     const Stats ggx = stats_of({.width = 16, .height = 16, .shading = Shading::ggx, .preset = "round2"});
     EXPECT_EQ(ggx.settings.at("specular-vector"), "half");
-    EXPECT_THAT(ggx.notes, testing::Contains(HasSubstr("specular-vector=reflection: needs --shading phong")));
+    EXPECT_THAT(ggx.notes, testing::Contains(HasSubstr(
+                               "specular-vector=reflection: needs --shading phong, and it is ggx (preset round2)")));
     const Stats tiles =
         stats_of({.width = 16, .height = 16, .preset = "round2", .settings = {{"light-culling", "tiles"}}});
     EXPECT_EQ(tiles.settings.at("volume-depth-test"), "on");
-    EXPECT_THAT(tiles.notes, testing::Contains(HasSubstr("volume-depth-test=off: needs light-culling=volumes")));
+    EXPECT_THAT(tiles.notes,
+                testing::Contains(
+                    HasSubstr("volume-depth-test=off: needs light-culling=volumes, and it is tiles (preset round2)")));
     EXPECT_EQ(tiles.settings.at("model"), "mono");
 }
 
