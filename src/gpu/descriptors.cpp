@@ -21,20 +21,22 @@ void write(const Context& context, VkDescriptorSet set, std::span<const Binding>
     }
 }
 
-} // namespace
-
-Binding Binding::uniform(uint32_t index, VkBuffer buffer, uint64_t offset, uint64_t range) {
-    Binding b{index, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
+Binding of_buffer(uint32_t index, VkDescriptorType type, VkBuffer buffer, uint64_t offset, uint64_t range) {
+    Binding b{index, type};
     b.buffer = buffer;
     b.offset = offset;
     b.range = range;
     return b;
 }
 
-Binding Binding::storage(uint32_t index, VkBuffer buffer) {
-    Binding b{index, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-    b.buffer = buffer;
-    return b;
+} // namespace
+
+Binding Binding::uniform(uint32_t index, VkBuffer buffer, uint64_t offset, uint64_t range) {
+    return of_buffer(index, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, buffer, offset, range);
+}
+
+Binding Binding::storage(uint32_t index, VkBuffer buffer, uint64_t offset, uint64_t range) {
+    return of_buffer(index, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffer, offset, range);
 }
 
 Binding Binding::sampled(uint32_t index, VkImageView view, VkImageLayout layout) {

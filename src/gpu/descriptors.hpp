@@ -18,7 +18,7 @@ struct Binding {
     VkSampler sampler = VK_NULL_HANDLE;
 
     static Binding uniform(uint32_t index, VkBuffer buffer, uint64_t offset = 0, uint64_t range = VK_WHOLE_SIZE);
-    static Binding storage(uint32_t index, VkBuffer buffer);
+    static Binding storage(uint32_t index, VkBuffer buffer, uint64_t offset = 0, uint64_t range = VK_WHOLE_SIZE);
     static Binding sampled(uint32_t index, VkImageView view, VkImageLayout layout);
     static Binding storage_image(uint32_t index, VkImageView view);
     static Binding sampler_only(uint32_t index, VkSampler sampler);

@@ -77,8 +77,6 @@ public:
     /// What the shader finds as `raster` in set `inputs`: that of the images which it reads or writes by pixel. Without
     /// it, the attachments'; a pass that has none, and names none, has an empty one.
     Pass& raster(const gpu::Raster& raster);
-    /// Its shader has no `raster`. lavapipe (Mesa 22.3) crashes in custom materials that have one uniform buffer more.
-    Pass& without_raster();
     Pass& prepare(std::function<void(const PassInterface&)> callback);
     /// Commands that may not stand inside of rendering, recorded before it begins.
     Pass& before_rendering(std::function<void(const PassContext&)> callback);
@@ -127,7 +125,6 @@ private:
     std::vector<uint32_t> stencils_; ///< and sample_stencil()
     std::vector<std::pair<uint32_t, BufferId>> storages_;
     std::optional<gpu::Raster> raster_; ///< raster()
-    bool has_raster_ = true;            ///< without_raster()
     std::function<void(const PassInterface&)> prepare_;
     std::function<void(const PassContext&)> before_rendering_, record_;
 

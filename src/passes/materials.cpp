@@ -12,7 +12,7 @@ bool is_half(const graph::FrameGraph& graph, graph::ImageId image) {
 void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs, const std::string& name,
           graph::ImageId target, uint32_t output, Display display = {}) {
     graph::Pass& pass = graph.pass(name);
-    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f}).depth_test(inputs.depth).without_raster();
+    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f}).depth_test(inputs.depth);
     const bool bits =
         view.context().is_software() && is_half(graph, inputs.light.diffuse) && is_half(graph, inputs.light.specular);
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;

@@ -28,6 +28,8 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
     }
     const rlimit no_core = {0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
+    for (const int signal : {SIGINT, SIGHUP, SIGQUIT})
+        std::signal(signal, SIG_DFL); // a shell's background jobs and nohup's children ignore some of them
     execve(arguments[0], arguments.data(), environment.data());
     _exit(127);
 }
