@@ -2,6 +2,7 @@
 #include "files.hpp"
 #include "process.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <prelight/device.hpp>
 #include <prelight/error.hpp>
@@ -310,17 +311,24 @@ std::string random_events(uint64_t seed, uint32_t steps) {
     return text;
 }
 
-/// PRELIGHT_VIEW_RECORDINGS=N plays so many (default 2): what scripts/test.sh view-recordings does for minutes.
+/// A number of the environment's.
+uint64_t wanted(const char* name, uint64_t otherwise) {
+    const char* text = std::getenv(name);
+    return text ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+/// PRELIGHT_VIEW_RECORDINGS=N plays so many (default 2), PRELIGHT_VIEW_STEPS=N such long ones (default 40 steps).
 TEST(View, RandomInputEndsInAPictureUnderValidation) {
     const TemporaryFolder folder;
-    const char* wanted = std::getenv("PRELIGHT_VIEW_RECORDINGS");
-    const uint64_t runs = wanted ? std::strtoull(wanted, nullptr, 10) : 2;
+    const uint64_t runs = wanted("PRELIGHT_VIEW_RECORDINGS", 2);
+    const auto steps = static_cast<uint32_t>(wanted("PRELIGHT_VIEW_STEPS", 40));
     for (uint64_t seed = 1; seed <= runs; ++seed) {
-        const std::string text = random_events(seed, 40) + "40 resize 96 54\n";
+        const std::string text = random_events(seed, steps) + fmt::format("{} resize 96 54\n", steps);
         write(folder.path / "r.txt", head + text);
         const char* scene = seed % 2 ? "motion" : "spheres";
-        const Result result = run({"view", scene, "--play", "r.txt", "-o", "p.png", "--validate"}, folder.path);
-        EXPECT_EQ(result.status, 0) << "seed " << seed << ": " << result.err << text;
+        const Result result = run({"view", scene, "--play", "r.txt", "-o", "p.png", "--validate"}, folder.path,
+                                  {.seconds = 60 + 0.1 * steps});
+        EXPECT_EQ(result.status, 0) << "seed " << seed << ": " << result.err << (steps > 40 ? "" : text);
         EXPECT_TRUE(std::filesystem::exists(folder.path / "p.png"));
     }
 }
