@@ -46,6 +46,8 @@ enum class Tonemap {
     aces,        ///< ACES filmic fit (Narkowicz 2015)
     none,        ///< clamp to 0 … 1
 };
+/// Scene-linear → the display's linear light, 0 … 1: what `tonemap` encodes.
+glm::vec3 display_light(glm::vec3 linear, Tonemap curve);
 /// Scene-linear → display-encoded sRGB, on the CPU (the GPU pass is checked against it).
 Image tonemap(const Image& linear, Tonemap curve);
 

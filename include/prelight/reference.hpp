@@ -7,6 +7,27 @@
 
 namespace prelight {
 
+/// Several samples a pixel, at Vulkan's standard sample positions, and what is evaluated how often. A fragment is what
+/// one triangle owns of a pixel: its samples that see the triangle. What is evaluated once a fragment is so where the
+/// ray through the pixel's centre meets the triangle's plane, on the triangle or beyond its edges. Textures are
+/// filtered with the neighbouring pixels' rays through the same place of the pixel.
+struct ReferenceSamples {
+    uint32_t count = 1; ///< 1, 2 or 4; the only one goes through the pixel's centre, and nothing else here matters then
+    /// Where light is evaluated: the sums of all lights, and ambient occlusion.
+    enum class Light {
+        sample,   ///< at each sample; where materials are evaluated once a fragment they meet the mean of its samples'
+        pixel,    ///< at sample 0, an unlit surface too, for all of the pixel's materials; without a surface there none
+        fragment, ///< once a fragment, as forward renderers do
+    } light = Light::sample;
+    enum class Rate { sample, fragment };
+    Rate material = Rate::sample; ///< surface and background colours, and what becomes of the light
+    /// What lights see of surfaces but for their position: normal and roughness; also alpha tests.
+    Rate geometry = Rate::sample;
+    /// A light's shadow at sample 0 is that of all samples; where that sees no surface they have none.
+    bool shadows_per_pixel = false;
+    bool operator==(const ReferenceSamples&) const = default;
+};
+
 /// Which form of the lighting model the reference evaluates (see docs/lighting-model.md).
 /// The picture of an implementation is judged against the reference of its own form.
 struct ReferenceForm {
@@ -33,12 +54,14 @@ struct ReferenceForm {
     /// each by itself, as a forward draw of one light at a time; or, where a G-buffer knows no such shader,
     /// metallic-roughness, with the shader for what needs no light.
     enum class OwnShaders { sums, each_light, no_lights } own_shaders = OwnShaders::sums;
+    ReferenceSamples samples{};
     bool operator==(const ReferenceForm&) const = default;
 };
 
-/// What the reference knows of each pixel's first hit, to leave out pixels by `measure.md`'s rule.
+/// What the reference knows of each pixel's first hit, of sample 0 where there are several; with the pixels that its
+/// pictures cannot judge (docs/measuring.md).
 struct ReferencePicture {
-    Image linear;                     ///< exposed scene-linear
+    Image linear;                     ///< exposed scene-linear; the mean of a pixel's samples
     std::vector<uint32_t> instance;   ///< index into World::instances; 0xffffffff: background
     std::vector<uint32_t> primitive;  ///< primitive within the mesh
     std::vector<glm::dvec3> position; ///< world, of the hit
@@ -50,7 +73,27 @@ struct ReferencePicture {
     std::vector<uint64_t> shadow_mask;        ///< hash of the outcomes of all shadow rays; 0 when off
     std::vector<uint64_t> mask_outcome;       ///< hash of the alpha tests along the ray; 0: none
 
-    /// One byte per pixel: 1 where a pixel lies beside (8 neighbours) one of another instance,
+    uint32_t samples = 1; ///< a pixel; of one the vectors that follow are empty
+    /// Exposed scene-linear, `samples` a pixel in Vulkan's order. Samples of a fragment share what is evaluated once.
+    std::vector<glm::vec3> sample_colours;
+    /// 1 where a pixel's samples see more than one surface: another instance or primitive, or the background, or a
+    /// normal or plane that left_out() calls another.
+    std::vector<uint8_t> edge;
+    /// Why a pixel is left out.
+    enum Doubt : uint8_t {
+        near_edge = 1,    ///< a ray 1/128 pixel beside a sample's, across or down, sees another surface
+        shadow = 2,       ///< samples of one surface, here and in the pixels beside this one, differ in shadows
+        mask = 4,         ///< samples, here and in the pixels beside this one, differ in alpha tests
+        extrapolated = 8, ///< the pixel's centre is before no part of a fragment's plane; one of its samples serves
+    };
+    std::vector<uint8_t> doubts; ///< sums of Doubt
+
+    /// Display-encoded sRGB: the mean of the tone-mapped samples in the display's linear light, then encoded. An edge
+    /// between a lamp and the night comes out half as bright as the lamp shows, and not as bright as the lamp.
+    Image display(Tonemap curve) const;
+
+    /// With several samples a pixel: 1 where `doubts` has any; an edge by itself is none. With one sample:
+    /// one byte per pixel: 1 where a pixel lies beside (8 neighbours) one of another instance,
     /// primitive's alpha mask or shadow outcome, with a normal more than 30° away, or lying off its
     /// plane by more than 1 % of depth.
     std::vector<uint8_t> left_out() const;
@@ -61,10 +104,13 @@ struct ReferencePicture {
 /// `specular-antialiasing`, `texture-filter` (trilinear as samplers say; anisotropy is not modelled). A key that a
 /// renderer lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
-ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings);
+/// `samples`: a pixel. With several: `msaa-light` (`pixel`: at sample 0; any other: at each sample), `msaa-material`,
+/// `msaa-geometry` and `msaa-shadows`, each per sample unless it says otherwise. A renderer without `msaa-light` is a
+/// forward one: all once a fragment, unless `msaa-material` says per sample.
+ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings, uint32_t samples = 1);
 
-/// Ray-casts the world with Embree, shades in double precision, one ray through each pixel's centre.
-/// Deterministic. Throws Error.
+/// Ray-casts the world with Embree and shades in double precision. Deterministic. Throws Error, also for a number of
+/// samples other than 1, 2 and 4.
 ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
                                   double exposure, const ReferenceForm& form);
 

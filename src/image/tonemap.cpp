@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <prelight/image.hpp>
 
 namespace prelight {
@@ -26,20 +27,24 @@ glm::vec3 aces(glm::vec3 x) { return x * (2.51f * x + 0.03f) / (x * (2.43f * x +
 
 } // namespace
 
-Image tonemap(const Image& linear, Tonemap curve) {
+glm::vec3 display_light(glm::vec3 colour, Tonemap curve) {
     // Both curves approach 1 long before this; it keeps infinities out of their quotients.
     constexpr float limit = 65504;
+    for (int channel = 0; channel < 3; ++channel)
+        colour[channel] = colour[channel] > 0 ? std::min(colour[channel], limit) : 0.0f;
+    if (curve == Tonemap::pbr_neutral)
+        colour = pbr_neutral(colour);
+    else if (curve == Tonemap::aces)
+        colour = aces(colour);
+    return glm::clamp(colour, 0.0f, 1.0f);
+}
+
+Image tonemap(const Image& linear, Tonemap curve) {
     Image display(linear.width, linear.height);
     for (size_t i = 0; i < linear.pixels.size(); ++i) {
-        glm::vec3 colour = linear.pixels[i];
+        const glm::vec3 light = display_light(linear.pixels[i], curve);
         for (int channel = 0; channel < 3; ++channel)
-            colour[channel] = colour[channel] > 0 ? std::min(colour[channel], limit) : 0.0f;
-        if (curve == Tonemap::pbr_neutral)
-            colour = pbr_neutral(colour);
-        else if (curve == Tonemap::aces)
-            colour = aces(colour);
-        for (int channel = 0; channel < 3; ++channel)
-            display.pixels[i][channel] = srgb_encode(colour[channel]);
+            display.pixels[i][channel] = srgb_encode(light[channel]);
     }
     return display;
 }

@@ -49,6 +49,17 @@ void Lighting::add(const Incident& light) {
     add_one(light, nl);
 }
 
+void Lighting::take(const Lighting& other, double share) {
+    sums_.diffuse += share * other.sums_.diffuse;
+    sums_.specular += share * other.sums_.specular;
+    sums_.weight += share * other.sums_.weight;
+    sums_.diffuse_fresnel += share * other.sums_.diffuse_fresnel;
+    sums_.specular_fresnel += share * other.sums_.specular_fresnel;
+    sums_.full += share * other.sums_.full;
+    sums_.contributing = std::max(sums_.contributing, other.sums_.contributing);
+    each_ += share * other.each_;
+}
+
 void Lighting::add_one(const Incident& light, double nl) {
     if (form_.shading == Shading::ggx)
         add_ggx(light, nl);

@@ -30,6 +30,8 @@ public:
     /// N·L; a light with N·L ≤ 0 or without radiance gives nothing and need not be added.
     double cosine(const Incident& light) const;
     void add(const Incident& light);
+    /// Adds a share of what another point of the surface has gathered.
+    void take(const Lighting& other, double share);
     /// Radiance towards the viewer, not exposed. `ambient`: radiance from everywhere, where there is no environment.
     glm::dvec3 radiance(glm::dvec3 ambient);
     const LightSums& sums() const { return sums_; }

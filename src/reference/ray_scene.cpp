@@ -24,6 +24,7 @@ struct Context {
     RTCIntersectContext embree; // first, so that the pointers are the same
     const RayScene* scene;
     std::vector<Hole>* holes; ///< null for shadow rays
+    const Ray* masks_along = nullptr;
 };
 
 /// Finaliser of splitmix64 (Steele, Lea, Flood 2014): spreads a small number over 64 bits.
@@ -203,11 +204,17 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     }
     if (draw.material->alpha_mode != AlphaMode::mask)
         return;
-    const double u = hit.u, v = hit.v;
+    glm::dvec2 place(hit.u, hit.v);
+    if (context.masks_along) {
+        double distance = 0;
+        const glm::dvec2 there = Triangle(draw, hit.primID).meet(*context.masks_along, distance);
+        if (std::isfinite(there.x) && std::isfinite(there.y))
+            place = there;
+    }
     Hit tested;
     tested.draw = hit.geomID;
     tested.triangle = hit.primID;
-    tested.weights = {1 - u - v, u, v};
+    tested.weights = {1 - place.x - place.y, place.x, place.y};
     if (context.scene->base_colour(tested).a >= static_cast<double>(draw.material->alpha_cutoff))
         return;
     arguments->valid[0] = 0;
@@ -215,9 +222,9 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
         context.holes->push_back({ray.tfar, hit.geomID});
 }
 
-bool RayScene::closest(const Ray& ray, Hit& hit) const {
+bool RayScene::closest(const Ray& ray, Hit& hit, const Ray* masks_along) const {
     std::vector<Hole> holes;
-    Context context{{}, this, &holes};
+    Context context{{}, this, &holes, masks_along};
     rtcInitIntersectContext(&context.embree);
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -2,12 +2,40 @@
 #include <prelight/reference.hpp>
 
 namespace prelight {
+namespace {
 
-ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings) {
-    const auto is = [&](const char* key, const char* value) {
-        const auto found = settings.find(key);
-        return found != settings.end() && found->second == value;
-    };
+using InForce = std::map<std::string, std::string>;
+
+bool says(const InForce& settings, const char* key, const char* value) {
+    const auto found = settings.find(key);
+    return found != settings.end() && found->second == value;
+}
+
+ReferenceSamples samples_form(const InForce& settings, uint32_t count) {
+    using Rate = ReferenceSamples::Rate;
+    ReferenceSamples form{.count = count};
+    if (count == 1)
+        return form;
+    const bool forward = !settings.contains("msaa-light");
+    if (forward && !says(settings, "msaa-material", "sample")) {
+        form.light = ReferenceSamples::Light::fragment;
+        form.material = form.geometry = Rate::fragment;
+    } else if (!forward) {
+        if (says(settings, "msaa-light", "pixel"))
+            form.light = ReferenceSamples::Light::pixel;
+        if (says(settings, "msaa-material", "fragment"))
+            form.material = Rate::fragment;
+        if (says(settings, "msaa-geometry", "fragment"))
+            form.geometry = Rate::fragment;
+    }
+    form.shadows_per_pixel = says(settings, "msaa-shadows", "pixel");
+    return form;
+}
+
+} // namespace
+
+ReferenceForm reference_form(Shading shading, const InForce& settings, uint32_t samples) {
+    const auto is = [&](const char* key, const char* value) { return says(settings, key, value); };
     using Fresnel = ReferenceForm::Fresnel;
     ReferenceForm form;
     form.shading = shading;
@@ -36,6 +64,7 @@ ReferenceForm reference_form(Shading shading, const std::map<std::string, std::s
                         : is("specular", "luminance")     ? Specular::luminance
                         : is("specular", "bent")          ? Specular::bent
                                                           : Specular::stored;
+    form.samples = samples_form(settings, samples);
     return form;
 }
 

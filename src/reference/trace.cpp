@@ -1,14 +1,8 @@
 #include <cmath>
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
-#include <optional>
 #include <parallel/parallel_for.hpp>
 #include <prelight/error.hpp>
-#include <reference/decals.hpp>
-#include <reference/light_tree.hpp>
-#include <reference/lighting.hpp>
-#include <reference/ray_scene.hpp>
-#include <reference/surface.hpp>
+#include <reference/doubts.hpp>
 #include <reference/trace.hpp>
 #include <reference/visibility.hpp>
 
@@ -16,37 +10,6 @@ namespace prelight::reference {
 namespace {
 
 constexpr uint32_t no_instance = 0xffffffffu;
-
-/// Rays through pixel centres, relative to the camera's position. A ray's direction has length 1
-/// along the camera's axis, so that distances along a ray are depths.
-class Lens {
-public:
-    Lens(const PlacedCamera& placed, uint32_t width, uint32_t height)
-        : placed_(placed), width_(width), height_(height) {
-        const Camera& camera = placed.camera;
-        half_height_ = camera.kind == ProjectionKind::perspective ? std::tan(camera.yfov / 2) : camera.ymag;
-        half_width_ = half_height_ * width / height;
-    }
-
-    Ray ray(uint32_t x, uint32_t y) const {
-        const Camera& camera = placed_.camera;
-        const double across = (2 * (x + 0.5) / width_ - 1) * half_width_;
-        const double up = (1 - 2 * (y + 0.5) / height_) * half_height_;
-        const glm::dvec3 offset = placed_.axes[0] * across + placed_.axes[1] * up;
-        if (camera.kind == ProjectionKind::perspective)
-            return {glm::dvec3(0), offset - placed_.axes[2], camera.znear, camera.zfar};
-        return {offset, -placed_.axes[2], camera.znear, camera.zfar};
-    }
-
-    /// Metres that a pixel covers across the view at this depth.
-    double pixel(double depth) const {
-        return 2 * half_height_ / height_ * (placed_.camera.kind == ProjectionKind::perspective ? depth : 1);
-    }
-
-private:
-    const PlacedCamera& placed_;
-    double width_, height_, half_width_ = 1, half_height_ = 1;
-};
 
 /// Where the hit point of the triangle was at the moment's previous state, relative to the scene's
 /// origin.
@@ -59,16 +22,21 @@ glm::dvec3 previous_position(const Draw& draw, const Hit& hit) {
     return glm::dvec3(draw.previous_to_world * glm::dvec4(place, 1));
 }
 
+/// The form without what has no effect in it.
+ReferenceForm plain_form(ReferenceForm form) {
+    if (form.samples.count != 1 && form.samples.count != 2 && form.samples.count != 4)
+        throw Error(fmt::format("reference: {} samples a pixel: there are 1, 2 and 4", form.samples.count));
+    if (form.samples.count == 1)
+        form.samples = {};
+    return form;
+}
+
 class Tracer {
 public:
     Tracer(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height, double exposure,
            const ReferenceForm& form, ReferenceBuffers* buffers)
-        : form_(form), textures_(*world.scene, form.bilinear_level0), world_(world),
-          scene_(world, camera.position, textures_), lights_(world, camera.position),
-          environment_(world.scene->environment.get()), lens_(camera, width, height), origin_(camera.position),
+        : form_(plain_form(form)), world_(world, camera, width, height, form_), origin_(camera.position),
           ambient_(world.ambient), factor_(std::exp2(exposure)), buffers_(buffers) {
-        if (!world.decals.empty())
-            decals_.emplace(world, camera.position, textures_);
         const size_t pixels = size_t(width) * height;
         picture.linear = Image(width, height);
         picture.instance.assign(pixels, no_instance);
@@ -80,6 +48,13 @@ public:
         picture.depth.assign(pixels, std::numeric_limits<double>::infinity());
         picture.shadow_mask.assign(pixels, 0);
         picture.mask_outcome.assign(pixels, 0);
+        picture.samples = form_.samples.count;
+        if (picture.samples > 1) {
+            picture.sample_colours.assign(pixels * picture.samples, glm::vec3(0));
+            picture.edge.assign(pixels, 0);
+            picture.doubts.assign(pixels, 0);
+            seen_.resize(pixels * picture.samples);
+        }
         if (!buffers)
             return;
         buffers->albedo = buffers->diffuse_light = buffers->specular_light = Image(width, height);
@@ -90,97 +65,61 @@ public:
     }
 
     void trace_row(uint32_t y) {
-        std::vector<uint32_t> reached;
-        for (uint32_t x = 0; x < picture.linear.width; ++x)
-            trace_pixel(x, y, reached);
+        PixelShader shader(world_, form_, ambient_, factor_);
+        for (uint32_t x = 0; x < picture.linear.width; ++x) {
+            const std::span<const Sample> samples = shader.shade(x, y);
+            const size_t at = size_t(y) * picture.linear.width + x;
+            put_surface(at, samples[0]);
+            picture.linear.pixels[at] = samples[0].colour;
+            if (samples.size() == 1)
+                continue;
+            glm::dvec3 sum(0);
+            for (size_t i = 0; i < samples.size(); ++i) {
+                sum += glm::dvec3(picture.sample_colours[at * samples.size() + i] = samples[i].colour);
+                seen_[at * samples.size() + i] = remember(world_, x, y, samples[i], shader.masks_along());
+            }
+            picture.linear.pixels[at] = glm::vec3(sum / static_cast<double>(samples.size()));
+        }
     }
+
+    void compare_row(uint32_t y) { find_doubts(picture, seen_, y); }
 
     ReferencePicture picture;
 
 private:
-    void trace_pixel(uint32_t x, uint32_t y, std::vector<uint32_t>& reached) {
-        const size_t at = size_t(y) * picture.linear.width + x;
-        const Ray ray = lens_.ray(x, y);
-        Hit hit;
-        const bool found = scene_.closest(ray, hit);
+    void put_surface(size_t at, const Sample& sample) {
+        const Hit& hit = sample.hit;
         picture.mask_outcome[at] = hit.mask_outcome;
-        if (!found) {
-            if (environment_.is_background())
-                picture.linear.pixels[at] = glm::vec3(environment_.background(glm::normalize(ray.direction)) * factor_);
+        if (!sample.found)
             return;
-        }
-        const Draw& draw = scene_.draw(hit.draw);
-        std::optional<Beside> beside;
-        if (!form_.bilinear_level0)
-            beside = Beside{scene_.beside(hit, lens_.ray(x ^ 1, y)), scene_.beside(hit, lens_.ray(x, y ^ 1))};
-        Surface surface =
-            evaluate_surface(scene_, textures_, hit, glm::normalize(-ray.direction), beside ? &*beside : nullptr);
-        const double spread = form_.specular_antialiasing && !surface.unlit
-                                  ? normal_spread(surface.normal, normal_at(hit, x ^ 1, y), normal_at(hit, x, y ^ 1))
-                                  : 0; // of the surface itself
-        if (decals_ && world_.instances[draw.instance].receives_decals && draw.material->receives_decals)
-            decals_->cover(surface);
-        set_lamp_roughness(surface, spread);
-        if (form_.occlusion_radius > 0)
-            surface.visibility = ray_visibility(scene_, hit, surface.normal, form_.occlusion_radius);
-        if (buffers_ && buffers_->visibility_radius > 0)
-            buffers_->visibility.pixels[at] =
-                glm::vec3(form_.occlusion_radius == buffers_->visibility_radius
-                              ? surface.visibility
-                              : ray_visibility(scene_, hit, surface.normal, buffers_->visibility_radius));
+        const Draw& draw = world_.rays().draw(hit.draw);
         picture.instance[at] = draw.instance;
         picture.primitive[at] = draw.primitive_index;
         picture.position[at] = origin_ + hit.position;
         picture.previous_position[at] = origin_ + previous_position(draw, hit);
-        picture.normal[at] = surface.normal;
+        picture.normal[at] = sample.surface.normal;
         picture.geometric_normal[at] = hit.geometric_normal;
         picture.depth[at] = hit.distance;
-
-        Lighting lighting(form_, surface, factor_, environment_.there() ? &environment_ : nullptr);
-        if (!surface.unlit) {
-            const double pixel =
-                lens_.pixel(hit.distance) / std::max(std::abs(glm::dot(surface.normal, surface.view)), 0.1);
-            lights_.reach(surface.position, reached);
-            for (const uint32_t index : reached) {
-                const Incident light = lights_.incident(index, surface.position, pixel);
-                if (lighting.cosine(light) <= 0 || light.radiance == glm::dvec3(0))
-                    continue;
-                if (form_.shadows && light.casts_shadow && shadowed(hit, light))
-                    picture.shadow_mask[at] += (index + uint64_t(1)) * 0x9e3779b97f4a7c15u;
-                else
-                    lighting.add(light);
-            }
-        }
-        if (buffers_) {
-            buffers_->albedo.pixels[at] = glm::vec3(surface.base_colour);
-            buffers_->diffuse_light.pixels[at] = glm::vec3(lighting.sums().diffuse);
-            buffers_->specular_light.pixels[at] = glm::vec3(lighting.sums().specular);
-            buffers_->light_count[at] = lighting.sums().contributing;
-        }
-        picture.linear.pixels[at] = glm::vec3(lighting.radiance(ambient_) * factor_);
-    }
-
-    /// The normal that the triangle, its plane going on beyond its edges, has under another pixel.
-    glm::dvec3 normal_at(const Hit& hit, uint32_t x, uint32_t y) const {
-        const Ray ray = lens_.ray(x, y);
-        return shading_normal(scene_, textures_, scene_.beside(hit, ray), glm::normalize(-ray.direction));
-    }
-
-    bool shadowed(const Hit& hit, const Incident& light) const {
-        const glm::dvec3 start = hit.position + hit.geometric_normal * hit.offset;
-        return scene_.blocked({start, light.to_light, 0, light.distance - hit.offset});
+        picture.shadow_mask[at] = sample.shadow_mask;
+        if (!buffers_)
+            return;
+        buffers_->albedo.pixels[at] = glm::vec3(sample.base_colour);
+        buffers_->diffuse_light.pixels[at] = glm::vec3(sample.sums.diffuse);
+        buffers_->specular_light.pixels[at] = glm::vec3(sample.sums.specular);
+        buffers_->light_count[at] = sample.sums.contributing;
+        const double radius = buffers_->visibility_radius;
+        if (radius > 0)
+            buffers_->visibility.pixels[at] =
+                glm::vec3(form_.occlusion_radius == radius && form_.samples.light != ReferenceSamples::Light::fragment
+                              ? sample.surface.visibility
+                              : ray_visibility(world_.rays(), hit, sample.surface.normal, radius));
     }
 
     ReferenceForm form_;
-    Textures textures_;
-    const World& world_;
-    RayScene scene_;
-    std::optional<Decals> decals_; ///< absent: the world has none
-    LightTree lights_;
-    EnvironmentLight environment_;
-    Lens lens_;
+    SeenWorld world_;
     glm::dvec3 origin_, ambient_;
     double factor_;
+    std::vector<SeenSample> seen_; ///< of several samples a pixel
     ReferenceBuffers* buffers_;
 };
 
@@ -192,12 +131,28 @@ ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t 
         throw Error(fmt::format("reference: a picture of {}x{} pixels is not rendered", width, height));
     Tracer tracer(world, camera, width, height, exposure, form, buffers);
     parallel_for(height, [&](uint32_t row) { tracer.trace_row(row); });
+    if (tracer.picture.samples > 1)
+        parallel_for(height, [&](uint32_t row) { tracer.compare_row(row); });
     return std::move(tracer.picture);
 }
 
 } // namespace prelight::reference
 
 namespace prelight {
+
+Image ReferencePicture::display(Tonemap curve) const {
+    if (samples == 1)
+        return tonemap(linear, curve);
+    Image out(linear.width, linear.height);
+    for (size_t i = 0; i < out.pixels.size(); ++i) {
+        glm::dvec3 sum(0);
+        for (size_t s = i * samples; s < (i + 1) * samples; ++s)
+            sum += glm::dvec3(display_light(sample_colours[s], curve));
+        for (int channel = 0; channel < 3; ++channel)
+            out.pixels[i][channel] = srgb_encode(static_cast<float>(sum[channel] / samples));
+    }
+    return out;
+}
 
 ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
                                   double exposure, const ReferenceForm& form) {

@@ -76,5 +76,30 @@ TEST(ReferenceFormDefaults, UnknownKeysAndValuesMeanNothing) {
     EXPECT_FALSE(form.ambient_as_light);
 }
 
+TEST(ReferenceFormSamples, AreWhatARenderersSettingsSay) {
+    using Light = ReferenceSamples::Light;
+    using Rate = ReferenceSamples::Rate;
+    const auto of = [](const std::map<std::string, std::string>& settings, uint32_t samples = 4) {
+        return reference_form(Shading::ggx, settings, samples).samples;
+    };
+    const ReferenceSamples truth{.count = 4};
+    EXPECT_EQ(of({{"msaa-light", "samples"}}), truth);
+    EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "sample"}}), truth);
+    EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "fragment"}}),
+              (ReferenceSamples{.count = 4, .material = Rate::fragment}));
+    EXPECT_EQ(
+        of({{"msaa-light", "pixel"}, {"msaa-geometry", "fragment"}, {"msaa-shadows", "pixel"}}, 2),
+        (ReferenceSamples{.count = 2, .light = Light::pixel, .geometry = Rate::fragment, .shadows_per_pixel = true}));
+    // A forward renderer has no light by itself.
+    const ReferenceSamples forward{
+        .count = 4, .light = Light::fragment, .material = Rate::fragment, .geometry = Rate::fragment};
+    EXPECT_EQ(of({}), forward);
+    EXPECT_EQ(of({{"msaa-material", "fragment"}}), forward);
+    EXPECT_EQ(of({{"msaa-material", "sample"}}), truth);
+    for (const char* light : {"pixel", "edges"})
+        EXPECT_EQ(of({{"msaa-light", light}, {"msaa-shadows", "pixel"}}, 1), ReferenceSamples{});
+    EXPECT_EQ(reference_form(Shading::ggx, {}), ReferenceForm(reference_form(Shading::ggx, {}, 1)));
+}
+
 } // namespace
 } // namespace prelight

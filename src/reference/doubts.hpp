@@ -1,0 +1,23 @@
+#pragma once
+#include <reference/pixel_shader.hpp>
+
+namespace prelight::reference {
+
+/// What is kept of a sample until its neighbours are known.
+struct SeenSample {
+    uint32_t draw = 0xffffffffu; ///< as it is: background
+    uint32_t triangle = 0;
+    bool lit = false, near_edge = false, runs_away = false;
+    glm::vec3 position{0}; ///< relative to the camera
+    glm::vec3 normal{0}, geometric_normal{0};
+    float depth = 0;
+    uint64_t shadow_mask = 0, mask_outcome = 0;
+};
+
+/// `masks_along`: as RayScene::closest().
+SeenSample remember(const SeenWorld& world, uint32_t x, uint32_t y, const Sample& sample, const Ray* masks_along);
+
+/// Fills `edge` and `doubts` of one row of a picture with several samples a pixel. `seen`: all the picture's, in order.
+void find_doubts(ReferencePicture& picture, std::span<const SeenSample> seen, uint32_t row);
+
+} // namespace prelight::reference

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <reference/seen_world.hpp>
+
+namespace prelight::reference {
+
+inline constexpr uint32_t most_samples = 4;
+
+/// What one ray of a pixel saw, and what became of it.
+struct Sample {
+    glm::dvec2 place = pixel_centre;
+    Ray ray;
+    Hit hit; ///< without `found` only its mask_outcome
+    bool found = false;
+    uint32_t owner = 0; ///< the pixel's first sample on the same triangle
+    Surface surface;    ///< as lights see it
+    bool lit = false;   ///< lights were evaluated for it, at a place of its own
+    uint64_t shadow_mask = 0;
+    bool runs_away = false;    ///< its triangle's plane does not lie before the camera under the pixel's centre
+    glm::vec3 colour{0};       ///< exposed scene-linear
+    glm::dvec3 base_colour{0}; ///< of the material that gave the colour
+    LightSums sums;            ///< which that material met
+};
+
+/// Casts a pixel's rays and shades what they hit, in the form's own way.
+class PixelShader {
+public:
+    /// `ambient`: radiance from everywhere; `factor`: exposure. `form` has nothing but defaults in `samples` where
+    /// there is one.
+    PixelShader(const SeenWorld& world, const ReferenceForm& form, glm::dvec3 ambient, double factor)
+        : world_(world), form_(form), ambient_(ambient), factor_(factor) {}
+
+    /// The pixel's samples, in Vulkan's order. They stay until the next call.
+    std::span<const Sample> shade(uint32_t x, uint32_t y);
+    /// Along which alpha tests look for a texture's alpha; null: each along its own ray.
+    const Ray* masks_along() const { return at_fragments(form_.samples.geometry) ? &centre_ray_ : nullptr; }
+
+private:
+    static bool at_fragments(ReferenceSamples::Rate rate) { return rate == ReferenceSamples::Rate::fragment; }
+    std::span<Sample> samples() { return std::span(samples_).first(form_.samples.count); }
+    void look();
+    void take_surfaces(uint32_t index);
+    Sample centre_of(const Sample& owner) const;
+    void occlude(Sample& point) const;
+    glm::vec3 behind(const Sample& sample) const;
+    void shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets);
+
+    const SeenWorld& world_;
+    const ReferenceForm& form_;
+    glm::dvec3 ambient_;
+    double factor_;
+    uint32_t x_ = 0, y_ = 0;
+    Ray centre_ray_;
+    std::array<Sample, most_samples> samples_;
+    std::array<Sample, most_samples> centres_; ///< of fragments, by owner: the place under the pixel's centre
+    std::vector<uint32_t> reached_;
+};
+
+} // namespace prelight::reference

@@ -1,0 +1,197 @@
+// What is evaluated how often, with several samples a pixel.
+#include "sampled.hpp"
+#include <gmock/gmock.h>
+
+namespace prelight {
+namespace {
+
+/// A ball before a wall, both of one colour each, and a light near them.
+struct BallBeforeWall : TestWorld {
+    PlacedCamera camera = metre_camera(ProjectionKind::perspective);
+    explicit BallBeforeWall(bool unlit = false) {
+        add_material({.base_colour = {0.2f, 0.7f, 0.4f, 1}, .roughness = 0.6f, .unlit = unlit});
+        add(wall_triangle());
+        add_material({.base_colour = {0.9f, 0.3f, 0.2f, 1}, .roughness = 0.3f, .unlit = unlit});
+        add(sphere(24), glm::scale(glm::translate(glm::dmat4(1), {1, 0.5, 1}), glm::dvec3(5)));
+        add_light({.intensity = 300}, {-7, 5, 9});
+    }
+    ReferencePicture picture(const ReferenceSamples& samples, const ReferenceForm& form = {}) const {
+        return sampled(*this, camera, samples, form);
+    }
+};
+
+TEST(SampleForms, AreAllEqualWhereNothingIsLit) {
+    const BallBeforeWall test(true);
+    const auto truth = test.picture({.count = 4});
+    EXPECT_THAT(truth.edge, testing::Contains(1));
+    for (const ReferenceSamples& samples : every_form)
+        if (samples.count == 4) {
+            EXPECT_TRUE(test.picture(samples).sample_colours == truth.sample_colours);
+        }
+}
+
+TEST(SampleForms, DifferWhereLightDoes) {
+    BallBeforeWall test;
+    test.scene.materials[1].base_colour_texture.image = test.add_image(2, 1, {90, 90, 90, 255, 255, 255, 255, 255});
+    std::vector<ReferencePicture> pictures;
+    for (const ReferenceSamples& samples : every_form)
+        if (samples.count == 4 && !samples.shadows_per_pixel)
+            pictures.push_back(test.picture(samples));
+    for (size_t a = 0; a < pictures.size(); ++a)
+        for (size_t b = a + 1; b < pictures.size(); ++b)
+            EXPECT_FALSE(pictures[a].linear.pixels == pictures[b].linear.pixels) << a << ", " << b;
+}
+
+TEST(SampleForms, OnceAFragmentAWallIsAsWithOneSample) {
+    TestWorld test;
+    test.add_material({.base_colour = {0.8f, 0.5f, 0.2f, 1}, .metallic = 0.3f, .roughness = 0.4f});
+    test.add(wall_triangle());
+    test.add_light({.intensity = 300}, {-7, 5, 4});
+    for (const ProjectionKind kind : {ProjectionKind::perspective, ProjectionKind::orthographic}) {
+        const PlacedCamera camera = metre_camera(kind);
+        const auto one = render_reference(test.world, camera, columns, rows, 0, {});
+        const auto all = sampled(test, camera, forward_samples);
+        EXPECT_TRUE(all.linear.pixels == one.linear.pixels);
+        EXPECT_TRUE(all.display(Tonemap::pbr_neutral).pixels == one.display(Tonemap::pbr_neutral).pixels);
+    }
+}
+
+TEST(SampleForms, LightIsAveragedBeforeTheMaterialMeetsIt) {
+    // [phong] without a bent exponent is linear in the sums: one colour on a wall makes no difference.
+    TestWorld test;
+    Material material{.metallic = 0, .roughness = 0.5f};
+    test.add_material(material);
+    test.add(wall_triangle());
+    test.add_light({.intensity = 60}, {-7, 5, 2});
+    const PlacedCamera camera = metre_camera(ProjectionKind::orthographic);
+    const ReferenceForm phong{.shading = Shading::phong};
+    const ReferenceSamples fragment{.count = 4, .material = SampleRate::fragment};
+    const auto truth = sampled(test, camera, {.count = 4}, phong);
+    const auto once = sampled(test, camera, fragment, phong);
+    for (size_t i = 0; i < truth.linear.pixels.size(); ++i) {
+        EXPECT_NEAR(once.linear.pixels[i].g, truth.linear.pixels[i].g, 1e-6 + 1e-6 * truth.linear.pixels[i].g);
+        for (size_t s = 1; s < 4; ++s)
+            EXPECT_EQ(once.sample_colours[4 * i + s], once.sample_colours[4 * i]);
+    }
+    // An exponent on the sum is not linear.
+    const ReferenceForm bent{
+        .shading = Shading::phong, .mono_specular = true, .specular = ReferenceForm::Specular::luminance};
+    EXPECT_FALSE(sampled(test, camera, {.count = 4}, bent).linear.pixels ==
+                 sampled(test, camera, fragment, bent).linear.pixels);
+}
+
+TEST(SampleForms, MaterialsAreReadAtTheSampleOrAtTheCentre) {
+    // A texture that changes from left to right, smoothly; no light matters. The centre's colour is that of one sample.
+    TestWorld test;
+    Material material{.unlit = true};
+    material.base_colour_texture.image = test.add_image(2, 1, {0, 0, 0, 255, 255, 255, 255, 255});
+    test.add_material(material);
+    test.add(square(12));
+    const PlacedCamera camera = metre_camera(ProjectionKind::orthographic);
+    const auto one = render_reference(test.world, camera, columns, rows, 0, {});
+    const auto truth = sampled(test, camera, {.count = 4});
+    const auto once = sampled(test, camera, {.count = 4, .material = SampleRate::fragment});
+    for (uint32_t y = 1; y < rows; ++y) {
+        const size_t pixel = y * columns + 11, s = pixel * 4;
+        EXPECT_NEAR(once.linear.pixels[pixel].r, one.linear.pixels[pixel].r, 1e-6);
+        EXPECT_LT(truth.sample_colours[s + 2].r, truth.sample_colours[s + 0].r); // by where they lie
+        EXPECT_LT(truth.sample_colours[s + 0].r, truth.sample_colours[s + 3].r);
+        EXPECT_LT(truth.sample_colours[s + 3].r, truth.sample_colours[s + 1].r);
+    }
+}
+
+TEST(SampleForms, LightOncePerPixelIsThatOfSampleZero) {
+    const BallBeforeWall test;
+    const ReferenceForm phong{.shading = Shading::phong};
+    const auto truth = test.picture({.count = 4}, phong);
+    const auto once = test.picture({.count = 4, .light = SampleLight::pixel}, phong);
+    uint32_t edges = 0;
+    for (size_t pixel = 0; pixel < columns * rows; ++pixel) {
+        EXPECT_EQ(once.sample_colours[4 * pixel], truth.sample_colours[4 * pixel]);
+        for (size_t s = 1; s < 4; ++s) {
+            const glm::vec3 ours = once.sample_colours[4 * pixel + s], zero = truth.sample_colours[4 * pixel];
+            if (!truth.edge[pixel]) { // one material
+                EXPECT_EQ(ours, zero);
+            }
+        }
+        edges += truth.edge[pixel];
+    }
+    EXPECT_GT(edges, 20u);
+}
+
+TEST(SampleForms, WithoutASurfaceAtSampleZeroThereIsNoLight) {
+    // The triangle's left edge runs between sample 0 and samples 1 and 3.
+    TestWorld test;
+    test.add_material({.base_colour = {1, 1, 1, 1}, .metallic = 0, .roughness = 1});
+    test.add(triangle(at_pixel(6.5, -500), at_pixel(6.5, 500), at_pixel(900, 0)));
+    test.add_light({.kind = LightKind::directional}, {});
+    test.world.ambient = glm::vec3(0.1f);
+    const PlacedCamera camera = metre_camera(ProjectionKind::orthographic);
+    const auto truth = sampled(test, camera, {.count = 4});
+    const auto once = sampled(test, camera, {.count = 4, .light = SampleLight::pixel});
+    const float lit = truth.linear.at(9, 5).r;
+    EXPECT_FLOAT_EQ(truth.linear.at(6, 5).r, lit / 2);
+    EXPECT_FLOAT_EQ(once.linear.at(6, 5).r, 0.5f * 0.1f * 1.04f) << "ambient light, of two samples";
+    EXPECT_EQ(once.linear.at(9, 5), truth.linear.at(9, 5));
+}
+
+TEST(SampleForms, ShadowsOncePerPixelAreThoseOfSampleZero) {
+    TestWorld test;
+    test.add_material({.metallic = 0});
+    test.add(wall_triangle());
+    // Behind the camera: its shadow's left border is upright, at 6.5 pixels.
+    Primitive blocker = triangle(at_pixel(6.5, -500), at_pixel(6.5, 500), at_pixel(900, 0));
+    test.add(blocker, glm::translate(glm::dmat4(1), {0, 0, 20}));
+    test.add_light({.kind = LightKind::directional}, {});
+    const PlacedCamera camera = metre_camera(ProjectionKind::orthographic);
+    const ReferenceForm shadows{.shadows = true};
+    const auto each = sampled(test, camera, {.count = 4}, shadows);
+    const auto zero = sampled(test, camera, {.count = 4, .shadows_per_pixel = true}, shadows);
+    const float lit = each.linear.at(2, 5).r;
+    EXPECT_GT(lit, 0);
+    EXPECT_FLOAT_EQ(each.linear.at(6, 5).r, lit / 2);
+    EXPECT_EQ(zero.linear.at(6, 5).r, lit); // sample 0 lies at 6.375
+    EXPECT_EQ(zero.linear.at(7, 5).r, 0);
+    EXPECT_THAT(zero.edge, testing::Each(0)) << "a shadow is no edge";
+}
+
+TEST(SampleForms, AlphaTestsGoWithTheGeometry) {
+    TestWorld test;
+    Material masked{.alpha_mode = AlphaMode::mask, .unlit = true};
+    masked.base_colour_texture.image = test.add_image(2, 1, {255, 255, 255, 255, 255, 255, 255, 0});
+    masked.base_colour_texture.sampler = {.wrap_s = Wrap::clamp_to_edge};
+    test.add_material(masked);
+    // Of the square's 20 pixels the left half is there, up to 12.25 pixels.
+    test.add(square(10), glm::translate(glm::dmat4(1), glm::dvec3(0.25, 0, 0)));
+    const PlacedCamera camera = metre_camera(ProjectionKind::orthographic);
+    const auto each = sampled(test, camera, {.count = 4});
+    const auto once = sampled(test, camera, {.count = 4, .geometry = SampleRate::fragment});
+    EXPECT_EQ(each.linear.at(11, 5).r, 1);
+    EXPECT_EQ(each.linear.at(12, 5).r, 0.25f);
+    EXPECT_EQ(once.linear.at(11, 5).r, 1);
+    EXPECT_EQ(once.linear.at(12, 5).r, 0);
+}
+
+TEST(SampleForms, AHorizonUnderThePixelsCentreIsSaid) {
+    // The ground runs to the horizon through the centres of row 4: two of their samples see it, the centres never do.
+    TestWorld test;
+    test.add_material({.metallic = 0});
+    Primitive ground;
+    ground.positions = {{-1e6f, 0, 100}, {1e6f, 0, 100}, {0, 0, -1e7f}};
+    ground.normals.assign(3, {0, 1, 0});
+    ground.indices = {0, 1, 2};
+    test.add(ground);
+    test.add_light({.kind = LightKind::directional}, {}, {0, -1, 0});
+    const PlacedCamera camera = look_at(Camera{.zfar = std::numeric_limits<float>::infinity()}, {0, 1, 0}, {0, 1, -5});
+    const auto truth = sampled(test, camera, {.count = 4}, {}, 8, 9);
+    const auto once = sampled(test, camera, forward_samples, {}, 8, 9);
+    for (uint32_t x = 0; x < 8; ++x) {
+        EXPECT_TRUE(once.doubts[4 * 8 + x] & ReferencePicture::extrapolated);
+        EXPECT_FALSE(truth.doubts[4 * 8 + x] & ReferencePicture::extrapolated);
+        EXPECT_NEAR(once.linear.at(x, 4).r, truth.linear.at(x, 4).r, 1e-4);
+        EXPECT_FALSE(once.doubts[5 * 8 + x]);
+    }
+}
+
+} // namespace
+} // namespace prelight
