@@ -92,7 +92,8 @@ void PixelShader::take_surfaces(uint32_t index) {
 Sample PixelShader::centre_of(const Sample& owner) const {
     Sample centre = owner;
     centre.hit = world_.rays().beside(owner.hit, centre_ray_);
-    centre.runs_away = !std::isfinite(centre.hit.distance) || centre.hit.distance <= 0;
+    centre.runs_away = !std::isfinite(glm::dot(centre.hit.weights, centre.hit.weights)) ||
+                       !std::isfinite(centre.hit.distance) || centre.hit.distance <= 0;
     if (centre.runs_away) {
         centre.hit = owner.hit;
     } else {

@@ -1,6 +1,7 @@
 // What is evaluated how often, with several samples a pixel.
 #include "sampled.hpp"
 #include <gmock/gmock.h>
+#include <reference/lens.hpp>
 
 namespace prelight {
 namespace {
@@ -19,6 +20,27 @@ struct BallBeforeWall : TestWorld {
         return sampled(*this, camera, samples, form);
     }
 };
+
+TEST(SampleForms, TheTruthIsInALargerPicture) {
+    // Samples lie at odd eighths of a pixel, two of them at odd quarters: where centres do in larger pictures.
+    const BallBeforeWall test;
+    const ReferenceForm shadows{.shadows = true, .occlusion_radius = 3};
+    for (const uint32_t count : {2u, 4u}) {
+        const auto larger = render_reference(test.world, test.camera, columns * count, rows * count, 0, shadows).linear;
+        const auto truth = test.picture({.count = count}, shadows);
+        const auto places = reference::sample_positions(count);
+        for (uint32_t y = 0; y < rows; ++y)
+            for (uint32_t x = 0; x < columns; ++x) {
+                glm::dvec3 sum(0);
+                for (uint32_t s = 0; s < count; ++s) {
+                    const glm::uvec2 at(glm::dvec2(count) * (glm::dvec2(x, y) + places[s]));
+                    EXPECT_EQ(truth.sample_colours[(y * columns + x) * count + s], larger.at(at.x, at.y));
+                    sum += glm::dvec3(larger.at(at.x, at.y));
+                }
+                EXPECT_FLOAT_EQ(truth.linear.at(x, y).g, static_cast<float>(sum.g / count));
+            }
+    }
+}
 
 TEST(SampleForms, AreAllEqualWhereNothingIsLit) {
     const BallBeforeWall test(true);
@@ -153,6 +175,33 @@ TEST(SampleForms, ShadowsOncePerPixelAreThoseOfSampleZero) {
     EXPECT_EQ(zero.linear.at(6, 5).r, lit); // sample 0 lies at 6.375
     EXPECT_EQ(zero.linear.at(7, 5).r, 0);
     EXPECT_THAT(zero.edge, testing::Each(0)) << "a shadow is no edge";
+}
+
+TEST(SampleForms, AmbientOcclusionGoesWithTheLights) {
+    // A wall stands on another one, beyond the picture's right border, and takes ambient light away before it.
+    TestWorld test;
+    test.add_material({.metallic = 0});
+    test.add(wall_triangle());
+    Primitive standing = square(40);
+    for (glm::vec3& position : standing.positions)
+        position = {13, position.y, position.x};
+    test.add(standing);
+    test.world.ambient = glm::vec3(1);
+    const PlacedCamera camera = metre_camera(ProjectionKind::orthographic);
+    const ReferenceForm occluded{.occlusion_radius = 8};
+    const auto of = [&](const ReferenceSamples& samples) { return sampled(test, camera, samples, occluded); };
+    const auto truth = of({.count = 4}), zero = of({.count = 4, .light = SampleLight::pixel}),
+               mean = of({.count = 4, .material = SampleRate::fragment}), centre = of(forward_samples);
+    const auto one = render_reference(test.world, camera, columns, rows, 0, occluded);
+    bool differs = false;
+    for (size_t pixel = 0; pixel < truth.linear.pixels.size(); ++pixel) {
+        differs = differs || truth.sample_colours[4 * pixel + 1] != truth.sample_colours[4 * pixel];
+        for (size_t s = 0; s < 4; ++s)
+            EXPECT_EQ(zero.sample_colours[4 * pixel + s], truth.sample_colours[4 * pixel]);
+        EXPECT_NEAR(mean.linear.pixels[pixel].r, truth.linear.pixels[pixel].r, 1e-6);
+        EXPECT_EQ(centre.linear.pixels[pixel], one.linear.pixels[pixel]);
+    }
+    EXPECT_TRUE(differs);
 }
 
 TEST(SampleForms, AlphaTestsGoWithTheGeometry) {
