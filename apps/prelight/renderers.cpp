@@ -17,7 +17,7 @@ void print_one(const RendererInfo& info) {
         fmt::print("  {} = {}   (default {})\n      {}\n", setting.key, fmt::join(setting.values, " | "),
                    setting.default_value, setting.description);
         for (const SettingNeed& need : setting.needs)
-            fmt::print("      needs {}{}{}\n", need.key == "shading" ? "--shading " : need.key + "=",
+            fmt::print("      needs {}{}{}\n", need.of_options() ? "--" + need.key + " " : need.key + "=",
                        fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view);
     }
     if (!info.views.empty())

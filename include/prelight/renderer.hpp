@@ -24,8 +24,8 @@ struct RenderOptions {
     uint32_t height = 720;
     std::optional<Shading> shading; ///< absent: the preset's own, without one ggx; see shading_in_force()
     Tonemap tonemap = Tonemap::pbr_neutral;
-    double exposure = 0; ///< EV: scene-linear values are multiplied by 2^exposure
-    uint32_t msaa = 1;
+    double exposure = 0;      ///< EV: scene-linear values are multiplied by 2^exposure
+    uint32_t msaa = 1;        ///< samples a pixel
     bool count_pairs = false; ///< fill Stats::pairs (slower)
     /// Fill PassStats::cpu_ms: after the timed frames as many more, each pass submitted alone.
     bool pass_cpu = false;
@@ -36,9 +36,11 @@ struct RenderOptions {
 
 /// What a setting needs to have an effect.
 struct SettingNeed {
-    std::string key;                 ///< another setting, or "shading"
+    std::string key;                 ///< another setting, or "shading" or "msaa"
     std::vector<std::string> values; ///< that it may have
     std::string or_view{};           ///< or this view is asked for
+    /// Whether the key is not a setting, but one of RenderOptions.
+    bool of_options() const { return key == "shading" || key == "msaa"; }
 };
 
 /// One setting of a renderer, as `prelight renderers NAME` lists it.

@@ -42,7 +42,21 @@ Settings checked_settings(const RendererInfo& info, const RenderOptions& options
 
 double radius_of(const Settings& settings) { return std::strtod(settings.at(radius_key).c_str(), nullptr); }
 
-ReferenceForm form_of(const Settings& settings, Shading shading) {
+ReferenceSamples samples_of(const Settings& settings, uint32_t count) {
+    using Light = ReferenceSamples::Light;
+    static const std::map<std::string, Light> lights{
+        {"samples", Light::sample}, {"pixel", Light::pixel}, {"fragment", Light::fragment}};
+    const auto rate = [&](const char* key) {
+        return settings.at(key) == "fragment" ? ReferenceSamples::Rate::fragment : ReferenceSamples::Rate::sample;
+    };
+    return {.count = count,
+            .light = lights.at(settings.at("msaa-light")),
+            .material = rate("msaa-material"),
+            .geometry = rate("msaa-geometry"),
+            .shadows_per_pixel = settings.at("msaa-shadows") == "pixel"};
+}
+
+ReferenceForm form_of(const Settings& settings, Shading shading, uint32_t samples) {
     using Fresnel = ReferenceForm::Fresnel;
     static const std::map<std::string, Fresnel> forms{
         {"weighted", Fresnel::weighted}, {"nv", Fresnel::nv}, {"mono", Fresnel::mono}, {"full", Fresnel::full}};
@@ -64,23 +78,23 @@ ReferenceForm form_of(const Settings& settings, Shading shading) {
                 settings.at("specular-antialiasing") == "on" && settings.at("specular") == "stored",
             .occlusion_radius = settings.at("ambient-occlusion") == "on" ? radius_of(settings) : 0,
             .bilinear_level0 = settings.at("texture-filter") == "bilinear",
-            .specular = ways.at(settings.at("specular"))};
+            .specular = ways.at(settings.at("specular")),
+            .samples = samples_of(settings, samples)};
 }
 
 class ReferenceRenderer final : public Renderer {
 public:
     explicit ReferenceRenderer(const RenderOptions& options) : options_(options) {
         const RendererInfo info = reference_info();
+        if (options.msaa != 1 && options.msaa != 2 && options.msaa != 4)
+            throw UsageError(fmt::format("--msaa {}: the reference takes one of 1, 2, 4", options.msaa));
         stats_.settings = checked_settings(info, options);
         stats_.shading = options.shading.value_or(Shading::ggx);
         for (const auto& [key, value] : options.settings)
             refuse_without_effect(info, key, value, options.views);
-        form_ = form_of(stats_.settings, stats_.shading);
+        form_ = form_of(stats_.settings, stats_.shading, options.msaa);
         if (!options.preset.empty())
             throw UsageError(fmt::format("reference: unknown preset {} (it has none)", options.preset));
-        if (options.msaa != 1)
-            throw UsageError(fmt::format("reference: {} samples a pixel: it casts one ray through each pixel's centre",
-                                         options.msaa));
         if (options.count_pairs)
             throw UsageError("--count-pairs: the reference evaluates no light volumes to count");
         check_size(options.width, options.height);
@@ -154,7 +168,7 @@ public:
         if (view == "linear")
             return picture_.linear;
         if (view == "final")
-            return tonemap(picture_.linear, options_.tonemap);
+            return picture_.display(options_.tonemap);
         if (std::find(options_.views.begin(), options_.views.end(), view) == options_.views.end())
             throw UsageError(fmt::format("reference: view {} was not asked for", view));
         return reference::draw_view(view, picture_, buffers_, std::exp2(options_.exposure));
@@ -173,7 +187,7 @@ private:
                                const std::vector<std::string>& views) const {
         const auto setting = std::find_if(info.settings.begin(), info.settings.end(),
                                           [&](const SettingInfo& s) { return s.key == key; });
-        const auto why = why_without_effect(key, stats_.settings, stats_.shading, views);
+        const auto why = why_without_effect(key, stats_.settings, stats_.shading, options_.msaa, views);
         if (why && value != setting->default_value)
             throw UsageError(fmt::format("--set {}={}: {}", key, value, *why));
     }
@@ -233,6 +247,22 @@ RendererInfo reference_info() {
                  {"bilinear", "sampler"},
                  "bilinear",
                  "always bilinear on level 0, or as samplers say, with mip maps (alpha masks stay on level 0)"},
+                {"msaa-light",
+                 {"samples", "pixel", "fragment"},
+                 "samples",
+                 "light at each sample, at a pixel's sample 0, or at its centre once a triangle"},
+                {"msaa-material",
+                 {"sample", "fragment"},
+                 "sample",
+                 "materials at each sample, or at a pixel's centre once a triangle"},
+                {"msaa-geometry",
+                 {"sample", "fragment"},
+                 "sample",
+                 "normals and roughness that lights see, and alpha tests: likewise"},
+                {"msaa-shadows",
+                 {"sample", "pixel"},
+                 "sample",
+                 "shadows at each sample, or those of sample 0 for the whole pixel"},
             },
         .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light", "light-count",
                   "ambient-occlusion"},

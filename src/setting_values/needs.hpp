@@ -34,7 +34,12 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"shadow-cache", {"shadows", {"on"}}},
         {"shadow-memory", {"shadows", {"on"}}},
         {"ssao-radius", {"ssao", {"half", "full"}, "ambient-occlusion"}},
-        {"ambient-occlusion-radius", {"ambient-occlusion", {"on"}, "ambient-occlusion"}}};
+        {"ambient-occlusion-radius", {"ambient-occlusion", {"on"}, "ambient-occlusion"}},
+        {"msaa-light", {"msaa", {"2", "4"}}},
+        {"msaa-material", {"msaa", {"2", "4"}}},
+        {"msaa-geometry", {"msaa", {"2", "4"}}},
+        {"msaa-shadows", {"msaa", {"2", "4"}}},
+        {"msaa-shadows", {"shadows", {"on"}}}};
     std::vector<SettingNeed> found;
     for (auto [it, end] = needs.equal_range(key); it != end; ++it)
         found.push_back(it->second);
@@ -45,29 +50,32 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
 inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vector<SettingInfo>& settings) {
     std::vector<SettingNeed> found = needs_of(key);
     std::erase_if(found, [&](const SettingNeed& need) {
-        return need.key != "shading" && std::none_of(settings.begin(), settings.end(),
-                                                     [&](const SettingInfo& one) { return one.key == need.key; });
+        return !need.of_options() && std::none_of(settings.begin(), settings.end(),
+                                                  [&](const SettingInfo& one) { return one.key == need.key; });
     });
     return found;
 }
 
 inline const char* shading_name(Shading shading) { return shading == Shading::ggx ? "ggx" : "phong"; }
 
-/// Why a setting makes no difference with the values in force: what it needs; empty where it does make one.
+/// Why a setting makes no difference with the values in force: what it needs; empty where it does make one. `msaa`:
+/// samples a pixel.
 inline std::optional<std::string> why_without_effect(const std::string& key,
                                                      const std::map<std::string, std::string>& in_force,
-                                                     Shading shading, const std::vector<std::string>& views) {
+                                                     Shading shading, uint32_t msaa,
+                                                     const std::vector<std::string>& views) {
     for (const SettingNeed& need : needs_of(key)) {
-        const bool of_shading = need.key == "shading";
-        if (!of_shading && !in_force.contains(need.key))
+        if (!need.of_options() && !in_force.contains(need.key))
             continue;
-        const std::string value = of_shading ? shading_name(shading) : in_force.at(need.key);
+        const std::string value = need.key == "shading" ? shading_name(shading)
+                                  : need.key == "msaa"  ? std::to_string(msaa)
+                                                        : in_force.at(need.key);
         const auto has = [](const std::vector<std::string>& all, const std::string& one) {
             return std::find(all.begin(), all.end(), one) != all.end();
         };
         if (has(need.values, value) || (!need.or_view.empty() && has(views, need.or_view)))
             continue;
-        return fmt::format("needs {}{}{}, and it is {}", of_shading ? "--shading " : need.key + "=",
+        return fmt::format("needs {}{}{}, and it is {}", need.of_options() ? "--" + need.key + " " : need.key + "=",
                            fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view,
                            value);
     }

@@ -53,6 +53,23 @@ TEST(Render, TwoRunsGiveTheSameBytes) {
     }
 }
 
+TEST(Render, TheReferenceTakesSeveralSamplesAPixel) {
+    const TemporaryFolder folder;
+    const auto picture = [&](const std::vector<std::string>& more) {
+        const Result result = run(joined(small_render({"-o", "a.png", "--renderer", "reference"}), more), folder.path);
+        EXPECT_TRUE(succeeded(result));
+        return bytes_of(folder.path / "a.png");
+    };
+    const std::string one = picture({}), four = picture({"--msaa", "4", "--stats", "a.json"});
+    EXPECT_TRUE(one == picture({"--msaa", "1"}));
+    EXPECT_TRUE(one != four);
+    EXPECT_TRUE(four != picture({"--msaa", "2"}));
+    EXPECT_TRUE(four != picture({"--msaa", "4", "--set", "msaa-light=pixel", "--set", "msaa-material=fragment"}));
+    const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
+    EXPECT_EQ(stats.at("msaa"), 4);
+    EXPECT_EQ(stats.at("settings").at("msaa-light"), "samples");
+}
+
 TEST(Render, TimeAndAnimationPickThePose) {
     const TemporaryFolder folder;
     const auto picture = [&](const std::vector<std::string>& more) {

@@ -1,4 +1,5 @@
 #include "worlds.hpp"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <prelight/error.hpp>
 #include <reference/reference_renderer.hpp>
@@ -88,6 +89,45 @@ TEST(ReferenceRenderer, EverySettingReachesTheForm) {
     expect_phong("specular-light", "mono", {.mono_specular = true});
 }
 
+/// What has an effect with several samples a pixel only.
+const std::map<std::string, std::string> several_samples{
+    {"msaa-light", "pixel"}, {"msaa-material", "fragment"}, {"msaa-geometry", "fragment"}, {"msaa-shadows", "pixel"}};
+
+TEST(ReferenceRenderer, SeveralSamples) {
+    const TwoLights test;
+    const auto rendered = [&](const std::map<std::string, std::string>& more) {
+        std::map<std::string, std::string> settings{{"shadows", "on"}};
+        settings.insert(more.begin(), more.end());
+        auto renderer = make_reference_renderer(
+            {.width = 32, .height = 18, .msaa = 4, .settings = settings, .views = {"depth", "normal"}});
+        renderer->set_world(test.world);
+        renderer->render(test.camera);
+        return renderer;
+    };
+    ReferenceForm form{.fresnel = Fresnel::full, .shadows = true, .specular_antialiasing = true};
+    const auto expect = [&](Renderer& renderer, const ReferenceSamples& samples) {
+        form.samples = samples;
+        const ReferencePicture picture = render_reference(test.world, test.camera, 32, 18, 0, form);
+        EXPECT_TRUE(same(renderer.read("linear"), picture.linear));
+        EXPECT_TRUE(same(renderer.read("final"), picture.display(Tonemap::pbr_neutral)));
+        EXPECT_FALSE(same(renderer.read("final"), tonemap(picture.linear, Tonemap::pbr_neutral)));
+    };
+    using Light = ReferenceSamples::Light;
+    using Rate = ReferenceSamples::Rate;
+    const auto truth = rendered({});
+    expect(*truth, {.count = 4});
+    expect(*rendered({{"msaa-light", "pixel"}}), {.count = 4, .light = Light::pixel});
+    expect(*rendered({{"msaa-light", "fragment"}}), {.count = 4, .light = Light::fragment});
+    expect(*rendered({{"msaa-material", "fragment"}}), {.count = 4, .material = Rate::fragment});
+    expect(*rendered({{"msaa-geometry", "fragment"}}), {.count = 4, .geometry = Rate::fragment});
+    expect(*rendered({{"msaa-shadows", "pixel"}}), {.count = 4, .shadows_per_pixel = true});
+    for (const auto& [key, value] : several_samples)
+        EXPECT_FALSE(same(rendered({{key, value}})->read("linear"), truth->read("linear"))) << key;
+    // Views show sample 0, whatever is evaluated how often.
+    for (const char* view : {"depth", "normal"})
+        EXPECT_TRUE(same(rendered({{"msaa-light", "pixel"}})->read(view), truth->read(view))) << view;
+}
+
 TEST(ReferenceRenderer, RefusesWhatItDoesNotOffer) {
     EXPECT_THAT(usage_error({.settings = {{"light-culling", "clusters"}}}),
                 HasSubstr("unknown setting light-culling (there are: model, "));
@@ -95,7 +135,16 @@ TEST(ReferenceRenderer, RefusesWhatItDoesNotOffer) {
                 HasSubstr("model=exact: not one of weighted, nv, mono, full"));
     EXPECT_THAT(usage_error({.views = {"stencil"}}), HasSubstr("unknown view stencil"));
     EXPECT_THAT(usage_error({.preset = "engel"}), HasSubstr("preset engel"));
-    EXPECT_THAT(usage_error({.msaa = 4}), HasSubstr("4 samples"));
+    for (const uint32_t samples : {0u, 3u, 8u, 16u})
+        EXPECT_THAT(usage_error({.msaa = samples}),
+                    HasSubstr(fmt::format("--msaa {}: the reference takes one of 1, 2, 4", samples)));
+    for (const auto& [key, value] : several_samples) {
+        EXPECT_THAT(usage_error({.settings = {{key, value}, {"shadows", "on"}}}),
+                    HasSubstr("--set " + key + "=" + value + ": needs --msaa 2 or 4, and it is 1"));
+        EXPECT_EQ(usage_error({.msaa = 2, .settings = {{key, value}, {"shadows", "on"}}}), "nothing was thrown");
+    }
+    EXPECT_THAT(usage_error({.msaa = 4, .settings = {{"msaa-shadows", "pixel"}}}), HasSubstr("needs shadows=on"));
+    EXPECT_EQ(usage_error({.settings = {{"msaa-light", "samples"}}}), "nothing was thrown");
     EXPECT_THAT(usage_error({.count_pairs = true}), HasSubstr("--count-pairs"));
     EXPECT_THAT([] { make_reference_renderer({.width = 0}); }, testing::ThrowsMessage<Error>(HasSubstr("0x720")));
     EXPECT_EQ(usage_error({}), "nothing was thrown");

@@ -34,6 +34,8 @@ const SettingInfo& setting_of(const RendererInfo& info, const std::string& key) 
 void meet(const SettingNeed& need, RenderOptions& options) {
     if (need.key == "shading")
         options.shading = need.values[0] == "phong" ? Shading::phong : Shading::ggx;
+    else if (need.key == "msaa")
+        options.msaa = static_cast<uint32_t>(std::stoul(need.values[0]));
     else
         options.settings[need.key] = need.values[0];
 }
@@ -51,6 +53,8 @@ TEST(Settings, WithoutEffectAreRefusedWithWhatTheyNeed) {
                         meet(need, options);
                 if (unmet.key == "shading") {
                     options.shading = unmet.values[0] == "ggx" ? Shading::phong : Shading::ggx;
+                } else if (unmet.key == "msaa") {
+                    options.msaa = 1;
                 } else {
                     for (const SettingNeed& need : setting_of(info, unmet.key).needs)
                         meet(need, options);
@@ -61,7 +65,8 @@ TEST(Settings, WithoutEffectAreRefusedWithWhatTheyNeed) {
                 }
                 const std::string line = refusal_by(info, options);
                 EXPECT_THAT(line, HasSubstr("--set " + setting.key + "="));
-                EXPECT_THAT(line, HasSubstr(unmet.key == "shading" ? "--shading " + unmet.values[0] : unmet.key + "="));
+                EXPECT_THAT(line,
+                            HasSubstr(unmet.of_options() ? "--" + unmet.key + " " + unmet.values[0] : unmet.key + "="));
                 EXPECT_THAT(line, testing::Not(HasSubstr("\n")));
                 ++seen;
             }

@@ -104,7 +104,7 @@ void take(RunReport& run, Device& device, const World& world, const PlacedCamera
     renderer->render(camera);
     run.stats = renderer->stats();
 
-    const ReferenceForm form = reference_form(run.stats.shading, run.stats.settings);
+    const ReferenceForm form = reference_form(run.stats.shading, run.stats.settings, options.msaa);
     run.form = form_name(form);
     const References::Picture& reference = references.of(form);
     Image errors;

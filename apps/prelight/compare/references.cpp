@@ -1,6 +1,25 @@
 #include "references.hpp"
 
 namespace prelight::app {
+namespace {
+
+std::string samples_name(const ReferenceSamples& samples) {
+    using Light = ReferenceSamples::Light;
+    using Rate = ReferenceSamples::Rate;
+    std::string name = ", " + std::to_string(samples.count) + " samples a pixel";
+    name += samples.light == Light::pixel      ? ", light at sample 0"
+            : samples.light == Light::fragment ? ", light once a fragment"
+                                               : "";
+    if (samples.material == Rate::fragment)
+        name += ", materials once a fragment";
+    if (samples.geometry == Rate::fragment)
+        name += ", normals once a fragment";
+    if (samples.shadows_per_pixel)
+        name += ", shadows at sample 0";
+    return name;
+}
+
+} // namespace
 
 std::string form_name(const ReferenceForm& form) {
     using Fresnel = ReferenceForm::Fresnel;
@@ -26,6 +45,8 @@ std::string form_name(const ReferenceForm& form) {
             : form.specular == Way::luminance     ? ", specular=luminance"
             : form.specular == Way::bent          ? ", specular=bent"
                                                   : "";
+    if (form.samples.count > 1)
+        name += samples_name(form.samples);
     return name;
 }
 

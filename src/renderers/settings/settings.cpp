@@ -23,7 +23,7 @@ void Settings::set(const RendererInfo& info, const std::map<std::string, std::st
 }
 
 Settings::Settings(const RendererInfo& info, const RenderOptions& options)
-    : preset_(options.preset), views_(options.views), shading_(shading_in_force(info, options)) {
+    : preset_(options.preset), views_(options.views), shading_(shading_in_force(info, options)), msaa_(options.msaa) {
     for (const SettingInfo& setting : info.settings)
         defaults_[setting.key] = setting.default_value;
     values_ = defaults_;
@@ -49,7 +49,7 @@ void Settings::refuse_without_effect() {
     for (const auto& [key, value] : values_) {
         if (value == defaults_.at(key))
             continue; // says nothing that would not be so anyway
-        const std::optional<std::string> why = why_without_effect(key, values_, shading_, views_);
+        const std::optional<std::string> why = why_without_effect(key, values_, shading_, msaa_, views_);
         if (!why)
             continue;
         if (given(key))

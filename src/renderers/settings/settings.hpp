@@ -52,6 +52,7 @@ private:
     std::set<std::string> of_preset_; ///< keys that it sets
     std::vector<std::string> views_;
     Shading shading_;
+    uint32_t msaa_;
     std::map<std::string, SettingChoice> choices_;
     std::vector<std::string> notes_;
 };

@@ -49,7 +49,10 @@ bool has_effect(const PanelFrame& frame, const SettingInfo& setting, const std::
     // Of several needs with one key, any value of theirs will do only where all say so: all have to hold.
     return std::ranges::all_of(setting.needs, [&](const SettingNeed& need) {
         const auto found = frame.in_force.find(need.key);
-        const std::string now = need.key == "shading" ? shading : found != frame.in_force.end() ? found->second : "";
+        const std::string now = need.key == "shading"           ? shading
+                                : need.key == "msaa"            ? std::to_string(frame.session.look().options.msaa)
+                                : found != frame.in_force.end() ? found->second
+                                                                : "";
         return std::ranges::find(need.values, now) != need.values.end() ||
                (!need.or_view.empty() && frame.session.look().buffer == need.or_view);
     });
