@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: SAMPLES
 // The nearest and the farthest surface of each tile, and the depths that its surfaces have. A tile of a coarse
 // cell that no light reaches is as good as one without surfaces: where lights are few, most depths need not be read.
 #include "shared/light_cells.glsl"
@@ -41,10 +42,12 @@ void main() {
     do {
         int x = 0;
         do {
-            float stored = read_depth(min(low + ivec2(x, y), last));
-            least = min(least, stored > 0.0 ? stored : 3e38);
-            most = max(most, stored);
-            depths |= stored > 0.0 ? depth_bit(stored) : 0u;
+            EACH_SAMPLE {
+                float stored = read_depth(min(low + ivec2(x, y), last));
+                least = min(least, stored > 0.0 ? stored : 3e38);
+                most = max(most, stored);
+                depths |= stored > 0.0 ? depth_bit(stored) : 0u;
+            }
         } while (++x < tile_size);
     } while (++y < rows);
     LightCell cell = LightCell(1.0, 0.0, lit ? depths : 0u, 0u, 0u, 0u);

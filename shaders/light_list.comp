@@ -1,16 +1,21 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: ONE_TARGET|LIGHT_PAIR|COUNT_TARGET|DEFERRED_TARGET, ADDED, SHADOWS, STENCIL_ROUGHNESS
-// never: COUNT_TARGET SHADOWS, DEFERRED_TARGET STENCIL_ROUGHNESS, DEFERRED_TARGET ADDED
+// variants: ONE_TARGET|LIGHT_PAIR|COUNT_TARGET|DEFERRED_TARGET, ADDED, SHADOWS, STENCIL_ROUGHNESS, SAMPLES
+// never: COUNT_TARGET SHADOWS, DEFERRED_TARGET STENCIL_ROUGHNESS, DEFERRED_TARGET ADDED, SAMPLES COUNT_TARGET
+// never: SAMPLES STENCIL_ROUGHNESS
 // All lights of a tile, summed and written once, for devices that read buffers slowly: each invocation
 // of a subgroup loads another light, then all of them take each in turn from their neighbours. A workgroup is
 // one of the 8 × 8 blocks of pixels that light_lists_lit.comp found, an invocation `rows` of them. The lights
 // come as the tile's list, or (masked) as the bits of its 8 × 8 tiles' list.
+// With SAMPLES a workgroup is a tile of the sample light buffer instead: samples of edge pixels, all of one block.
 #define STORAGE_TARGET
 #include "shared/light_sums.glsl"
 #include "shared/light_front.glsl"
 #include "shared/light_lists.glsl"
 #include "shared/light_share.glsl"
+#ifdef SAMPLES
+#include "shared/edge_reads.glsl"
+#endif
 
 layout(constant_id = CONSTANT_LIST_TILE_SIZE) const int tile_size = 16;
 layout(constant_id = CONSTANT_LIST_ROWS) const int rows = 8;
@@ -141,22 +146,55 @@ LightFront front_of_pixels() {
     return light_front(n, least.x, least.y, -least.z, shared_min(low), -shared_min(minus_high));
 }
 
+// What a workgroup lights: blocks of pixels, or of samples.
+struct Block {
+    uint number; // of the workgroup
+    bool there;  // the dispatch is as wide as its row: past its end nothing is written
+    uvec2 place; // in the picture, blocks
+};
+
+#ifdef SAMPLES
+uint slot_of(int row) { return (gl_LocalInvocationID.y * uint(rows) + uint(row)) * LIT_BLOCK + gl_LocalInvocationID.x; }
+
+// In the picture; outside of it where there is none.
+ivec2 pixel_of(Block block, int row) {
+    return edge_pixel(block.there ? block.number : 0u, slot_of(row), block.place);
+}
+ivec2 texel_of(Block block, int row) { return edge_texel(block.number, slot_of(row)); }
+#else
+ivec2 pixel_of(Block block, int row) {
+    return ivec2(block.place) * LIT_BLOCK + ivec2(gl_LocalInvocationID.x, gl_LocalInvocationID.y * uint(rows) + uint(row));
+}
+ivec2 texel_of(Block block, int row) { return pixel_of(block, row); }
+#endif
+
+Block block_of_group() {
+    uint number = gl_WorkGroupID.y * LIT_ROW + gl_WorkGroupID.x, count = lit.dispatch.w;
+#ifdef SAMPLES
+    count = min(count, edge_tiles);
+#endif
+    uint index = lit_blocks[min(number, max(count, 1u) - 1u)];
+    bool there = number < count;
+    return Block(number, there, there ? uvec2(index % lists.blocks.x, index / lists.blocks.x) : uvec2(0u));
+}
+
 void main() {
-    // The dispatch is as wide as its row: past the end nothing is written.
-    uint number = gl_WorkGroupID.y * LIT_ROW + gl_WorkGroupID.x, lit_count = lit.dispatch.w;
-    uint index = lit_blocks[min(number, max(lit_count, 1u) - 1u)];
-    uvec2 block = number < lit_count ? uvec2(index % lists.blocks.x, index / lists.blocks.x) : uvec2(0u);
-    ivec2 first = ivec2(block) * LIT_BLOCK + ivec2(gl_LocalInvocationID.x, gl_LocalInvocationID.y * uint(rows));
+    Block block = block_of_group();
     ivec2 last = last_pixel();
     for (int row = 0; row < rows; ++row) {
-        pixels[row] = read_pixel(min(first + ivec2(0, row), last));
+        ivec2 pixel = pixel_of(block, row);
+        pixels[row] = read_pixel(clamp(pixel, ivec2(0), last));
+#ifdef SAMPLES
+        pixels[row].point.surface = pixels[row].point.surface && pixel.x >= 0;
+        pixels[row].point.n = pixel.x >= 0 ? pixels[row].point.n : vec3(0.0);
+#endif
         sums[row] = no_light();
         contributing[row] = 0u;
         if (ambient_too && pixels[row].point.surface)
             add_ambient(sums[row]);
     }
     front = front_of_pixels();
-    uvec2 tile = block / uint(tile_size / LIT_BLOCK);
+    uvec2 tile = block.place / uint(tile_size / LIT_BLOCK);
     if (masked)
         walk_masked(masked_list_of(tile), false);
     else
@@ -169,8 +207,8 @@ void main() {
         walk(list_of(tile.y * lists.cells.x + tile.x, 0u), true);
 #endif
     for (int row = 0; row < rows; ++row) {
-        ivec2 pixel = first + ivec2(0, row);
-        if (number >= lit_count || any(greaterThan(pixel, last)))
+        ivec2 pixel = pixel_of(block, row);
+        if (!block.there || pixel.x < 0 || any(greaterThan(pixel, last)))
             continue;
         bool surface = pixels[row].point.surface;
         count_lights(pixel, surface ? evaluated : 0u, contributing[row]);
@@ -178,6 +216,6 @@ void main() {
         if (!surface)
             continue; // stays as it is; elsewhere the sum of nothing takes the place of what was here before
 #endif
-        write_sums(pixel, sums[row]);
+        write_sums(texel_of(block, row), sums[row]);
     }
 }

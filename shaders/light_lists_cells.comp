@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: GRID_CELLS
+// variants: GRID_CELLS|SAMPLES
 // The lights of each cell, out of those of its coarse cell, in the order of light_order: counted, or
 // written where light_lists_offsets.comp has made room. One invocation a cell; all invocations of a workgroup
 // walk the same lights, so that each loads another one and hands it to its neighbours.

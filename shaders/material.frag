@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, LIGHT_BITS|LIGHT_PAIR, ONLY_WEIGHTED, OCCLUSION, DECALS|NO_TEXTURES
+// variants: OWN_MATERIAL, LIGHT_BITS|LIGHT_PAIR, ONLY_WEIGHTED, OCCLUSION, DECALS|NO_TEXTURES, SAMPLE_LIGHT
 // never: OWN_MATERIAL ONLY_WEIGHTED, OWN_MATERIAL NO_TEXTURES
 // only: OCCLUSION with OWN_MATERIAL
 // materials: all with OWN_MATERIAL, blinn_phong with ONLY_WEIGHTED
@@ -19,7 +19,7 @@ layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
 layout(constant_id = CONSTANT_MATERIAL_OUTPUT) const int material_output = MATERIAL_OUTPUT_SHADED;
 layout(constant_id = CONSTANT_AMBIENT_AS_LIGHT) const bool ambient_as_light = false;
 #ifdef OCCLUSION
-layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform PIXEL_IMAGE visibility_buffer;
+layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform ONE_SAMPLE_IMAGE visibility_buffer;
 #endif
 layout(location = 0) out vec4 out_colour;
 
@@ -40,7 +40,7 @@ Light light_of(LightTexels texels, Point p, Surface s) {
     light.openness = 1.0;
     add_environment(light, p, s);
 #ifdef OCCLUSION
-    occlude(light, p, s, pixel_read(visibility_buffer, ivec2(gl_FragCoord.xy)).r);
+    occlude(light, p, s, one_sample_read(visibility_buffer, ivec2(gl_FragCoord.xy)).r);
 #endif
     light.grazing_diffuse = mean_grazing(texels.diffuse);
     light.grazing_specular = mean_grazing(texels.specular);

@@ -1,10 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: BY_DEPTH
+// variants: BY_DEPTH, SAMPLES
+// only: SAMPLES with BY_DEPTH
 // Which triangles of a group may show. The tests and the room for rounding are those of
 // src/resident/trim_indices.cpp; with BY_DEPTH a triangle of a few pixels is left out too when at each of them
 // stands something nearer.
 #include "shared/pixel_reads.glsl"
+#include "shared/samples.glsl"
 #include "shared/trimming.glsl"
 
 layout(constant_id = CONSTANT_TRIM_SUBPIXEL_BITS) const uint subpixel_bits = 8u;
@@ -22,7 +24,8 @@ const uint OUTSIDE_LEFT = 1u, OUTSIDE_RIGHT = 2u, OUTSIDE_TOP = 4u, OUTSIDE_BOTT
 // Behind the camera, or so far off that single precision does not tell where: its triangles are kept.
 const uint UNKNOWN_PLACE = 64u;
 const float farthest = 16384.0; // pixels from the picture's corner
-float margin = exp2(-float(subpixel_bits)) + 1.0 / 128.0; // pixels
+// Pixels; several samples lie anywhere within theirs.
+float margin = exp2(-float(subpixel_bits)) + 1.0 / 128.0 + (samples > 1 ? 0.5 : 0.0);
 
 struct View {
     mat4 clip;   // object space → clip space
@@ -77,6 +80,16 @@ const int most_pixels = 16;
 const int most_pixels = 6;
 #endif
 
+#ifdef BY_DEPTH
+// Of a pixel's samples.
+float farthest_depth(ivec2 pixel) {
+    float farthest = 1.0;
+    EACH_SAMPLE
+        farthest = min(farthest, pixel_read(depth_buffer, pixel).r);
+    return farthest;
+}
+#endif
+
 // Whether the triangle may have one of the pixels from `first` to `last`; by depth, whether one of them shows nothing
 // that is nearer than `nearest`.
 bool covers(vec2 a, vec2 b, vec2 c, ivec2 first, ivec2 last, float nearest) {
@@ -90,7 +103,7 @@ bool covers(vec2 a, vec2 b, vec2 c, ivec2 first, ivec2 last, float nearest) {
         vec3 centre = vec3(vec2(pixel) + 0.5, 1.0);
         bool inside = dot(ab, centre) >= 0.0 && dot(bc, centre) >= 0.0 && dot(ca, centre) >= 0.0;
 #ifdef BY_DEPTH
-        inside = inside && pixel_read(depth_buffer, clamp(pixel, ivec2(0), last_pixel())).r <= nearest;
+        inside = inside && farthest_depth(clamp(pixel, ivec2(0), last_pixel())) <= nearest;
 #endif
         any_inside = any_inside || inside;
     } while (++i < pixels);

@@ -16,15 +16,21 @@ struct ReferenceSamples {
     /// Where light is evaluated: the sums of all lights, and ambient occlusion.
     enum class Light {
         sample,   ///< at each sample; where materials are evaluated once a fragment they meet the mean of its samples'
-        pixel,    ///< at sample 0, an unlit surface too, for all of the pixel's materials; without a surface there none
+        pixel,    ///< once for all of the pixel's materials: see below
         fragment, ///< once a fragment, as forward renderers do
     } light = Light::sample;
     enum class Rate { sample, fragment };
     Rate material = Rate::sample; ///< surface and background colours, and what becomes of the light
-    /// What lights see of surfaces but for their position: normal and roughness; also alpha tests.
+    /// What lights see of surfaces but for their position: normal and roughness. Of surfaces with an alpha mask always
+    /// each sample's, as are alpha tests.
     Rate geometry = Rate::sample;
-    /// A light's shadow at sample 0 is that of all samples; where that sees no surface they have none.
+    /// A light's shadow is that at the pixel's one place, for all its samples.
     bool shadows_per_pixel = false;
+    // The one place of a pixel: where its samples share a surface, that under its centre; else the surface of the first
+    // sample that has one, at that sample's depth under the centre. Samples share a surface where all have one whose
+    // normals meet at a cosine of 0.99 or more, whose roughness differs by at most 0.05, and whose view depth differs
+    // from the first one's by at most (1 + 2 tan) times the width of a pixel there; tan is that of the angle between
+    // the first one's normal and the view, at most 10.
     bool operator==(const ReferenceSamples&) const = default;
 };
 
@@ -104,9 +110,10 @@ struct ReferencePicture {
 /// `specular-antialiasing`, `texture-filter` (trilinear as samplers say; anisotropy is not modelled). A key that a
 /// renderer lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
-/// `samples`: a pixel. With several: `msaa-light` (`pixel`: at sample 0; any other: at each sample), `msaa-material`,
-/// `msaa-geometry` and `msaa-shadows`, each per sample unless it says otherwise. A renderer without `msaa-light` is a
-/// forward one: all once a fragment, unless `msaa-material` says per sample.
+/// `samples`: a pixel. With several: `msaa-light` (`pixel`: once a pixel; any other: at each sample), `msaa-material`
+/// and `msaa-shadows`, each per sample unless it says otherwise; `msaa-geometry`, which renderers on a device lack, for
+/// they store a normal once a fragment. A renderer without `msaa-light` is a forward one: all once a fragment, unless
+/// `msaa-material` says per sample.
 ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings, uint32_t samples = 1);
 
 /// Ray-casts the world with Embree and shades in double precision. Deterministic. Throws Error, also for a number of

@@ -29,6 +29,13 @@
 #define INPUT_SPECULAR_LIGHT 1
 // tone mapping
 #define INPUT_COLOUR 0
+// several samples a pixel: which pixels are edges, where their samples' light lies, and that light
+#define INPUT_EDGES 0
+#define INPUT_EDGE_INDEX 58
+#define INPUT_EDGE_PIXELS 59
+#define INPUT_EDGE_COUNTS 60
+#define INPUT_SAMPLE_DIFFUSE 61
+#define INPUT_SAMPLE_SPECULAR 62
 // light lists
 // Of the window's own shaders (ui.vert, ui.frag), which have one set
 #define UI_TEXTURE 0
@@ -167,6 +174,11 @@
 #define CONSTANT_TRIM_AGAIN 62
 #define CONSTANT_SHADOW_FILTER 51
 #define CONSTANT_SPECULAR_ANTIALIASING 70
+#define CONSTANT_SAMPLES 71
+#define CONSTANT_STORED_ENCODED 72
+#define CONSTANT_EVERY_EDGE 73
+#define CONSTANT_EDGE_TILES 74
+#define CONSTANT_EDGE_ROW 75
 #define CONSTANT_OCCLUSION_RADIUS 80
 #define CONSTANT_OCCLUSION_SCALE 81
 #define CONSTANT_OCCLUSION_AXIS 82

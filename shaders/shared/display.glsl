@@ -16,6 +16,10 @@ vec3 srgb_encode(vec3 linear) {
     return mix(1.055 * power - 0.055, linear * 12.92, lessThanEqual(linear, vec3(0.0031308)));
 }
 
+vec3 srgb_decode(vec3 code) {
+    return mix(pow((code + 0.055) / 1.055, vec3(2.4)), code / 12.92, lessThanEqual(code, vec3(0.04045)));
+}
+
 // Khronos PBR Neutral tone mapper, by its specification.
 vec3 tonemap_pbr_neutral(vec3 colour) {
     const float start_compression = 0.8 - 0.04;
@@ -36,14 +40,18 @@ vec3 tonemap_pbr_neutral(vec3 colour) {
 // ACES filmic curve, Narkowicz 2015.
 vec3 tonemap_aces(vec3 x) { return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
 
+// Not yet encoded.
+vec3 tone_mapped(vec3 colour) {
+    if (tonemap_curve == TONEMAP_PBR_NEUTRAL)
+        return tonemap_pbr_neutral(colour);
+    return tonemap_curve == TONEMAP_ACES ? tonemap_aces(colour) : colour;
+}
+
 // What a pass stores of scene-linear light.
 vec4 stored_colour(vec3 colour) {
     if (tonemap_curve == TONEMAP_LINEAR)
         return vec4(colour, 1.0);
-    if (tonemap_curve == TONEMAP_PBR_NEUTRAL)
-        colour = tonemap_pbr_neutral(colour);
-    else if (tonemap_curve == TONEMAP_ACES)
-        colour = tonemap_aces(colour);
+    colour = tone_mapped(colour);
     return vec4(target_encodes ? colour : srgb_encode(colour), 1.0);
 }
 #endif

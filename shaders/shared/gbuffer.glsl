@@ -56,7 +56,7 @@ float read_depth(ivec2 pixel) { return linear_depth_decode(depth_source, pixel_r
 bool read_position(ivec2 pixel, out vec3 world) {
     float stored = read_depth(pixel);
     bool surface = stored > 0.0;
-    vec2 clip = clip_of(vec2(pixel) + 0.5);
+    vec2 clip = clip_of(place_of(pixel));
     if (position_from_ray) {
         float z = !surface ? 1.0 : linear_depth ? stored : view_depth(stored);
         vec3 across = clip.x * frame.ray_right.xyz + clip.y * frame.ray_up.xyz;

@@ -9,27 +9,37 @@ layout(constant_id = CONSTANT_PACKED_LIGHT) const bool packed_light = false;
 layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_STORED;
 #if defined(LIGHT_BITS) || defined(LIGHT_PAIR)  // half floats as they lie in memory
 #include "shared/light_pair.glsl"
-#define LIGHT_IMAGE PIXEL_IMAGE_BITS
+#define LIGHT_IMAGE ONE_SAMPLE_IMAGE_BITS
 #else
-#define LIGHT_IMAGE PIXEL_IMAGE
+#define LIGHT_IMAGE ONE_SAMPLE_IMAGE
 #endif
 layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform LIGHT_IMAGE diffuse_light;
 layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform LIGHT_IMAGE specular_light;
+#ifdef SAMPLE_LIGHT
+#include "shared/edge_samples.glsl"
+layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX) uniform ONE_SAMPLE_IMAGE_BITS edge_index;  // from 1; 0: no edge
+layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DIFFUSE) uniform LIGHT_IMAGE sample_diffuse;
+layout(set = SET_INPUTS, binding = INPUT_SAMPLE_SPECULAR) uniform LIGHT_IMAGE sample_specular;
+#endif
 
 struct StoredLight {
     vec4 first, second;
 };
 
-StoredLight fetch_light(ivec2 pixel) {
 #ifdef LIGHT_PAIR
-    uvec4 bits = pixel_read(diffuse_light, pixel);
+StoredLight fetched(LIGHT_IMAGE diffuse, LIGHT_IMAGE specular, ivec2 texel) {
+    uvec4 bits = one_sample_read(diffuse, texel);
     return StoredLight(half_floats(bits.xy), half_floats(bits.zw));
-#elif defined(LIGHT_BITS)  // graph::Pass::sample_bits()
-    return StoredLight(half_floats(pixel_read(diffuse_light, pixel).rg), half_floats(pixel_read(specular_light, pixel).rg));
-#else
-    return StoredLight(pixel_read(diffuse_light, pixel), pixel_read(specular_light, pixel));
-#endif
 }
+#elif defined(LIGHT_BITS)  // graph::Pass::sample_bits()
+StoredLight fetched(LIGHT_IMAGE diffuse, LIGHT_IMAGE specular, ivec2 texel) {
+    return StoredLight(half_floats(one_sample_read(diffuse, texel).rg), half_floats(one_sample_read(specular, texel).rg));
+}
+#else
+StoredLight fetched(LIGHT_IMAGE diffuse, LIGHT_IMAGE specular, ivec2 texel) {
+    return StoredLight(one_sample_read(diffuse, texel), one_sample_read(specular, texel));
+}
+#endif
 
 // What the light buffer holds for a pixel.
 struct LightTexels {
@@ -38,10 +48,8 @@ struct LightTexels {
     float weight;   // Σ N·L att, what channel 4 is divided by (equation 8.5.6)
 };
 
-LightTexels read_light() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
+LightTexels unpacked(StoredLight texels) {
     // Blending may have gone past the largest half float.
-    StoredLight texels = fetch_light(pixel);
     vec4 first = texels.first;
     float luv_luminance = first.b;
     if (specular_way == SPECULAR_LUV)
@@ -59,6 +67,34 @@ LightTexels read_light() {
         weight = luv_luminance * frame.light_buffer.x;
     return LightTexels(vec4(first.rgb, 0.0), vec4(first.aaa, 0.0), min(weight, 65504.0));
 }
+
+#ifdef SAMPLE_LIGHT
+// An edge pixel's samples have their own light in the sample light buffer. A fragment sees the mean of what it owns: with
+// the coverage that is left after the depth test, or it would see the light of what stands before it.
+LightTexels read_light() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    LightTexels light = unpacked(fetched(diffuse_light, specular_light, pixel));
+    uint edge = one_sample_read(edge_index, pixel).r;
+    for (bool once = edge > 0u; once; once = false) { // a loop: a software device runs both sides of an `if`
+        ivec2 texel = edge_texel(edge - 1u);
+        light = LightTexels(vec4(0.0), vec4(0.0), 0.0);
+        float owned = 0.0;
+        for (int i = 0; i < samples; ++i) {
+            float own = float(gl_SampleMaskIn[0] >> i & 1);
+            LightTexels one = unpacked(fetched(sample_diffuse, sample_specular, texel + ivec2(i, 0)));
+            light.diffuse += own * one.diffuse;
+            light.specular += own * one.specular;
+            light.weight += own * one.weight;
+            owned += own;
+        }
+        float share = 1.0 / max(owned, 1.0);
+        light = LightTexels(light.diffuse * share, light.specular * share, light.weight * share);
+    }
+    return light;
+}
+#else
+LightTexels read_light() { return unpacked(fetched(diffuse_light, specular_light, ivec2(gl_FragCoord.xy))); }
+#endif
 
 // 0 stays 0, whatever the exponent.
 float raised(float base, float exponent) { return base > 0.0 ? pow(min(base, 1.0), exponent) : 0.0; }

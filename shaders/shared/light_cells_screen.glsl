@@ -116,8 +116,10 @@ uint slices_in_use(uvec3 at, LightCell cell) {
     uint slices = 0u;
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x) {
-            float stored = read_depth(ivec2(x, y));
-            slices |= stored > 0.0 ? 1u << slice_of(stored) : 0u;
+            EACH_SAMPLE {
+                float stored = read_depth(ivec2(x, y));
+                slices |= stored > 0.0 ? 1u << slice_of(stored) : 0u;
+            }
         }
     return slices;
 }

@@ -21,15 +21,15 @@ void write_second(ivec2 pixel, vec4 value) { imageStore(second_target, pixel, va
 #endif
 // What the targets held, for passes that add to it; draws blend instead.
 #if defined(ADDED) && defined(LIGHT_PAIR)
-layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE_BITS pair_before;
-vec4 first_before(ivec2 pixel) { return half_floats(pixel_read(pair_before, pixel).xy); }
-vec4 second_before(ivec2 pixel) { return half_floats(pixel_read(pair_before, pixel).zw); }
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform ONE_SAMPLE_IMAGE_BITS pair_before;
+vec4 first_before(ivec2 pixel) { return half_floats(one_sample_read(pair_before, pixel).xy); }
+vec4 second_before(ivec2 pixel) { return half_floats(one_sample_read(pair_before, pixel).zw); }
 #elif defined(ADDED) || defined(DEFERRED_TARGET)
-layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE target_before;
-vec4 first_before(ivec2 pixel) { return pixel_read(target_before, pixel); }
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform ONE_SAMPLE_IMAGE target_before;
+vec4 first_before(ivec2 pixel) { return one_sample_read(target_before, pixel); }
 #ifndef ONE_TARGET
-layout(set = SET_INPUTS, binding = INPUT_SECOND_BEFORE) uniform PIXEL_IMAGE second_target_before;
-vec4 second_before(ivec2 pixel) { return pixel_read(second_target_before, pixel); }
+layout(set = SET_INPUTS, binding = INPUT_SECOND_BEFORE) uniform ONE_SAMPLE_IMAGE second_target_before;
+vec4 second_before(ivec2 pixel) { return one_sample_read(second_target_before, pixel); }
 #endif
 #endif
 #else

@@ -4,14 +4,22 @@
 #define PRELIGHT_PIXEL_IMAGES_GLSL
 #extension GL_EXT_samplerless_texture_functions : require
 
+// One sample a pixel, whatever SAMPLES says of the others.
+#define ONE_SAMPLE_IMAGE texture2D
+#define ONE_SAMPLE_IMAGE_BITS utexture2D  // unsigned integers
+#define one_sample_read(image, pixel) texelFetch(image, pixel, 0)
+
 #ifdef SAMPLES
+#include "shared/samples.glsl"
 #define PIXEL_IMAGE texture2DMS
 #define PIXEL_IMAGE_BITS utexture2DMS
 int pixel_sample = 0;  // the one that pixel_read() reads
 #define pixel_read(image, pixel) texelFetch(image, pixel, pixel_sample)
+#define EACH_SAMPLE for (pixel_sample = 0; pixel_sample < samples; ++pixel_sample)
 #else
-#define PIXEL_IMAGE texture2D
-#define PIXEL_IMAGE_BITS utexture2D  // unsigned integers
-#define pixel_read(image, pixel) texelFetch(image, pixel, 0)
+#define PIXEL_IMAGE ONE_SAMPLE_IMAGE
+#define PIXEL_IMAGE_BITS ONE_SAMPLE_IMAGE_BITS
+#define pixel_read(image, pixel) one_sample_read(image, pixel)
+#define EACH_SAMPLE
 #endif
 #endif

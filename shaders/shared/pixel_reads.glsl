@@ -9,6 +9,15 @@ layout(set = SET_INPUTS, binding = INPUT_RASTER, std430) readonly buffer RasterB
 
 ivec2 last_pixel() { return ivec2(raster.size.xy) - 1; }
 
+// Where a pixel's sample lies, pixels: that of pixel_read(), or the only one.
+vec2 place_of(ivec2 pixel) {
+#ifdef SAMPLES
+    return vec2(pixel) + place_of_sample(pixel_sample);
+#else
+    return vec2(pixel) + 0.5;
+#endif
+}
+
 // Clip space x and y of a place in pixels from the left and upper edge.
 vec2 clip_of(vec2 place) { return place * raster.size.zw * 2.0 - 1.0; }
 

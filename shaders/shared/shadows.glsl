@@ -15,7 +15,7 @@
 layout(constant_id = CONSTANT_SHADOW_FILTER) const int shadow_filter = SHADOW_FILTER_PCF;
 layout(set = SET_FRAME, binding = FRAME_SHADOWS, std430) readonly buffer ShadowBlock { ShadowData shadow_tiles[]; };
 layout(set = SET_FRAME, binding = FRAME_SHADOW_SAMPLER) uniform samplerShadow shadow_sampler;
-layout(set = SET_INPUTS, binding = INPUT_SHADOW_ATLAS) uniform PIXEL_IMAGE shadow_atlas;
+layout(set = SET_INPUTS, binding = INPUT_SHADOW_ATLAS) uniform ONE_SAMPLE_IMAGE shadow_atlas;
 
 const int shadow_taps = shadow_filter == SHADOW_FILTER_CONTACT ? 16 : 8;
 const int search_taps = 12;

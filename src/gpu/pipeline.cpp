@@ -1,6 +1,7 @@
 #include "pipeline.hpp"
 #include "check.hpp"
 #include "pipeline_library.hpp"
+#include "shaders.hpp"
 #include <optional>
 
 namespace prelight::gpu {
@@ -68,11 +69,14 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     out->layout = make_pipeline_layout(context, desc.name, desc.sets, desc.push_stage, desc.push_bytes);
     const ShaderStage vertex(context, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex, desc.constants);
     std::vector<VkPipelineShaderStageCreateInfo> stages{vertex.info()};
+    const SampleShading shading = desc.attachments.samples > 1 ? desc.sample_shading : SampleShading::fragment;
+    std::vector<uint32_t> code = desc.fragment_code;
+    if (shading != SampleShading::fragment && !desc.fragment.empty())
+        code = with_sample_shading(code.empty() ? find_shader(desc.fragment) : code, shading);
     std::optional<ShaderStage> fragment;
     if (!desc.fragment.empty())
         stages.push_back(
-            fragment.emplace(context, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, desc.constants, desc.fragment_code)
-                .info());
+            fragment.emplace(context, VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment, desc.constants, code).info());
 
     std::vector<VkVertexInputBindingDescription> bindings;
     for (const uint32_t stride : desc.vertex_strides) {
@@ -101,6 +105,8 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     raster.depthClampEnable = desc.depth_clamp && context.features().depth_clamp;
     VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
     samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.attachments.samples);
+    samples.sampleShadingEnable = shading == SampleShading::sample && !desc.fragment.empty();
+    samples.minSampleShading = 1;
     VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc.depth);
     depth.depthBoundsTestEnable = desc.depth_bounds;
     set_stencil(depth, desc.stencil);

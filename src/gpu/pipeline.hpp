@@ -1,5 +1,6 @@
 #pragma once
 #include "raster.hpp"
+#include "sample_shading.hpp"
 #include "shader_stage.hpp"
 #include <array>
 #include <compare>
@@ -52,7 +53,8 @@ struct GraphicsPipelineDesc {
     DepthTest depth = DepthTest::none;
     bool depth_bounds = false; ///< vkCmdSetDepthBounds comes before each draw
     Stencil stencil = Stencil::none;
-    bool depth_clamp = false; ///< where the device has it
+    bool depth_clamp = false;                               ///< where the device has it
+    SampleShading sample_shading = SampleShading::fragment; ///< matters with several samples
     std::vector<VkDescriptorSetLayout> sets;
     uint32_t push_bytes = 0;                                      ///< push constants; at most 128
     VkShaderStageFlags push_stage = VK_SHADER_STAGE_FRAGMENT_BIT; ///< the one that reads them

@@ -30,6 +30,8 @@ namespace prelight::gpu {
     X(own_material, "OWN_MATERIAL") /* compiled with one of shaders/materials/, or a user's */                         \
     X(grid_cells, "GRID_CELLS")     /* light lists: cells in the world */                                              \
     X(by_depth, "BY_DEPTH")                                                                                            \
+    X(samples, "SAMPLES")           /* images of the frame hold several samples a pixel */                             \
+    X(sample_light, "SAMPLE_LIGHT") /* edge pixels' samples have light of their own */                                 \
     X(textured, "TEXTURED")                                                                                            \
     X(motion, "MOTION")                                                                                                \
     X(shadow_tile, "SHADOW_TILE") /* a caster, as a light sees it */                                                   \

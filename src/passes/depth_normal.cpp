@@ -40,14 +40,19 @@ graph::ImageId linear_depth_target(graph::FrameGraph& graph, const gpu::Raster& 
     return image;
 }
 
+/// Of several samples a pixel's lights see one, which has stencil.
+bool needs_stencil(const resident::View& view, const SurfaceFormat& format) {
+    return format.stencil && view.surface_raster().samples == 1;
+}
+
 /// The first of two geometry passes: depth, and linear depth when a colour target holds it.
 void depth_pass(graph::FrameGraph& graph, const resident::View& view, SurfaceBuffers& out) {
     if (out.format.depth == DepthSource::attachment) {
-        out.depth = out.depth_source = depth_only_pass(graph, view, out.format.stencil);
+        out.depth = out.depth_source = depth_only_pass(graph, view, needs_stencil(view, out.format));
         return;
     }
-    out.depth = make_depth(graph, view.raster(), out.format.stencil);
-    out.depth_source = linear_depth_target(graph, view.raster(), out.format.depth);
+    out.depth = make_depth(graph, view.surface_raster(), needs_stencil(view, out.format));
+    out.depth_source = linear_depth_target(graph, view.surface_raster(), out.format.depth);
     graph::Pass& pass = graph.pass("depth");
     pass.depth_write(out.depth).colour(out.depth_source, graph::Load::clear);
     draw_surfaces(graph, pass, view,
@@ -103,12 +108,12 @@ graph::ImageId make_depth(graph::FrameGraph& graph, const gpu::Raster& raster, b
 }
 
 SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceFormat& format) {
-    const gpu::Raster& raster = view.raster();
+    const gpu::Raster& raster = view.surface_raster();
     SurfaceBuffers out{format};
     if (format.two_passes)
         depth_pass(graph, view, out);
     else
-        out.depth = out.depth_source = make_depth(graph, raster, format.stencil);
+        out.depth = out.depth_source = make_depth(graph, raster, needs_stencil(view, format));
 
     gpu::Variants variants;
     graph::Pass& pass = graph.pass(format.two_passes ? "normal" : "depth-normal");

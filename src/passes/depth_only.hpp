@@ -8,4 +8,7 @@ namespace prelight::passes {
 /// `stencil` beside it as make_depth() has it.
 graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::View& view, bool stencil = false);
 
+/// The same at the centres of pixels, "pixel depth", where surfaces have several samples: for views.
+graph::ImageId pixel_depth_pass(graph::FrameGraph& graph, const resident::View& view);
+
 } // namespace prelight::passes

@@ -7,12 +7,14 @@
 namespace prelight::passes {
 namespace {
 
-SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth, const DecalBuffer& decals) {
+SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth, const DecalBuffer& decals,
+                             gpu::SampleShading sample_shading = {}) {
     return {.name = "forward base",
             .fragment = "forward_base.frag",
             .constants = {{CONSTANT_MATERIAL_OUTPUT, output}},
             .depth = depth,
             .keeps_alpha_mask = depth == gpu::DepthTest::write_nearer,
+            .sample_shading = sample_shading,
             .decals = decal_use(decals)};
 }
 
@@ -32,6 +34,7 @@ SurfaceDraws::Desc lights_desc(const resident::View& view, const ForwardInputs& 
     add_shadow_constants(desc.constants, view);
     desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;
     desc.push_bytes = sizeof(shared::ForwardBatch);
+    desc.sample_shading = inputs.sample_shading;
     desc.decals = decal_use(inputs.decals);
     return desc;
 }
@@ -43,9 +46,9 @@ public:
         : view_(view), inputs_(inputs) {
         for (const StepKind kind : inputs.kinds)
             of(kind).emplace(view, interface,
-                             kind == StepKind::base
-                                 ? base_desc(MATERIAL_OUTPUT_SHADED, gpu::DepthTest::write_nearer, inputs.decals)
-                                 : lights_desc(view, inputs, kind));
+                             kind == StepKind::base ? base_desc(MATERIAL_OUTPUT_SHADED, gpu::DepthTest::write_nearer,
+                                                                inputs.decals, inputs.sample_shading)
+                                                    : lights_desc(view, inputs, kind));
     }
 
     void record(const graph::PassContext& pass) {

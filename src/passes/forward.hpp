@@ -28,6 +28,7 @@ struct ForwardInputs {
     DecalBuffer decals = {};
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; bound with lights
     bool count_pairs = false;
+    gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
     bool counts_lights = false; ///< instead of light: 1 for each in R, and in G where it contributes
     uint64_t* draws = nullptr;  ///< gets the number of draws at each recording
 };

@@ -15,6 +15,7 @@ void forward_grid_round(graph::FrameGraph& graph, const resident::View& view, co
                             .keeps_alpha_mask = false,
                             .blend = adds ? gpu::Blend::add : gpu::Blend::none,
                             .push_bytes = sizeof(shared::LightListConstants),
+                            .sample_shading = inputs.sample_shading,
                             .decals = decal_use(inputs.decals)};
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},

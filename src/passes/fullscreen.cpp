@@ -4,7 +4,7 @@
 namespace prelight::passes {
 
 void draw_fullscreen(graph::Pass& pass, const resident::View& view, const gpu::ShaderKey& fragment,
-                     const gpu::Constants& constants, gpu::Blend blend) {
+                     const gpu::Constants& constants, gpu::Blend blend, gpu::DepthTest depth) {
     auto pipeline = std::make_shared<gpu::GraphicsPipeline>();
     pass.prepare([=, &view](const graph::PassInterface& interface) {
         gpu::GraphicsPipelineDesc desc;
@@ -13,6 +13,7 @@ void draw_fullscreen(graph::Pass& pass, const resident::View& view, const gpu::S
         desc.fragment = fragment;
         desc.constants = constants;
         desc.blend = blend;
+        desc.depth = depth;
         desc.attachments = interface.attachments;
         desc.sets = {view.layout(), interface.inputs};
         *pipeline = gpu::GraphicsPipeline(view.context(), desc);

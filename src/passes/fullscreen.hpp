@@ -7,6 +7,7 @@ namespace prelight::passes {
 
 /// Gives `pass` a full-screen triangle with this fragment shader.
 void draw_fullscreen(graph::Pass& pass, const resident::View& view, const gpu::ShaderKey& fragment,
-                     const gpu::Constants& constants, gpu::Blend blend = gpu::Blend::none);
+                     const gpu::Constants& constants, gpu::Blend blend = gpu::Blend::none,
+                     gpu::DepthTest depth = gpu::DepthTest::none);
 
 } // namespace prelight::passes

@@ -98,7 +98,7 @@ void ambient_light_pass(graph::FrameGraph& graph, const resident::View& view, co
 
 graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                                   Display display) {
-    const graph::ImageId target = picture_image(graph, view, display);
+    const graph::ImageId target = picture_image(graph, view, graph.raster(gbuffer.light), display);
     graph::Pass& pass = graph.pass("resolve");
     pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, gbuffer.light);
     const bool bytes = graph.desc(gbuffer.light).format == VK_FORMAT_R8G8B8A8_UNORM;

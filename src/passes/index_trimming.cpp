@@ -52,7 +52,9 @@ void trim(graph::FrameGraph& graph, const resident::View& view, const std::strin
             .storage(INPUT_TRIM_SOURCE_COMMANDS, source.commands.value_or(draws), false) // else not read
             .storage(INPUT_TRIM_MASKS, masks, writes_masks);
     };
-    const gpu::Constants constants{{CONSTANT_TRIM_SUBPIXEL_BITS, view.context().limits().subPixelPrecisionBits},
+    const uint32_t samples = view.surface_raster().samples;
+    const gpu::Constants constants{{CONSTANT_SAMPLES, samples},
+                                   {CONSTANT_TRIM_SUBPIXEL_BITS, view.context().limits().subPixelPrecisionBits},
                                    {CONSTANT_TRIM_BY_DEPTH, depth.has_value()},
                                    {CONSTANT_TRIM_AGAIN, source.commands.has_value()}};
     graph::Pass& test = graph.pass(name + " test");
@@ -62,7 +64,10 @@ void trim(graph::FrameGraph& graph, const resident::View& view, const std::strin
         .storage(INPUT_TRIM_POSITIONS, graph.buffer("positions", view.scene().geometry().positions), false);
     if (depth)
         test.sample(INPUT_DEPTH, *depth);
-    dispatch_groups(test, view, {"trim_test.comp", gpu::when(bool(depth), gpu::Variant::by_depth)}, constants);
+    dispatch_groups(test, view,
+                    {"trim_test.comp", gpu::when(bool(depth), gpu::Variant::by_depth) |
+                                           gpu::when(depth && samples > 1, gpu::Variant::samples)},
+                    constants);
 
     graph::Pass& write = graph.pass(name + " write");
     declare(write, false);

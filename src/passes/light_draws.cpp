@@ -13,16 +13,24 @@ bool AmbientDraw::needed(const LightingInputs& inputs) {
     return inputs.model.ambient_blended() && !inputs.target.counts();
 }
 
+gpu::ShaderKey lit_vertices(const LightingInputs& inputs) {
+    return inputs.edges ? "light_samples.vert" : "light_fullscreen.vert";
+}
+
+void draw_lit(const graph::PassContext& pass, const std::optional<SampleEdges>& edges) {
+    vkCmdDraw(pass.commands, edges ? 6 : 3, edges && !pass.one_pixel ? edges->tile_count : 1, 0, 0);
+}
+
 AmbientDraw::AmbientDraw(const resident::View& view, const graph::PassInterface& interface,
                          const LightingInputs& inputs)
-    : view_(view) {
+    : view_(view), edges_(inputs.edges) {
     if (!needed(inputs))
         return;
     gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_ambient.frag");
     desc.fragment = {"light_ambient.frag", inputs.target.variant}; // looks at no surface
     desc.name = "ambient light";
-    desc.vertex = "light_fullscreen.vert";
-    desc.depth = gpu::DepthTest::surface_only;
+    desc.vertex = lit_vertices(inputs);
+    desc.depth = edges_ ? gpu::DepthTest::none : gpu::DepthTest::surface_only;
     desc.blend = gpu::Blend::add;
     pipeline_.emplace(view.context(), desc);
 }
@@ -31,7 +39,7 @@ void AmbientDraw::record(const graph::PassContext& pass) const {
     if (!pipeline_)
         return;
     bind_lighting(pass, view_, *pipeline_);
-    vkCmdDraw(pass.commands, 3, 1, 0, 0);
+    draw_lit(pass, edges_);
 }
 
 LightDraws::LightDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs)

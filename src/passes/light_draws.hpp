@@ -25,6 +25,10 @@ inline constexpr std::array<VolumeGroup, 4> volume_groups{{
 /// Binds a pipeline of a light pass, with the frame's set and the pass's inputs.
 void bind_lighting(const graph::PassContext& pass, const resident::View& view, const gpu::GraphicsPipeline& pipeline);
 
+/// What a pass draws that sums all lights of a pixel at once: every pixel, or the samples of edge pixels.
+gpu::ShaderKey lit_vertices(const LightingInputs& inputs);
+void draw_lit(const graph::PassContext& pass, const std::optional<SampleEdges>& edges);
+
 /// Ambient light as a light of its own, added to the target by a full-screen triangle; draws nothing where
 /// ambient light is a term of the material, or is summed with the others.
 class AmbientDraw {
@@ -35,6 +39,7 @@ public:
 
 private:
     const resident::View& view_;
+    std::optional<SampleEdges> edges_;
     std::optional<gpu::GraphicsPipeline> pipeline_;
 };
 

@@ -2,6 +2,7 @@
 #include "light_draws.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -25,21 +26,12 @@ struct BlockList {
 /// it.
 uint32_t rows_of(uint32_t lanes) { return std::clamp<uint32_t>(LIT_BLOCK * LIT_BLOCK / lanes, 1, LIT_BLOCK); }
 
-} // namespace
-
-void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
-                             const LightingInputs& inputs, const LightListRound& round) {
+/// Passes that list the blocks with light, and clear those that have none any more.
+template <class Store>
+BlockList find_lit_blocks(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                          const LightingInputs& inputs, const LightListRound& round, bool ambient, Store&& store) {
     const LightLists& lists = *inputs.lists;
-    const std::vector<graph::ImageId>& images = inputs.target.images;
     const bool keeps = inputs.target.load == graph::Load::keep;
-    // With ambient light as a light every surface is lit.
-    const bool ambient = inputs.model.ambient_as_light && !inputs.target.counts();
-    const auto store = [&](graph::Pass& pass) {
-        pass.store(INPUT_LIGHT_TARGET, images[0]);
-        if (images.size() > 1)
-            pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
-    };
-
     const uint64_t blocks = uint64_t(round.constants->blocks.x) * round.constants->blocks.y, words = (blocks + 31) / 32;
     const BlockList lit(graph, view, "lit blocks", blocks), stale(graph, view, "stale blocks", blocks + words);
     const auto before = std::make_shared<gpu::Buffer>(
@@ -55,7 +47,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& vie
                    [before, stale](const graph::PassContext& context) { vkCmdDispatch(context.commands, 1, 1, 1); });
 
     if (!keeps) { // blocks without light stay as they are: a clear of the whole picture costs more than few lights
-        for (const graph::ImageId image : images)
+        for (const graph::ImageId image : inputs.target.images)
             graph.persist(image);
         graph::Pass& clear = graph.pass(name + " clear");
         clear.storage(INPUT_STALE_BLOCKS, stale.id, false).indirect(stale.id);
@@ -63,6 +55,27 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& vie
         dispatch_lists(clear, view, round.constants, {"light_list_clear.comp", inputs.target.variant}, {},
                        [stale](const graph::PassContext& context) { stale.dispatch(context); });
     }
+    return lit;
+}
+
+} // namespace
+
+void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                             const LightingInputs& inputs, const LightListRound& round) {
+    const LightLists& lists = *inputs.lists;
+    const std::vector<graph::ImageId>& images = inputs.target.images;
+    const bool keeps = inputs.target.load == graph::Load::keep;
+    // With ambient light as a light every surface is lit.
+    const bool ambient = inputs.model.ambient_as_light && !inputs.target.counts();
+    const auto store = [&](graph::Pass& pass) {
+        pass.store(INPUT_LIGHT_TARGET, images[0]);
+        if (images.size() > 1)
+            pass.store(INPUT_SECOND_LIGHT_TARGET, images[1]);
+    };
+
+    std::optional<BlockList> lit;
+    if (!inputs.edges)
+        lit = find_lit_blocks(graph, view, name, inputs, round, ambient, store);
     gpu::Constants constants = lighting_constants(view, inputs);
     const uint32_t rows = rows_of(view.context().features().shuffle_lanes);
     constants.insert(constants.end(), {{CONSTANT_LIST_ROWS, rows},
@@ -72,19 +85,22 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& vie
     graph::Pass& pass = graph.pass(name + round.ending);
     declare_lit_surface(graph, pass, inputs);
     declare_light_lists(pass, round);
-    pass.storage(INPUT_LIT_BLOCKS, lit.id, false).indirect(lit.id);
+    if (lit)
+        pass.storage(INPUT_LIT_BLOCKS, lit->id, false);
+    pass.indirect(lit ? lit->id : inputs.edges->tiles);
     store(pass);
     if (keeps)
         pass.sample(INPUT_COLOUR_BEFORE, images[0]);
     if (inputs.target.added && images.size() > 1)
         pass.sample(INPUT_SECOND_BEFORE, images[1]);
-    dispatch_lists(pass, view, round.constants, lighting_shader(inputs, "light_list.comp"), constants,
-                   [lit](const graph::PassContext& context) {
-                       if (context.one_pixel)
-                           vkCmdDispatch(context.commands, 1, 1, 1);
-                       else
-                           lit.dispatch(context);
-                   });
+    dispatch_lists(
+        pass, view, round.constants, lighting_shader(inputs, "light_list.comp"), constants,
+        [lit, tiles = inputs.edges ? inputs.edges->tile_buffer : nullptr](const graph::PassContext& context) {
+            if (context.one_pixel)
+                vkCmdDispatch(context.commands, 1, 1, 1);
+            else
+                vkCmdDispatchIndirect(context.commands, (lit ? lit->buffer : tiles)->handle(), 0);
+        });
 }
 
 } // namespace prelight::passes

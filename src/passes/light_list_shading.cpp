@@ -12,11 +12,11 @@ class ListDraws {
 public:
     ListDraws(const resident::View& view, const graph::PassInterface& interface, const LightingInputs& inputs,
               const LightListRound& round)
-        : view_(view), constants_(round.constants), ambient_(view, interface, inputs) {
+        : view_(view), constants_(round.constants), edges_(inputs.edges), ambient_(view, interface, inputs) {
         gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_list.frag");
         desc.name = "light lists";
-        desc.vertex = "light_fullscreen.vert";
-        desc.depth = gpu::DepthTest::surface_only;
+        desc.vertex = lit_vertices(inputs);
+        desc.depth = inputs.edges ? gpu::DepthTest::none : gpu::DepthTest::surface_only;
         desc.blend = inputs.target.load == graph::Load::keep ? gpu::Blend::add : gpu::Blend::none;
         desc.push_bytes = sizeof(shared::LightListConstants);
         lights_ = gpu::GraphicsPipeline(view.context(), desc);
@@ -27,13 +27,14 @@ public:
             return;
         bind_lighting(pass, view_, lights_);
         lights_.push(pass.commands, std::as_bytes(std::span(constants_.get(), 1)));
-        vkCmdDraw(pass.commands, 3, 1, 0, 0);
+        draw_lit(pass, edges_);
         ambient_.record(pass);
     }
 
 private:
     const resident::View& view_;
     std::shared_ptr<const shared::LightListConstants> constants_;
+    std::optional<SampleEdges> edges_;
     AmbientDraw ambient_;
     gpu::GraphicsPipeline lights_;
 };
@@ -52,7 +53,8 @@ void light_list_round(graph::FrameGraph& graph, const resident::View& view, cons
     graph::Pass& pass = graph.pass(name + round.ending);
     declare_lighting(graph, pass, inputs);
     declare_light_lists(pass, round);
-    pass.depth_test(inputs.surface.depth);
+    if (!inputs.edges)
+        pass.depth_test(inputs.surface.depth);
     if (inputs.target.load == graph::Load::keep || AmbientDraw::needed(inputs))
         pass.blends();
     auto draws = std::make_shared<std::optional<ListDraws>>();

@@ -37,6 +37,8 @@ public:
         });
         if (inputs.surface)
             constants_ = inputs.surface->format.constants();
+        if (inputs.surface)
+            constants_.emplace_back(CONSTANT_SAMPLES, graph.raster(inputs.surface->depth).samples);
         constants_.insert(constants_.end(), {{CONSTANT_LIST_TILE_SIZE, inputs.tile_size},
                                              {CONSTANT_LIST_SLICED, inputs.sliced},
                                              {CONSTANT_LIGHT_KINDS, view.lights().kinds()}});
@@ -52,7 +54,8 @@ public:
         };
         const gpu::Variants kind = gpu::when(!inputs_.surface, gpu::Variant::grid_cells);
         if (inputs_.surface) {
-            graph::Pass& range = add("depth-range", "depth_range.comp", whole, {{CONSTANT_AMBIENT_TOO, everywhere_}});
+            graph::Pass& range =
+                add("depth-range", {"depth_range.comp", sampled()}, whole, {{CONSTANT_AMBIENT_TOO, everywhere_}});
             range.storage(INPUT_LIGHT_CELLS, cells_, true);
             read_depth(range);
         }
@@ -95,8 +98,8 @@ public:
             return lists;
         }
         for (const bool fill : {false, true}) {
-            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"), {"light_lists_cells.comp", kind},
-                                    whole, {{CONSTANT_LIST_FILL, fill}});
+            graph::Pass& pass = add(name_ + (fill ? "-lists fill" : "-lists count"),
+                                    {"light_lists_cells.comp", kind | sampled()}, whole, {{CONSTANT_LIST_FILL, fill}});
             // Counting writes the cells and filling the entries; both stand in the one shader.
             pass.storage(INPUT_LIGHT_CELLS, cells_, true)
                 .storage(INPUT_COARSE_CELLS, coarse_, false)
@@ -133,6 +136,9 @@ private:
             .storage(INPUT_LIST_TOTAL, total_, true);
     }
     static VkExtent3D once(const LightListConstants&) { return {1, 1, 1}; }
+    gpu::Variants sampled() const {
+        return gpu::when(inputs_.surface && graph_.raster(inputs_.surface->depth).samples > 1, gpu::Variant::samples);
+    }
     void read_depth(graph::Pass& pass) const { pass.sample(INPUT_DEPTH, inputs_.surface->depth_source); }
 
     graph::FrameGraph& graph_;

@@ -11,7 +11,8 @@ void light_loop_pass(graph::FrameGraph& graph, const resident::View& view, const
                      const LightingInputs& inputs) {
     graph::Pass& pass = graph.pass(name);
     declare_lighting(graph, pass, inputs);
-    pass.depth_test(inputs.surface.depth);
+    if (!inputs.edges)
+        pass.depth_test(inputs.surface.depth);
     const LightRounds rounds = light_rounds(view, LightWalk::fragment);
     const bool adds = rounds.count > 1;
     if (inputs.model.specular == SpecularWay::luv && inputs.target.packed())
@@ -24,8 +25,8 @@ void light_loop_pass(graph::FrameGraph& graph, const resident::View& view, const
     pass.prepare([=, &view](const graph::PassInterface& interface) {
         gpu::GraphicsPipelineDesc desc = lighting_pipeline(view, interface, inputs, "light_loop.frag");
         desc.name = "all lights";
-        desc.vertex = "light_fullscreen.vert";
-        desc.depth = gpu::DepthTest::surface_only;
+        desc.vertex = lit_vertices(inputs);
+        desc.depth = inputs.edges ? gpu::DepthTest::none : gpu::DepthTest::surface_only;
         desc.push_bytes = sizeof(shared::LightLoop);
         (*pipelines)[0] = gpu::GraphicsPipeline(view.context(), desc);
         desc.blend = gpu::Blend::add;
@@ -42,7 +43,7 @@ void light_loop_pass(graph::FrameGraph& graph, const resident::View& view, const
             bind_lighting(context, view, pipeline);
             const shared::LightLoop loop{lights.first, end, round == 0 && inputs.model.ambient_blended()};
             pipeline.push(context.commands, std::as_bytes(std::span(&loop, 1)));
-            vkCmdDraw(context.commands, 3, 1, 0, 0);
+            draw_lit(context, inputs.edges);
         }
     });
 }

@@ -1,6 +1,7 @@
 #include "light_rounds.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
 #include <shared/light_lists.h>
@@ -39,11 +40,10 @@ LightRounds light_rounds(const resident::View& view, LightWalk walk) {
 }
 
 RoundLights lights_of_round(const resident::View& view, const LightRounds& rounds, uint32_t round) {
-    const auto count = [&](resident::LightGroup group) {
-        return view.light_groups().count[static_cast<size_t>(group)];
-    };
-    const uint64_t everywhere = count(resident::LightGroup::fullscreen),
-                   all = everywhere + count(resident::LightGroup::listed);
+    // Groups lie in the order one after another, those that lists know or those that volumes are drawn for.
+    const auto& counts = view.light_groups().count;
+    const uint64_t everywhere = counts[static_cast<size_t>(resident::LightGroup::fullscreen)],
+                   all = std::accumulate(counts.begin(), counts.end(), uint64_t(0));
     const uint64_t first = std::min(uint64_t(round) * rounds.lights, all), end = std::min(first + rounds.lights, all);
     const uint64_t middle = std::clamp(everywhere, first, end);
     return {static_cast<uint32_t>(first), static_cast<uint32_t>(middle - first), static_cast<uint32_t>(end - middle)};

@@ -8,7 +8,7 @@ namespace {
 
 /// The next format is taken where the device cannot draw into one, or not blend in it.
 graph::ImageId target(graph::FrameGraph& graph, const gpu::Context& context, const gpu::Raster& raster,
-                      const char* name, LightBufferFormat format, bool wide) {
+                      const std::string& name, LightBufferFormat format, bool wide) {
     if (wide)
         return graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, raster});
     switch (format) {
@@ -47,30 +47,31 @@ bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R32G32B32A32_UINT;
 }
 
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
-                              const LightModel& model, bool pair, bool wide) {
-    const gpu::Raster raster = graph.raster(surface.depth);
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model, bool pair,
+                              bool wide, const SampleEdges* edges) {
+    const gpu::Raster raster = edges ? edges->raster : view.raster();
+    const std::string of = edges ? "sample " : "";
     LightBuffer out;
     if (pair) {
-        out.diffuse = out.specular = graph.image("light", {VK_FORMAT_R32G32B32A32_UINT, raster});
+        out.diffuse = out.specular = graph.image(of + "light", {VK_FORMAT_R32G32B32A32_UINT, raster});
         out.target = {.variant = gpu::Variant::light_pair,
                       .images = {out.diffuse},
                       .constants = {{CONSTANT_LIGHT_STORAGE, STORAGE_FLOAT16}}};
         return out;
     }
     wide = wide && !model.fixed_point();
-    out.diffuse = out.specular = target(graph, view.context(), raster, "diffuse light", model.buffer, wide);
+    out.diffuse = out.specular = target(graph, view.context(), raster, of + "diffuse light", model.buffer, wide);
     out.target.images = {out.diffuse};
     out.target.constants = {{CONSTANT_LIGHT_STORAGE, storage_of(graph.desc(out.diffuse).format)}};
     if (model.specular == SpecularWay::fifth_channel)
-        out.specular = graph.image("fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM
-                                                     : wide              ? VK_FORMAT_R32_SFLOAT
-                                                                         : VK_FORMAT_R16_SFLOAT,
-                                                     raster});
+        out.specular = graph.image(of + "fifth channel", {model.fixed_point() ? VK_FORMAT_R8_UNORM
+                                                          : wide              ? VK_FORMAT_R32_SFLOAT
+                                                                              : VK_FORMAT_R16_SFLOAT,
+                                                          raster});
     else if (model.packed())
         out.target.variant = gpu::Variant::one_target;
     else
-        out.specular = target(graph, view.context(), raster, "specular light", model.buffer, wide);
+        out.specular = target(graph, view.context(), raster, of + "specular light", model.buffer, wide);
     if (out.specular != out.diffuse)
         out.target.images.push_back(out.specular);
     return out;
@@ -98,6 +99,9 @@ void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const Lightin
 }
 
 void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs) {
+    if (inputs.edges)
+        pass.storage(INPUT_EDGE_PIXELS, inputs.edges->pixels, false)
+            .storage(INPUT_LIT_BLOCKS, inputs.edges->tiles, false);
     pass.raster(graph.raster(inputs.surface.depth))
         .sample(INPUT_DEPTH, inputs.surface.depth_source)
         .sample(INPUT_NORMAL, inputs.surface.normal)
@@ -115,6 +119,7 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
 gpu::ShaderKey lighting_shader(const LightingInputs& inputs, const char* file) {
     return {file, inputs.target.variant | gpu::when(inputs.target.added, gpu::Variant::added) |
                       gpu::when(!inputs.target.counts(), shadow_variant(inputs.shadows)) |
+                      gpu::when(inputs.edges.has_value(), gpu::Variant::samples) |
                       gpu::when(inputs.surface.format.roughness_in_stencil, gpu::Variant::stencil_roughness)};
 }
 
@@ -125,6 +130,9 @@ gpu::Constants lighting_constants(const resident::View& view, const LightingInpu
     constants.insert(constants.end(),
                      {{CONSTANT_COUNT_PAIRS, inputs.count_pairs}, {CONSTANT_LIGHT_KINDS, view.lights().kinds()}});
     add_shadow_constants(constants, view);
+    if (inputs.edges)
+        for (const auto& constant : inputs.edges->constants())
+            constants.push_back(constant);
     if (inputs.lists)
         for (const auto& constant : light_list_constants(*inputs.lists))
             constants.push_back(constant);

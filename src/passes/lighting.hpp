@@ -2,6 +2,7 @@
 #include "depth_normal.hpp"
 #include "light_lists.hpp"
 #include "light_model.hpp"
+#include "sample_surfaces.hpp"
 #include "shadow_maps.hpp"
 
 namespace prelight::passes {
@@ -30,7 +31,9 @@ struct LightingInputs {
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; always bound
     bool count_pairs = false;
     std::optional<LightLists> lists; ///< tiles and clusters
-    bool write_once = false;         ///< all of a pixel's lights in one loop, instead of blended one by one
+    /// `surface` has several samples a pixel, and the target is a sample light buffer: light of edge pixels' samples.
+    std::optional<SampleEdges> edges = {};
+    bool write_once = false; ///< all of a pixel's lights in one loop, instead of blended one by one
 };
 
 /// The light buffer; `specular` is the diffuse image itself when packed, or the fifth channel.
@@ -43,8 +46,9 @@ struct LightBuffer {
 bool is_pair_of_halves(const LightModel& model);
 /// `pair`: one image of pairs (is_light_pair()), where is_pair_of_halves() and compute_walks(). `wide`: full floats in
 /// the place of half floats and smaller ones, for sums of many lights.
-LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
-                              const LightModel& model, bool pair = false, bool wide = false);
+/// `edges`: the sample light buffer instead of the light buffer.
+LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model,
+                              bool pair = false, bool wide = false, const SampleEdges* edges = nullptr);
 /// An image of pairs: four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel
 /// (shaders/shared/light_pair.glsl), which only a light pass that writes each pixel once can fill.
 bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image);

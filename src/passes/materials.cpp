@@ -1,4 +1,5 @@
 #include "materials.hpp"
+#include "resolve.hpp"
 #include "surface_draws.hpp"
 #include <shared/bindings.h>
 
@@ -18,11 +19,19 @@ void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialIn
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
     (pass.*sample)(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse);
     (pass.*sample)(INPUT_SPECULAR_LIGHT, inputs.light.specular);
+    if (inputs.edges) {
+        pass.sample(INPUT_EDGE_INDEX, inputs.edges->index);
+        (pass.*sample)(INPUT_SAMPLE_DIFFUSE, inputs.sample_light.diffuse);
+        (pass.*sample)(INPUT_SAMPLE_SPECULAR, inputs.sample_light.specular);
+    }
     declare_decals(pass, inputs.decals);
     gpu::Constants constants = inputs.model.constants();
     constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
     for (const auto& constant : display_constants(display, graph.desc(target).format))
         constants.push_back(constant);
+    if (inputs.edges)
+        for (const auto& constant : inputs.edges->constants())
+            constants.push_back(constant);
     const bool ggx = inputs.model.shading == Shading::ggx;
     const bool at_nv = ggx && inputs.model.fresnel != FresnelModel::weighted; // wants the normal once more
     const bool occluded = inputs.visibility.has_value();
@@ -31,7 +40,8 @@ void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialIn
     const bool all_of_a_point = view.scene().environment() || occluded; // normal and viewer
     using gpu::Variant;
     const gpu::Variants texels =
-        is_light_pair(graph, inputs.light.diffuse) ? Variant::light_pair : gpu::when(bits, Variant::light_bits);
+        gpu::when(inputs.edges.has_value(), Variant::sample_light) |
+        (is_light_pair(graph, inputs.light.diffuse) ? Variant::light_pair : gpu::when(bits, Variant::light_bits));
     const gpu::Variants own = texels | gpu::when(occluded, Variant::occlusion);
     const std::string material = ggx ? "" : "blinn_phong";
     const gpu::ShaderKey whole("material.frag", own | Variant::own_material, ggx ? "metallic_roughness" : material);
@@ -45,6 +55,7 @@ void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialIn
                    .keeps_alpha_mask = false,
                    .vertex = gpu::when(!at_nv && !all_of_a_point, Variant::no_world | Variant::no_normal) |
                              gpu::when(!all_of_a_point, Variant::no_textures),
+                   .sample_shading = inputs.sample_shading,
                    .decals = decal_use(inputs.decals)});
 }
 
@@ -52,7 +63,7 @@ void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialIn
 
 graph::ImageId material_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                              Display display) {
-    const graph::ImageId target = picture_image(graph, view, display);
+    const graph::ImageId target = picture_image(graph, view, view.surface_raster(), display);
     draw(graph, view, inputs, "material", target, MATERIAL_OUTPUT_SHADED, display);
     return target;
 }
@@ -60,15 +71,15 @@ graph::ImageId material_pass(graph::FrameGraph& graph, const resident::View& vie
 graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                               bool specular) {
     const char* name = specular ? "specular-sum" : "diffuse-sum";
-    const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.raster()});
+    const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.surface_raster()});
     draw(graph, view, inputs, name, target, specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM);
-    return target;
+    return resolve_pass(graph, view, target);
 }
 
 graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs) {
-    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.raster()});
+    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.surface_raster()});
     draw(graph, view, inputs, "albedo", target, MATERIAL_OUTPUT_ALBEDO);
-    return target;
+    return resolve_pass(graph, view, target);
 }
 
 } // namespace prelight::passes

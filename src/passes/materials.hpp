@@ -11,6 +11,9 @@ struct MaterialInputs {
     LightBuffer light;
     LightModel model;
     DecalBuffer decals = {};
+    gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
+    std::optional<SampleEdges> edges = {}; ///< whose samples' light is in `sample_light`; `depth` has several samples
+    LightBuffer sample_light = {};
     std::optional<graph::ImageId> visibility = {}; ///< ambient_occlusion_passes()'; none: ambient light is not occluded
 };
 

@@ -86,7 +86,7 @@ std::optional<LightLists> screen_light_lists(graph::FrameGraph& graph, const res
     const LightWalk walk = walk_of(graph, view, inputs, options.shading);
     LightLists lists =
         build_light_lists(graph, view, name,
-                          {.surface = &inputs.surface,
+                          {.surface = options.samples ? options.samples : &inputs.surface,
                            .tile_size = options.tile_size,
                            .sliced = view.culling() == resident::LightCulling::clusters,
                            // Only lists of tiles' own can be trimmed.

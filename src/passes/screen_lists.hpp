@@ -12,7 +12,8 @@ enum class ListShading { automatic, fragment, compute };
 enum class ListContents { built, perfect, empty };
 
 struct ScreenListOptions {
-    uint32_t tile_size = 8; ///< pixels of a tile's side: 8, 16 or 32
+    const SurfaceBuffers* samples = nullptr; ///< surfaces with all samples, where some are lit by themselves
+    uint32_t tile_size = 8;                  ///< pixels of a tile's side: 8, 16 or 32
     ListShading shading = ListShading::automatic;
     ListContents contents = ListContents::built;
     uint64_t first_room = 0; ///< LightListInputs::first_room

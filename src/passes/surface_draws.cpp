@@ -108,6 +108,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
         }
     }
     pipeline.name += " features " + std::to_string(features);
+    pipeline.sample_shading = features & FEATURE_ALPHA_MASK ? gpu::SampleShading::sample : desc.sample_shading;
     pipeline.attributes = shaded ? surface_attributes(vertex) : position_attributes();
     pipeline.constants = desc.constants;
     pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);

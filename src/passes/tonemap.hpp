@@ -12,7 +12,8 @@ namespace prelight::passes {
 /// tonemap_pass() and others. The shader ends with stored_colour() of shaders/shared/display.glsl.
 using Display = std::optional<Tonemap>;
 /// `wide`: "linear" is RGBA32F, for many lights that blending adds up.
-graph::ImageId picture_image(graph::FrameGraph& graph, const resident::View& view, Display display, bool wide = false);
+graph::ImageId picture_image(graph::FrameGraph& graph, const resident::View& view, const gpu::Raster& raster,
+                             Display display, bool wide = false);
 /// The specialisation constants of stored_colour() for a target of this format.
 gpu::Constants display_constants(Display display, VkFormat target);
 

@@ -18,9 +18,9 @@ bool continues(const SeenSample& a, const SeenSample& b) {
 }
 
 /// Whether a ray this close to the sample's sees another surface.
-bool turns(const SeenWorld& world, const Sample& sample, const Ray& ray, const Ray* masks_along) {
+bool turns(const SeenWorld& world, const Sample& sample, const Ray& ray) {
     Hit hit;
-    if (world.rays().closest(ray, hit, masks_along) != sample.found || hit.mask_outcome != sample.hit.mask_outcome)
+    if (world.rays().closest(ray, hit) != sample.found || hit.mask_outcome != sample.hit.mask_outcome)
         return true;
     if (!sample.found || (hit.draw == sample.hit.draw && hit.triangle == sample.hit.triangle))
         return false;
@@ -31,13 +31,12 @@ bool turns(const SeenWorld& world, const Sample& sample, const Ray& ray, const R
 
 } // namespace
 
-SeenSample remember(const SeenWorld& world, uint32_t x, uint32_t y, const Sample& sample, const Ray* masks_along) {
+SeenSample remember(const SeenWorld& world, uint32_t x, uint32_t y, const Sample& sample) {
     SeenSample seen;
     seen.mask_outcome = sample.hit.mask_outcome;
     for (const glm::dvec2& aside :
          {glm::dvec2(near, 0), glm::dvec2(-near, 0), glm::dvec2(0, near), glm::dvec2(0, -near)})
-        seen.near_edge =
-            seen.near_edge || turns(world, sample, world.lens().ray(x, y, sample.place + aside), masks_along);
+        seen.near_edge = seen.near_edge || turns(world, sample, world.lens().ray(x, y, sample.place + aside));
     if (!sample.found)
         return seen;
     seen.draw = sample.hit.draw;

@@ -14,8 +14,7 @@ struct SeenSample {
     uint64_t shadow_mask = 0, mask_outcome = 0;
 };
 
-/// `masks_along`: as RayScene::closest().
-SeenSample remember(const SeenWorld& world, uint32_t x, uint32_t y, const Sample& sample, const Ray* masks_along);
+SeenSample remember(const SeenWorld& world, uint32_t x, uint32_t y, const Sample& sample);
 
 /// Fills `edge` and `doubts` of one row of a picture with several samples a pixel. `seen`: all the picture's, in order.
 void find_doubts(ReferencePicture& picture, std::span<const SeenSample> seen, uint32_t row);

@@ -29,6 +29,8 @@ std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
     for (uint32_t i = 0; i < all.size(); ++i)
         if (all[i].found)
             take_surfaces(i);
+    if (form_.samples.light == LightPlace::pixel || form_.samples.shadows_per_pixel)
+        choose_pixel();
     const bool per_fragment = at_fragments(form_.samples.material);
     for (uint32_t i = 0; i < all.size(); ++i) {
         Sample* targets[most_samples] = {&all[i]};
@@ -57,7 +59,7 @@ void PixelShader::look() {
         centres_[i].runs_away = false;
         sample.place = places[i];
         sample.ray = world_.lens().ray(x_, y_, sample.place);
-        sample.found = world_.rays().closest(sample.ray, sample.hit, masks_along());
+        sample.found = world_.rays().closest(sample.ray, sample.hit);
         sample.owner = i;
         for (uint32_t before = i; sample.found && before-- > 0;)
             if (samples_[before].found && samples_[before].hit.draw == sample.hit.draw &&
@@ -78,15 +80,48 @@ void PixelShader::take_surfaces(uint32_t index) {
         if (light == LightPlace::fragment)
             occlude(centre);
     }
-    if (geometry_at_fragments) { // the normal is stored once, depth for each sample
+    const bool masked = world_.rays().draw(sample.hit.draw).material->alpha_mode == AlphaMode::mask;
+    if (geometry_at_fragments && !masked) { // the normal is stored once, depth for each sample
         sample.surface = centre.surface;
         sample.surface.position = sample.hit.position;
         sample.surface.view = glm::normalize(-sample.ray.direction);
     } else {
         sample.surface = world_.surface(sample.hit, x_, y_, sample.place);
     }
-    if (light == LightPlace::sample || (light == LightPlace::pixel && index == 0))
+    if (light == LightPlace::sample)
         occlude(sample);
+}
+
+bool PixelShader::share_surface() const {
+    const std::span<const Sample> all(samples_.data(), form_.samples.count);
+    const Surface& first = all[0].surface;
+    const double nv = std::max(std::abs(glm::dot(first.normal, first.view)), 1e-9);
+    const double slope = std::min(std::sqrt(std::max(1 - nv * nv, 0.0)) / nv, 10.0);
+    const double most = world_.lens().pixel(all[0].hit.distance) * (1 + 2 * slope);
+    return std::all_of(all.begin(), all.end(), [&](const Sample& one) {
+        return one.found && std::abs(one.hit.distance - all[0].hit.distance) <= most &&
+               glm::dot(one.surface.normal, first.normal) >= 0.99 &&
+               std::abs(one.surface.roughness - first.roughness) <= 0.05;
+    });
+}
+
+/// The pixel's one place (ReferenceSamples).
+void PixelShader::choose_pixel() {
+    const std::span<Sample> all = samples();
+    const auto first = std::find_if(all.begin(), all.end(), [](const Sample& one) { return one.found; });
+    if (first == all.end()) {
+        pixel_ = all[0];
+        return;
+    }
+    if (share_surface())
+        pixel_ = centre_of(*first);
+    if (!share_surface() || pixel_.runs_away) {
+        pixel_ = *first;
+        pixel_.hit.position = centre_ray_.origin + centre_ray_.direction * first->hit.distance;
+        pixel_.surface.position = pixel_.hit.position;
+        pixel_.surface.view = glm::normalize(-centre_ray_.direction);
+    }
+    occlude(pixel_);
 }
 
 Sample PixelShader::centre_of(const Sample& owner) const {
@@ -116,7 +151,7 @@ glm::vec3 PixelShader::behind(const Sample& sample) const {
 
 /// The colour of some samples from one evaluation of their material. `owner`: of their triangle.
 void PixelShader::shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets) {
-    Sample* const one = form_.samples.light == LightPlace::pixel ? &samples_[0] : &centres_[owner];
+    Sample* const one = form_.samples.light == LightPlace::pixel ? &pixel_ : &centres_[owner];
     const std::span<Sample* const> points =
         form_.samples.light == LightPlace::sample ? std::span<Sample* const>(targets) : std::span(&one, 1);
     const double share = 1.0 / static_cast<double>(points.size());
@@ -134,7 +169,7 @@ void PixelShader::shade_material(const Surface& material, uint32_t owner, std::s
             const Surface lit = lit_as(seen, point->surface);
             Lighting lights(form_, lit, factor_, world_.environment());
             const Hit* shadows_at = !form_.samples.shadows_per_pixel ? &point->hit
-                                    : samples_[0].found              ? &samples_[0].hit
+                                    : pixel_.found                   ? &pixel_.hit
                                                                      : nullptr;
             point->shadow_mask = world_.gather(lights, lit, point->hit, shadows_at, reached_);
             point->lit = true;
@@ -147,7 +182,7 @@ void PixelShader::shade_material(const Surface& material, uint32_t owner, std::s
         target->base_colour = material.base_colour;
         target->sums = sums;
         target->runs_away = centres_[owner].runs_away;
-        if (form_.samples.light == LightPlace::fragment) {
+        if (form_.samples.light != LightPlace::sample) {
             target->lit = one->lit;
             target->shadow_mask = one->shadow_mask;
         }

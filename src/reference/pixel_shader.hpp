@@ -32,8 +32,6 @@ public:
 
     /// The pixel's samples, in Vulkan's order. They stay until the next call.
     std::span<const Sample> shade(uint32_t x, uint32_t y);
-    /// Along which alpha tests look for a texture's alpha; null: each along its own ray.
-    const Ray* masks_along() const { return at_fragments(form_.samples.geometry) ? &centre_ray_ : nullptr; }
 
 private:
     static bool at_fragments(ReferenceSamples::Rate rate) { return rate == ReferenceSamples::Rate::fragment; }
@@ -41,6 +39,8 @@ private:
     void look();
     void take_surfaces(uint32_t index);
     Sample centre_of(const Sample& owner) const;
+    bool share_surface() const;
+    void choose_pixel();
     void occlude(Sample& point) const;
     glm::vec3 behind(const Sample& sample) const;
     void shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets);
@@ -53,6 +53,7 @@ private:
     Ray centre_ray_;
     std::array<Sample, most_samples> samples_;
     std::array<Sample, most_samples> centres_; ///< of fragments, by owner: the place under the pixel's centre
+    Sample pixel_;                             ///< the pixel's one place, for light or shadows once a pixel
     std::vector<uint32_t> reached_;
 };
 

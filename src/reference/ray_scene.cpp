@@ -24,7 +24,6 @@ struct Context {
     RTCIntersectContext embree; // first, so that the pointers are the same
     const RayScene* scene;
     std::vector<Hole>* holes; ///< null for shadow rays
-    const Ray* masks_along = nullptr;
 };
 
 /// Finaliser of splitmix64 (Steele, Lea, Flood 2014): spreads a small number over 64 bits.
@@ -204,13 +203,7 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     }
     if (draw.material->alpha_mode != AlphaMode::mask)
         return;
-    glm::dvec2 place(hit.u, hit.v);
-    if (context.masks_along) {
-        double distance = 0;
-        const glm::dvec2 there = Triangle(draw, hit.primID).meet(*context.masks_along, distance);
-        if (std::isfinite(there.x) && std::isfinite(there.y))
-            place = there;
-    }
+    const glm::dvec2 place(hit.u, hit.v);
     Hit tested;
     tested.draw = hit.geomID;
     tested.triangle = hit.primID;
@@ -222,9 +215,9 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
         context.holes->push_back({ray.tfar, hit.geomID});
 }
 
-bool RayScene::closest(const Ray& ray, Hit& hit, const Ray* masks_along) const {
+bool RayScene::closest(const Ray& ray, Hit& hit) const {
     std::vector<Hole> holes;
-    Context context{{}, this, &holes, masks_along};
+    Context context{{}, this, &holes};
     rtcInitIntersectContext(&context.embree);
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

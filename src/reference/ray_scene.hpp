@@ -60,9 +60,8 @@ public:
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;
 
-    /// The nearest hit within [near, far]. Returns false when there is none. `masks_along`: alpha tests look where this
-    /// ray meets a triangle's plane, in place of `ray`.
-    bool closest(const Ray& ray, Hit& hit, const Ray* masks_along = nullptr) const;
+    /// The nearest hit within [near, far]. Returns false when there is none.
+    bool closest(const Ray& ray, Hit& hit) const;
     /// Where another ray meets the plane of the triangle that was hit, on the triangle or not.
     Hit beside(const Hit& hit, const Ray& ray) const;
     /// Whether anything lies on the ray; here both faces of every triangle count.

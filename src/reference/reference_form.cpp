@@ -21,12 +21,11 @@ ReferenceSamples samples_form(const InForce& settings, uint32_t count) {
         form.light = ReferenceSamples::Light::fragment;
         form.material = form.geometry = Rate::fragment;
     } else if (!forward) {
+        form.geometry = says(settings, "msaa-geometry", "sample") ? Rate::sample : Rate::fragment;
         if (says(settings, "msaa-light", "pixel"))
             form.light = ReferenceSamples::Light::pixel;
         if (says(settings, "msaa-material", "fragment"))
             form.material = Rate::fragment;
-        if (says(settings, "msaa-geometry", "fragment"))
-            form.geometry = Rate::fragment;
     }
     form.shadows_per_pixel = says(settings, "msaa-shadows", "pixel");
     return form;

@@ -76,7 +76,7 @@ public:
             glm::dvec3 sum(0);
             for (size_t i = 0; i < samples.size(); ++i) {
                 sum += glm::dvec3(picture.sample_colours[at * samples.size() + i] = samples[i].colour);
-                seen_[at * samples.size() + i] = remember(world_, x, y, samples[i], shader.masks_along());
+                seen_[at * samples.size() + i] = remember(world_, x, y, samples[i]);
             }
             picture.linear.pixels[at] = glm::vec3(sum / static_cast<double>(samples.size()));
         }

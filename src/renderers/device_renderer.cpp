@@ -10,6 +10,7 @@
 #include <passes/background.hpp>
 #include <passes/deformation.hpp>
 #include <passes/index_trimming.hpp>
+#include <passes/resolve.hpp>
 #include <prelight/error.hpp>
 #include <resident/texture_limit.hpp>
 #include <timing/clocks.hpp>
@@ -23,8 +24,7 @@ DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Set
     resolve_texture_filter(settings_, context_);
     settings_.refuse_without_effect();
     check_size(options.width, options.height);
-    if (options.msaa != 1)
-        throw UsageError(fmt::format("--msaa {}: this renderer has one sample a pixel", options.msaa));
+    check_samples(options.msaa);
     pair_counters_.emplace(context_, options.height);
     queue_ = std::make_unique<FrameQueue>(context_);
 }
@@ -40,12 +40,24 @@ void DeviceRenderer::check_size(uint32_t width, uint32_t height) const {
             fmt::format("{}: picture of {}x{}: the device's limit is {}", context_.name(), width, height, limit));
 }
 
+void DeviceRenderer::check_samples(uint32_t samples) const {
+    if (samples != 1 && samples != 2 && samples != 4)
+        throw UsageError(fmt::format("--msaa {}: not one of 1, 2, 4", samples));
+    const VkPhysicalDeviceLimits& limits = context_.limits();
+    const VkSampleCountFlags known = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts &
+                                     limits.sampledImageColorSampleCounts & limits.sampledImageDepthSampleCounts;
+    if (!(known & samples))
+        throw Error(fmt::format("{}: --msaa {}: the device has no such images", context_.name(), samples));
+    if (samples > 1 && !context_.features().sample_rate_shading)
+        throw Error(fmt::format("{}: --msaa {}: the device shades no samples apart", context_.name(), samples));
+}
+
 bool DeviceRenderer::wants(std::string_view view) const {
     return std::find(options_.views.begin(), options_.views.end(), view) != options_.views.end();
 }
 
 resident::ViewSettings DeviceRenderer::view_settings() const {
-    return {.raster = {{options_.width, options_.height}},
+    return {.raster = {{options_.width, options_.height}, options_.msaa},
             .exposure = std::exp2(options_.exposure),
             .draws = draw_options(settings_),
             .shadows = shadow_options(settings_)};
@@ -65,10 +77,12 @@ DeviceRenderer::linear_outputs(graph::FrameGraph& graph, const resident::View& v
                                const std::function<graph::ImageId(graph::ImageId)>& filter) const {
     passes::background_pass(graph, view, linear, depth, {});
     if (filter)
-        linear = filter(linear);
-    Outputs outputs{{"final", passes::tonemap_pass(graph, view, linear, options_.tonemap)}};
+        linear = filter(passes::resolve_pass(graph, view, linear));
+    const bool one = graph.raster(linear).samples == 1;
+    Outputs outputs{{"final", one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
+                                  : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap)}};
     if (wants("linear"))
-        outputs["linear"] = linear;
+        outputs["linear"] = passes::resolve_pass(graph, view, linear);
     return outputs;
 }
 
@@ -79,7 +93,7 @@ DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& 
         return linear_outputs(graph, view, draw({}), depth);
     const graph::ImageId picture = draw(options_.tonemap);
     passes::background_pass(graph, view, picture, depth, options_.tonemap);
-    return Outputs{{"final", picture}};
+    return Outputs{{"final", passes::resolve_pass(graph, view, picture)}};
 }
 
 void DeviceRenderer::set_world(const World& world) {
@@ -212,6 +226,11 @@ void DeviceRenderer::build_graph() {
     graph_ = std::move(graph); // none while one could not be made
 }
 
+void DeviceRenderer::build_again() {
+    drop_graph();
+    build_graph();
+}
+
 void DeviceRenderer::clear_counters(VkCommandBuffer commands) const {
     if (options_.count_pairs)
         pair_counters_->clear(commands);
@@ -230,8 +249,13 @@ void DeviceRenderer::warm_up(const PlacedCamera& camera) {
 }
 
 void DeviceRenderer::render_frame(const PlacedCamera& camera) {
+    if (std::exchange(outgrown_, false)) {
+        build_again();
+        warm_up(camera);
+    }
     const CreatedObjects before = created_since(context_, {});
     const gpu::FrameTurn turn = queue_->begin();
+    outgrown_ = outgrown(turn.slot);
     view_->update(camera, turn.slot);
     const double start = thread_ms();
     const UploadedBytes uploaded{scene_->updates().waiting(), view_->written_bytes()};
@@ -331,11 +355,16 @@ gpu::ShownImage DeviceRenderer::shown(std::string_view view) const {
 Image DeviceRenderer::read(std::string_view view) {
     if (!drawn_)
         throw Error("renderer: render() comes before read()");
-    if (view == "linear" && !outputs_.contains(view)) { // the graph has no such image: once more, with it
+    queue_->drain();
+    for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+        outgrown_ = outgrown(slot) || outgrown_;
+    const bool absent = view == "linear" && !outputs_.contains(view); // the graph has no such image
+    if (absent)
         options_.views.emplace_back(view);
+    if (absent || outgrown_) { // once more
         const Stats stats = this->stats();
-        drop_graph();
-        build_graph();
+        outgrown_ = false;
+        build_again();
         render(camera_, 1);
         stats_ = stats;
         stats_stay_ = true;

@@ -73,6 +73,9 @@ protected:
     passes::Shadows shadows(graph::FrameGraph& graph, const resident::View& view) {
         return passes::shadow_pass(graph, view, shadow_counts_);
     }
+    /// What an earlier frame in this slot, which is done, tells; true: the graph has too little room for something, and
+    /// its frame is not as it should be.
+    virtual bool outgrown(uint32_t /*slot*/) { return false; }
     const gpu::Buffer& pair_counters() const { return pair_counters_->buffer(); }
 
 private:
@@ -80,6 +83,8 @@ private:
     void take_changes(const WorldChanges& changes);
     /// Throws Error.
     void check_size(uint32_t width, uint32_t height) const;
+    /// Of a pixel. Throws UsageError for a number that no renderer knows, Error for one that the device lacks.
+    void check_samples(uint32_t samples) const;
     /// View, counters and graph for pictures of this size. Throws Error, and has taken down some of them.
     void remake_view(uint32_t width, uint32_t height);
     /// Waits for all frames and lets the graph go.
@@ -89,6 +94,7 @@ private:
     void render_frame(const PlacedCamera& camera);
     /// One more frame, pass by pass: adds each pass's CPU time to costs_.
     void time_passes(const PlacedCamera& camera);
+    void build_again();
     void clear_counters(VkCommandBuffer commands) const;
     void tell_shadows(Stats& stats) const;
 
@@ -107,6 +113,7 @@ private:
     passes::ShadowCounts shadow_counts_; ///< of the last recording
     bool drawn_ = false;                 ///< the graph's images hold a frame
     PlacedCamera camera_;                ///< of that frame
+    bool outgrown_ = false;              ///< a frame wanted more room than the graph has
     bool warm_ = false;                  ///< every pipeline of the graph has drawn once
     Stats stats_;                        ///< of a graph that is gone
     bool stats_stay_ = false;            ///< the last frame was drawn by read(): stats_ is what the one before it had

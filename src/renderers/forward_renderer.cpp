@@ -1,9 +1,11 @@
 #include "forward_renderer.hpp"
 #include "settings/draw_settings.hpp"
 #include "settings/light_model_settings.hpp"
+#include "settings/sample_settings.hpp"
 #include "settings/shadow_settings.hpp"
 #include "settings/texture_settings.hpp"
 #include <algorithm>
+#include <passes/depth_only.hpp>
 #include <passes/light_overlap.hpp>
 #include <passes/lighting.hpp>
 #include <passes/view.hpp>
@@ -42,6 +44,8 @@ ForwardRenderer::Plan ForwardRenderer::limited(Plan plan) const {
 passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId depth, graph::ImageId colour) {
     passes::ForwardInputs inputs{
         .name = name, .depth = depth, .colour = colour, .kinds = {}, .plan = {}, .model = model_};
+    inputs.sample_shading =
+        material_rate(settings()) == MaterialRate::sample ? gpu::SampleShading::sample : gpu::SampleShading::fragment;
     inputs.decals = decals_;
     inputs.pair_counters = &pair_counters();
     inputs.count_pairs = options().count_pairs;
@@ -51,6 +55,9 @@ passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId 
 
 void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
                                 graph::ImageId depth) const {
+    const bool any = wants("depth") || wants("albedo") || wants("light-count");
+    if (any && graph.raster(depth).samples > 1)
+        depth = passes::pixel_depth_pass(graph, view);
     const passes::SurfaceBuffers surface{
         .format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
     const auto show = [&](const char* name, passes::ViewKind kind, graph::ImageId buffer) {
@@ -80,8 +87,9 @@ void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, cons
 
 std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twice) {
     const std::vector<SettingInfo> common{
-        model_setting(),      specular_gate_setting(),         specular_vector_setting(),
-        light_sums_setting(), specular_antialiasing_setting(), texture_filter_setting()};
+        model_setting(),        specular_gate_setting(),         specular_vector_setting(),
+        light_sums_setting(),   specular_antialiasing_setting(), texture_filter_setting(),
+        msaa_material_setting()};
     own.insert(own.end(), common.begin(), common.end());
     for (SettingInfo& setting : draw_settings(twice))
         own.push_back(std::move(setting));

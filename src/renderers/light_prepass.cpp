@@ -6,6 +6,7 @@
 #include "settings/light_model_settings.hpp"
 #include "settings/light_prepass_presets.hpp"
 #include "settings/occlusion_settings.hpp"
+#include "settings/sample_settings.hpp"
 #include "settings/shadow_settings.hpp"
 #include "settings/texture_settings.hpp"
 #include <fmt/format.h>
@@ -48,9 +49,14 @@ void choose_roughness(Settings& settings, const Device& device) {
 class LightPrepass final : public DeviceRenderer {
 public:
     LightPrepass(Device& device, const RenderOptions& options, Settings settings, const passes::LightModel& model)
-        : DeviceRenderer(device, options, std::move(settings)), model_(model) {}
+        : DeviceRenderer(device, options, std::move(settings)), model_(model) {
+        if (options.msaa > 1)
+            edges_.emplace(dynamic_cast<gpu::Context&>(device));
+    }
 
 private:
+    bool outgrown(uint32_t slot) override { return edges_ && edges_->take(slot); }
+
     uint32_t blended_adds(const resident::View& view) const override {
         return model_.fixed_point() ? 0 : passes::light_adds(view, settings().is("light-writes", "blended"));
     }
@@ -67,13 +73,19 @@ private:
     }
 
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
-        const auto surface = passes::depth_normal_pass(graph, view, surface_format(settings()));
-        const auto decals = passes::decal_pass(graph, view, surface);
-        passes::decal_normal_pass(graph, view, surface, decals);
-        const passes::ScreenListOptions lists = screen_list_options(settings());
+        const auto drawn = passes::depth_normal_pass(graph, view, surface_format(settings()));
+        const auto decals = passes::decal_pass(graph, view, drawn);
+        passes::decal_normal_pass(graph, view, drawn, decals);
+        const passes::SampledSurfaces surfaces =
+            edges_ ? passes::sampled_surfaces(graph, view, drawn, sample_light(settings()), *edges_)
+                   : passes::SampledSurfaces{drawn, drawn, {}};
+        const passes::SurfaceBuffers& surface = surfaces.pixels;
+        passes::ScreenListOptions lists = screen_list_options(settings());
+        if (surfaces.edges)
+            lists.samples = &surfaces.samples;
         const bool pair =
             passes::is_pair_of_halves(model_) && !light_sums().wide() && passes::compute_walks(view, lists.shading);
-        const auto light = passes::make_light_buffer(graph, view, surface, model_, pair, light_sums().wide());
+        const auto light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide());
         passes::LightingInputs lighting{.surface = surface,
                                         .model = model_,
                                         .target = light.target,
@@ -89,14 +101,21 @@ private:
         passes::light_pass(graph, view, "light", lighting);
         if (scale_)
             scale_->count_clipped(graph, view, light.diffuse, light.specular);
-        passes::MaterialInputs materials{.depth = surface.depth, .light = light, .model = model_, .decals = decals};
+        passes::MaterialInputs materials{.depth = drawn.depth, .light = light, .model = model_, .decals = decals};
+        if (edges_)
+            materials.sample_shading = material_shading(settings());
+        if (surfaces.edges) {
+            materials.edges = surfaces.edges;
+            materials.sample_light =
+                passes::sample_light_pass(graph, view, "light samples", lighting, surfaces, pair, light_sums().wide());
+        }
         const passes::OcclusionOptions occlusion = occlusion_options(settings());
         std::optional<graph::ImageId> visibility;
         if (occlusion.on || wants("ambient-occlusion"))
             visibility = passes::ambient_occlusion_passes(graph, view, surface, occlusion);
         if (occlusion.on)
             materials.visibility = visibility;
-        Outputs outputs = picture_outputs(graph, view, surface.depth, [&](passes::Display display) {
+        Outputs outputs = picture_outputs(graph, view, drawn.depth, [&](passes::Display display) {
             return passes::material_pass(graph, view, materials, display);
         });
         using passes::ViewKind;
@@ -133,7 +152,8 @@ private:
     }
 
     passes::LightModel model_;
-    std::optional<passes::LightScale> scale_; ///< of a light buffer in fixed point
+    std::optional<passes::EdgeCounter> edges_; ///< with several samples a pixel
+    std::optional<passes::LightScale> scale_;  ///< of a light buffer in fixed point
 };
 
 } // namespace
@@ -159,6 +179,8 @@ RendererInfo light_prepass_info() {
              {"geometry", {"mrt", "two-passes"}, "mrt", "depth and normals at once, or depth first and then normals"},
              {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
              specular_antialiasing_setting(),
+             msaa_light_setting(),
+             msaa_material_setting(),
              texture_filter_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",
                   "specular-sum", "albedo", "light-count", "ambient-occlusion"},
@@ -177,6 +199,7 @@ std::unique_ptr<Renderer> make_light_prepass(Device& device, const RenderOptions
     choose_light_culling(settings, device);
     choose_roughness(settings, device);
     const passes::LightModel model = light_model(settings, settings.shading());
+    resolve_sample_settings(settings, dynamic_cast<const gpu::Context&>(device), options.msaa);
     choose_shadow_memory(settings); // what the model is written by may have changed the way
     return std::make_unique<LightPrepass>(device, options, std::move(settings), model);
 }

@@ -21,8 +21,8 @@ private:
         const uint32_t per_pass = lights_per_pass();
         const auto plan = settings().is("order", "lights") ? passes::plan_by_lights : passes::plan_by_objects;
         decals_ = passes::decals_of_own(graph, view);
-        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, view.raster()});
-        const auto linear = passes::picture_image(graph, view, {}, light_sums().wide());
+        const auto depth = graph.image("depth", {VK_FORMAT_D32_SFLOAT, view.surface_raster()});
+        const auto linear = passes::picture_image(graph, view, view.surface_raster(), {}, light_sums().wide());
 
         ambient_draws_ = 0;
         passes::ForwardInputs lights = shading("lights", depth, linear);

@@ -69,8 +69,8 @@ private:
 
     graph::ImageId draw_by_grid(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
                                 passes::Display display) {
-        passes::ForwardInputs opaque =
-            shading("opaque", depth, passes::picture_image(graph, view, display, light_sums().wide()));
+        passes::ForwardInputs opaque = shading(
+            "opaque", depth, passes::picture_image(graph, view, view.surface_raster(), display, light_sums().wide()));
         opaque.display = display;
         opaque.shadows = shadows(graph, view);
         passes::forward_grid_pass(graph, view, opaque, *lists_);
@@ -78,8 +78,8 @@ private:
     }
 
     graph::ImageId draw_by_plan(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) {
-        passes::ForwardInputs opaque =
-            shading("opaque", depth, passes::picture_image(graph, view, {}, light_sums().wide()));
+        passes::ForwardInputs opaque = shading(
+            "opaque", depth, passes::picture_image(graph, view, view.surface_raster(), {}, light_sums().wide()));
         opaque.shadows = shadows(graph, view);
         opaque.kinds = {passes::StepKind::base_and_lights, passes::StepKind::lights};
         opaque.plan = limited(

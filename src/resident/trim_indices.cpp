@@ -43,7 +43,8 @@ bool misses_centres(const glm::vec2 (&p)[3], float margin, int x0, int x1, int y
 
 IndexTrimmer::IndexTrimmer(const TrimView& view)
     // Half a step of the device's grid, and single precision at a few thousand pixels on both sides.
-    : view_(view), margin_(std::exp2(-static_cast<float>(view.subpixel_bits)) + 1.0f / 128) {}
+    : view_(view),
+      margin_(std::exp2(-static_cast<float>(view.subpixel_bits)) + 1.0f / 128 + (view.samples > 1 ? 0.5f : 0.0f)) {}
 
 void IndexTrimmer::project(const Primitive& primitive, const shared::ObjectData& object) {
     const size_t count = primitive.positions.size();

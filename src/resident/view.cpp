@@ -166,8 +166,8 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
 
     const double start = thread_ms();
     const std::span trimmed(trimmed_[slot].mapped<uint32_t>(), trimmed_[slot].size() / sizeof(uint32_t));
-    find_visible(visible_, scene_.geometry(), world, next, extent, eye_, context().limits().subPixelPrecisionBits,
-                 settings_.draws,
+    find_visible(visible_, scene_.geometry(), world, next, surface_raster(), eye_,
+                 context().limits().subPixelPrecisionBits, settings_.draws,
                  {objects_[slot].mapped<shared::ObjectData>(), target.commands.mapped<VkDrawIndexedIndirectCommand>(),
                   trimmed, most_trimmed});
     if (device_trimming_)

@@ -14,7 +14,7 @@
 namespace prelight::resident {
 
 struct ViewSettings {
-    gpu::Raster raster;
+    gpu::Raster raster;          ///< of the picture; with the samples of what surfaces are drawn into
     double exposure = 1;         ///< factor
     double light_scale = 32;     ///< what stored light is divided by
     bool measures_light = false; ///< the device finds a light scale for each frame: passes::light_scale_passes()
@@ -50,8 +50,11 @@ public:
     const GpuScene& scene() const { return scene_; }
     const gpu::Context& context() const { return scene_.context(); }
     const LightSet& lights() const { return lights_; }
-    /// Of the picture. What a pass writes has the raster of what it reads, where it reads a surface by pixel.
-    const gpu::Raster& raster() const { return settings_.raster; }
+    /// Of the picture, one sample a pixel. What a pass writes has the raster of what it reads, where it reads a surface
+    /// by pixel.
+    gpu::Raster raster() const { return {settings_.raster.extent}; }
+    /// Of what surfaces are drawn into.
+    const gpu::Raster& surface_raster() const { return settings_.raster; }
 
     /// The lights that the camera of the last update() may see, by how they are drawn.
     const LightGroups& light_groups() const { return groups_; }

@@ -28,8 +28,8 @@ void make_batches(VisibleDraws& out, const std::vector<Draw>& all, const DrawOpt
 } // namespace
 
 void find_visible(VisibleDraws& out, const Geometry& geometry, const World& world,
-                  const shared::FrameConstants& constants, VkExtent2D extent, glm::dvec3 eye, uint32_t subpixel_bits,
-                  const DrawOptions& options, const DrawBuffers& buffers) {
+                  const shared::FrameConstants& constants, const gpu::Raster& raster, glm::dvec3 eye,
+                  uint32_t subpixel_bits, const DrawOptions& options, const DrawBuffers& buffers) {
     const std::vector<Draw>& all = geometry.draws;
     out.draws.clear();
     out.batches.clear();
@@ -41,8 +41,8 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     sort_by_distance(out.draws, all, eye, glm::dvec3(constants.forward), out.place);
     out.place.assign(all.size(), no_image);
 
-    IndexTrimmer trimmer({constants.clip_from_world, static_cast<float>(extent.width),
-                          static_cast<float>(extent.height), subpixel_bits});
+    IndexTrimmer trimmer({constants.clip_from_world, static_cast<float>(raster.extent.width),
+                          static_cast<float>(raster.extent.height), subpixel_bits, raster.samples});
     size_t used = 0, device_used = 0;
     uint32_t kept = 0;
     for (VisibleDraw one : out.draws) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "scene.hpp"
+#include <gpu/raster.hpp>
 #include <prelight/camera.hpp>
 #include <shared/frame.h>
 #include <vulkan/vulkan_core.h>
@@ -58,9 +59,9 @@ struct DrawBuffers {
     uint64_t device_indices = 0;                      ///< room of the device for those it trims; the same
 };
 
-/// `constants`: of this frame's camera, which stands at `eye`, for pictures of `extent` pixels.
+/// `constants`: of this frame's camera, which stands at `eye`, drawn into `raster`.
 void find_visible(VisibleDraws& out, const Geometry& geometry, const World& world,
-                  const shared::FrameConstants& constants, VkExtent2D extent, glm::dvec3 eye, uint32_t subpixel_bits,
-                  const DrawOptions& options, const DrawBuffers& buffers);
+                  const shared::FrameConstants& constants, const gpu::Raster& raster, glm::dvec3 eye,
+                  uint32_t subpixel_bits, const DrawOptions& options, const DrawBuffers& buffers);
 
 } // namespace prelight::resident

@@ -40,6 +40,7 @@ RenderOptions options_of(const Shot& shot) {
     options.width = shot.width;
     options.height = shot.height;
     options.exposure = shot.exposure;
+    options.msaa = shot.samples;
     options.shading = shot.shading;
     options.settings = shot.settings;
     options.settings.emplace("texture-filter", "bilinear");
@@ -76,6 +77,11 @@ ReferenceForm form_of(const Shot& shot) {
     form.own_shaders = shot.renderer == "deferred"    ? ReferenceForm::OwnShaders::no_lights
                        : shot.renderer == "multipass" ? ReferenceForm::OwnShaders::each_light
                                                       : ReferenceForm::OwnShaders::sums;
+    std::map<std::string, std::string> in_force = shot.settings;
+    if (shot.renderer == "light-prepass" || shot.renderer == "deferred")
+        in_force.emplace("msaa-light", "edges");
+    in_force.emplace("msaa-material", "fragment");
+    form.samples = reference_form(shot.shading, in_force, shot.samples).samples;
     return form;
 }
 
@@ -109,10 +115,7 @@ Rendered render_counting_pairs(const Shot& shot, uint32_t frames) {
     return {renderer->read("linear"), std::move(stats)};
 }
 
-Comparison against_reference(Device& device, const Shot& shot) {
-    const Image picture = render_linear(device, shot);
-    const ReferencePicture reference =
-        render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form_of(shot));
+void save_when_wanted(const Image& picture, const ReferencePicture& reference) {
     if (const char* folder = std::getenv("PRELIGHT_TEST_PICTURES")) {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
         std::string name = std::string(info->test_suite_name()) + "." + info->name();
@@ -127,6 +130,13 @@ Comparison against_reference(Device& device, const Shot& shot) {
                 out[i] ? glm::vec3(0, 0, 0.3f) : glm::abs(picture.pixels[i] - reference.linear.pixels[i]) * 20.0f;
         save_png(difference, base.string() + ".difference.png");
     }
+}
+
+Comparison against_reference(Device& device, const Shot& shot) {
+    const Image picture = render_linear(device, shot);
+    const ReferencePicture reference =
+        render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form_of(shot));
+    save_when_wanted(picture, reference);
     return compare(picture, reference.linear, reference.left_out());
 }
 

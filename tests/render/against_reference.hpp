@@ -20,6 +20,7 @@ struct Shot {
     Shading shading = Shading::ggx;
     std::map<std::string, std::string> settings;
     std::string renderer = "light-prepass";
+    uint32_t samples = 1; ///< a pixel
 };
 
 /// A form of the lighting model that a test runs with, by its name.
@@ -69,6 +70,8 @@ Rendered render_counting_pairs(const Shot& shot, uint32_t frames = 1);
 
 /// Renders both and compares; texture filtering is bilinear on level 0 in both unless the settings name another.
 Comparison against_reference(Device& device, const Shot& shot);
+/// Picture, reference and twenty times their difference, into the folder PRELIGHT_TEST_PICTURES.
+void save_when_wanted(const Image& picture, const ReferencePicture& reference);
 /// EXPECTs the bound, printing the figures.
 void expect_within(const Comparison& comparison, const Bound& bound);
 /// EXPECTs the bound, printing the figures; no validation message may have come.

@@ -115,7 +115,7 @@ TEST(FramesInFlight, WhatAFrameReadsIsLeftAloneUntilItIsDone) {
     const gpu::Buffer counters(context, "pair counters", 90 * 2 * sizeof(uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                gpu::BufferPlace::readback);
     const auto surface = passes::depth_normal_pass(graph, view, {});
-    const auto light = passes::make_light_buffer(graph, view, surface, {});
+    const auto light = passes::make_light_buffer(graph, view, {});
     passes::LightingInputs lighting{
         .surface = surface, .model = {}, .target = light.target, .pair_counters = &counters};
     lighting.lists = passes::screen_light_lists(graph, view, "light", lighting, {.tile_size = 8});

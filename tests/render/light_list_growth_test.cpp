@@ -25,7 +25,7 @@ public:
           on_device_(context_, garden.world, {.raster = {{160, 90}}, .culling = c.culling}), graph_(context_) {
         const passes::LightModel model;
         const auto surface = passes::depth_normal_pass(graph_, view_, {});
-        light_ = passes::make_light_buffer(graph_, view_, surface, model);
+        light_ = passes::make_light_buffer(graph_, view_, model);
         passes::LightingInputs lighting{.surface = surface,
                                         .model = model,
                                         .target = light_.target,

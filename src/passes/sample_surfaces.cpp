@@ -1,0 +1,127 @@
+#include "sample_surfaces.hpp"
+#include "fullscreen.hpp"
+#include <algorithm>
+#include <gpu/compute_pipeline.hpp>
+#include <shared/bindings.h>
+#include <shared/light_lists.h>
+
+namespace prelight::passes {
+namespace {
+
+uint32_t blocks_along(uint32_t pixels) { return (pixels + LIT_BLOCK - 1) / LIT_BLOCK; }
+
+/// One surface a pixel, and in `edges` whether it is one of several.
+SurfaceBuffers resolve_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
+                                graph::ImageId edges, bool every_pixel) {
+    SurfaceBuffers out{surface.format};
+    out.depth = out.depth_source = make_depth(graph, view.raster(), surface.format.stencil);
+    const auto like = [&](const char* name, graph::ImageId image) {
+        return graph.image(name, {graph.desc(image).format, view.raster()});
+    };
+    out.normal = out.roughness = like("pixel normal", surface.normal);
+    graph::Pass& pass = graph.pass("sample-surfaces");
+    pass.depth_write(out.depth).colour(out.normal, graph::Load::discard).colour(edges, graph::Load::discard);
+    const bool apart = surface.roughness != surface.normal;
+    if (apart)
+        pass.colour(out.roughness = like("pixel roughness", surface.roughness), graph::Load::discard);
+    pass.sample(INPUT_DEPTH, surface.depth_source)
+        .sample(INPUT_NORMAL, surface.normal)
+        .sample(INPUT_ROUGHNESS, surface.roughness);
+    gpu::Constants constants = surface.format.constants();
+    constants.insert(constants.end(),
+                     {{CONSTANT_SAMPLES, graph.raster(surface.depth).samples}, {CONSTANT_EVERY_EDGE, every_pixel}});
+    draw_fullscreen(pass, view, {"sample_surfaces.frag", gpu::when(apart, gpu::Variant::roughness_target)}, constants,
+                    gpu::Blend::none, gpu::DepthTest::overwrite);
+    return out;
+}
+
+} // namespace
+
+gpu::Constants SampleEdges::constants() const {
+    return {{CONSTANT_SAMPLES, samples}, {CONSTANT_EDGE_TILES, tile_count}, {CONSTANT_EDGE_ROW, row}};
+}
+
+EdgeCounter::EdgeCounter(const gpu::Context& context) {
+    for (gpu::Buffer& one : counts_) {
+        one = gpu::Buffer(context, "edge counts", 2 * sizeof(uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                          gpu::BufferPlace::readback);
+        std::fill_n(one.mapped<uint32_t>(), 2, 0u);
+    }
+}
+
+uint32_t EdgeCounter::room(uint32_t all) const {
+    const uint32_t guess = all / 8; // half of a block's samples in a quarter of the blocks
+    return std::clamp(needed_ > 0 ? needed_ + needed_ / 4 : guess, std::min(64u, all), all); // more, for cameras move
+}
+
+bool EdgeCounter::take(uint32_t slot) {
+    uint32_t* counts = counts_[slot].mapped<uint32_t>();
+    pixels_ = counts[0];
+    needed_ = std::max(needed_, counts[1]);
+    std::fill_n(counts, 2, 0u);
+    return needed_ > room_;
+}
+
+SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
+                                 SampleLight light, EdgeCounter& counter) {
+    const uint32_t samples = graph.raster(surface.depth).samples;
+    if (samples == 1)
+        return {surface, surface, {}};
+    const graph::ImageId flags = graph.image("edges", {VK_FORMAT_R8_UINT, view.raster()});
+    SampledSurfaces out{surface, resolve_surfaces(graph, view, surface, flags, light == SampleLight::samples), {}};
+    if (light == SampleLight::pixel)
+        return out;
+
+    const auto [width, height] = view.raster().extent;
+    const uint32_t across = blocks_along(width), down = blocks_along(height);
+    SampleEdges edges{.row = across, .samples = samples};
+    const uint32_t all = across * down * samples;
+    counter.room_ = light == SampleLight::samples ? all : counter.room(all);
+    const uint32_t rows = (counter.room_ + across - 1) / across;
+    edges.raster = {{across * LIT_BLOCK, rows * LIT_BLOCK}};
+    edges.tile_count = counter.room_ = rows * across;
+    edges.index = graph.image("edge index", {VK_FORMAT_R32_UINT, view.raster()});
+    const auto make = [&](const char* name, uint64_t words, VkBufferUsageFlags more) {
+        return std::make_shared<gpu::Buffer>(view.context(), name, words * sizeof(uint32_t),
+                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more, gpu::BufferPlace::device);
+    };
+    constexpr uint64_t head = sizeof(shared::LitBlocks) / sizeof(uint32_t);
+    const auto tiles = make("edge tiles", head + edges.tile_count,
+                            VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    const auto pixels = make("edge pixels", uint64_t(edges.tile_count) * (LIT_BLOCK * LIT_BLOCK / samples), 0);
+    edges.tile_buffer = tiles;
+    edges.tiles = graph.buffer("edge tiles", *tiles);
+    edges.pixels = graph.buffer("edge pixels", *pixels);
+
+    const shared::LitBlocks none{{LIT_ROW, 0, 1, 0}};
+    const auto empty = std::make_shared<gpu::Buffer>(gpu::make_device_buffer(
+        view.context(), "no edge tiles", std::as_bytes(std::span(&none, 1)), VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
+    graph.pass("sample-edges none").copy_to(edges.tiles).record([=](const graph::PassContext& context) {
+        const VkBufferCopy all{0, 0, sizeof(shared::LitBlocks)};
+        vkCmdCopyBuffer(context.commands, empty->handle(), tiles->handle(), 1, &all);
+    });
+    graph::Pass& pass = graph.pass("sample-edges");
+    pass.raster(view.raster())
+        .sample(INPUT_EDGES, flags)
+        .store(INPUT_EDGE_INDEX, edges.index)
+        .storage(INPUT_LIT_BLOCKS, edges.tiles, true)
+        .storage(INPUT_EDGE_PIXELS, edges.pixels, true)
+        .storage(INPUT_EDGE_COUNTS, graph.buffer("edge counts", counter.counts_), true);
+    auto pipeline = std::make_shared<gpu::ComputePipeline>();
+    pass.prepare([=, &view, constants = edges.constants()](const graph::PassInterface& interface) {
+        *pipeline = gpu::ComputePipeline(view.context(), {.name = "sample edges",
+                                                          .shader = "sample_edges.comp",
+                                                          .constants = constants,
+                                                          .sets = {view.layout(), interface.inputs}});
+    });
+    pass.record([=, &view, kept = std::pair(tiles, pixels)](const graph::PassContext& context) { // as long as the graph
+        pipeline->bind(context.commands);
+        pipeline->bind_set(context.commands, SET_FRAME, view.set());
+        pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
+        vkCmdDispatch(context.commands, across, down, 1);
+    });
+    out.edges = edges;
+    return out;
+}
+
+} // namespace prelight::passes

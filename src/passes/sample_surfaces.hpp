@@ -1,0 +1,62 @@
+#pragma once
+#include "depth_normal.hpp"
+#include <gpu/buffer.hpp>
+#include <gpu/frames_in_flight.hpp>
+#include <memory>
+
+namespace prelight::passes {
+
+/// Which pixels have their samples lit by themselves.
+enum class SampleLight {
+    edges,   ///< those whose samples do not share a surface
+    samples, ///< all that show one
+    pixel    ///< none: one light for all samples
+};
+
+/// Where the samples of edge pixels lie in the sample light buffer (shaders/shared/edge_samples.glsl).
+struct SampleEdges {
+    graph::ImageId index; ///< R32_UINT, of each pixel: 0, or from 1 its number among the edge pixels
+    std::shared_ptr<const gpu::Buffer> tile_buffer;
+    graph::BufferId tiles;   ///< its id: LitBlocks, then the block of each tile of 8 × 8 texels
+    graph::BufferId pixels;  ///< pixels of those blocks, 64 / samples a tile
+    gpu::Raster raster;      ///< of the sample light buffer
+    uint32_t tile_count = 0; ///< that it has room for
+    uint32_t row = 0;        ///< tiles of it along x
+    uint32_t samples = 1;
+    /// Of shaders that find samples in it.
+    gpu::Constants constants() const;
+};
+
+/// Surfaces with several samples a pixel, and one a pixel out of them; both are the same with one sample.
+struct SampledSurfaces {
+    SurfaceBuffers samples;
+    SurfaceBuffers pixels;
+    std::optional<SampleEdges> edges; ///< none: all of a pixel's samples are lit as one
+    uint32_t count() const { return edges ? edges->samples : 1; }
+};
+
+/// What is known of the frames that are done about how many pixels are edges.
+class EdgeCounter {
+public:
+    explicit EdgeCounter(const gpu::Context& context);
+    /// Room for tiles in the sample light buffer of the graph that is built next, at most `all`.
+    uint32_t room(uint32_t all) const;
+    /// Reads what a frame that is done has counted, before another takes the slot. True where there was too little
+    /// room.
+    bool take(uint32_t slot);
+    /// Edge pixels of the last frame taken.
+    uint32_t pixels() const { return pixels_; }
+
+private:
+    friend SampledSurfaces sampled_surfaces(graph::FrameGraph&, const resident::View&, const SurfaceBuffers&,
+                                            SampleLight, EdgeCounter&);
+    gpu::PerFrame<gpu::Buffer> counts_;
+    uint32_t pixels_ = 0, needed_ = 0, room_ = 0; ///< tiles
+};
+
+/// Passes "sample-surfaces", and "sample-edges" where edges are lit by themselves; nothing where surfaces have one
+/// sample a pixel. `surface` has depth in its attachment, and roughness in a colour target.
+SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
+                                 SampleLight light, EdgeCounter& counter);
+
+} // namespace prelight::passes

@@ -1,0 +1,48 @@
+#include "sample_settings.hpp"
+
+namespace prelight {
+namespace {
+
+constexpr Choice<MaterialRate> material_words[] = {{"fragment", MaterialRate::fragment},
+                                                   {"sample", MaterialRate::sample}};
+constexpr ChoiceSetting<MaterialRate> material_setting{
+    "msaa-material", material_words, "fragment",
+    "--msaa 2 or 4: surfaces are shaded once a fragment, which is what a triangle covers of a pixel, or once a sample"};
+
+using passes::SampleLight;
+constexpr Choice<SampleLight> light_words[] = {
+    {"edges", SampleLight::edges}, {"samples", SampleLight::samples}, {"pixel", SampleLight::pixel}};
+constexpr ChoiceSetting<SampleLight> light_setting{
+    "msaa-light", light_words, "edges",
+    "--msaa 2 or 4: what is lit by itself: the samples of pixels at edges, all samples, or no more than a pixel"};
+
+} // namespace
+
+SettingInfo msaa_light_setting() { return light_setting.info(); }
+SampleLight sample_light(const Settings& settings) { return settings.value(light_setting); }
+
+void resolve_sample_settings(Settings& settings, const gpu::Context& context, uint32_t samples) {
+    if (samples == 1)
+        return;
+    const auto give_way = [&](const char* key, const char* value, const char* why) {
+        if (settings.has(key) && !settings.is(key, value))
+            settings.fall_back(key, value, why);
+    };
+    give_way("depth", "attachment", "with several samples a pixel their depth is read from the attachment");
+    give_way("roughness", "normal", "with several samples a pixel roughness is stored with the normals");
+    if (settings.is("shadows", "on") && sample_light(settings) != SampleLight::pixel)
+        give_way("shadow-memory", "atlas", "edge samples are lit by all lights at once");
+    if (!context.features().post_depth_coverage && material_rate(settings) == MaterialRate::fragment)
+        settings.fall_back(material_setting.key, "sample",
+                           context.name() + " does not tell coverage after depth tests (VK_EXT_post_depth_coverage)");
+}
+
+gpu::SampleShading material_shading(const Settings& settings) {
+    return material_rate(settings) == MaterialRate::sample ? gpu::SampleShading::sample
+                                                           : gpu::SampleShading::owned_fragment;
+}
+
+SettingInfo msaa_material_setting() { return material_setting.info(); }
+MaterialRate material_rate(const Settings& settings) { return settings.value(material_setting); }
+
+} // namespace prelight
