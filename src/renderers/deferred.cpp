@@ -106,9 +106,9 @@ private:
             return passes::light_resolve_pass(graph, view, gbuffer, display);
         };
         const auto blur = [&](graph::ImageId linear) { return passes::motion_blur_pass(graph, view, gbuffer, linear); };
-        const graph::ImageId depth = gbuffer.surface.depth;
-        Outputs outputs = settings().is("motion-blur", "on") ? linear_outputs(graph, view, resolve({}), depth, blur)
-                                                             : picture_outputs(graph, view, depth, resolve);
+        Outputs outputs = settings().is("motion-blur", "on")
+                              ? linear_outputs(graph, view, resolve({}), gbuffer.surface, blur)
+                              : picture_outputs(graph, view, gbuffer.surface, resolve);
         using passes::ViewKind;
         const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
             if (wants(name))
@@ -161,7 +161,8 @@ RendererInfo deferred_info() {
              specular_vector_setting(),
              light_sums_setting(),
              specular_antialiasing_setting(),
-             texture_filter_setting()},
+             texture_filter_setting(),
+             antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "sun-occlusion", "motion",
                   "light-count", "ambient-occlusion"},
         .presets = {"killzone2"},

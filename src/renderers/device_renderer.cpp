@@ -18,7 +18,7 @@ namespace prelight {
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
     : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)),
-      light_sums_(settings_) {
+      light_sums_(settings_), post_filter_(settings_, context_) {
     resolve_draw_settings(settings_, context_);
     resolve_texture_filter(settings_, context_);
     settings_.refuse_without_effect();
@@ -61,25 +61,27 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
 
 DeviceRenderer::Outputs
 DeviceRenderer::linear_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId linear,
-                               graph::ImageId depth,
+                               const passes::SurfaceBuffers& surface,
                                const std::function<graph::ImageId(graph::ImageId)>& filter) const {
-    passes::background_pass(graph, view, linear, depth, {});
+    passes::background_pass(graph, view, linear, surface.depth, {});
     if (filter)
         linear = filter(linear);
-    Outputs outputs{{"final", passes::tonemap_pass(graph, view, linear, options_.tonemap)}};
+    const graph::ImageId picture = passes::tonemap_pass(graph, view, linear, options_.tonemap);
+    Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
     if (wants("linear"))
         outputs["linear"] = linear;
     return outputs;
 }
 
 DeviceRenderer::Outputs
-DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
+DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& view,
+                                const passes::SurfaceBuffers& surface,
                                 const std::function<graph::ImageId(passes::Display)>& draw) const {
     if (wants("linear"))
-        return linear_outputs(graph, view, draw({}), depth);
+        return linear_outputs(graph, view, draw({}), surface);
     const graph::ImageId picture = draw(options_.tonemap);
-    passes::background_pass(graph, view, picture, depth, options_.tonemap);
-    return Outputs{{"final", picture}};
+    passes::background_pass(graph, view, picture, surface.depth, options_.tonemap);
+    return Outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
 }
 
 void DeviceRenderer::set_world(const World& world) {

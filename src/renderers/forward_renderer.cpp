@@ -51,8 +51,7 @@ passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId 
 
 void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
                                 graph::ImageId depth) const {
-    const passes::SurfaceBuffers surface{
-        .format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
+    const passes::SurfaceBuffers surface = surface_of(depth);
     const auto show = [&](const char* name, passes::ViewKind kind, graph::ImageId buffer) {
         outputs[name] = passes::view_pass(graph, view, name, kind, surface, buffer);
     };
@@ -80,8 +79,9 @@ void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, cons
 
 std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twice) {
     const std::vector<SettingInfo> common{
-        model_setting(),      specular_gate_setting(),         specular_vector_setting(),
-        light_sums_setting(), specular_antialiasing_setting(), texture_filter_setting()};
+        model_setting(),       specular_gate_setting(),         specular_vector_setting(),
+        light_sums_setting(),  specular_antialiasing_setting(), texture_filter_setting(),
+        antialiasing_setting()};
     own.insert(own.end(), common.begin(), common.end());
     for (SettingInfo& setting : draw_settings(twice))
         own.push_back(std::move(setting));

@@ -96,7 +96,7 @@ private:
             visibility = passes::ambient_occlusion_passes(graph, view, surface, occlusion);
         if (occlusion.on)
             materials.visibility = visibility;
-        Outputs outputs = picture_outputs(graph, view, surface.depth, [&](passes::Display display) {
+        Outputs outputs = picture_outputs(graph, view, surface, [&](passes::Display display) {
             return passes::material_pass(graph, view, materials, display);
         });
         using passes::ViewKind;
@@ -159,7 +159,8 @@ RendererInfo light_prepass_info() {
              {"geometry", {"mrt", "two-passes"}, "mrt", "depth and normals at once, or depth first and then normals"},
              {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
              specular_antialiasing_setting(),
-             texture_filter_setting()},
+             texture_filter_setting(),
+             antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",
                   "specular-sum", "albedo", "light-count", "ambient-occlusion"},
         .presets = {"engel", "round2", "prelighting"},

@@ -1,0 +1,54 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Anti-aliasing by blurring edges of geometry (Shishkovtsov, "Deferred Shading in S.T.A.L.K.E.R.", GPU Gems 2, 2005, section
+// 9.4.4; the edge filter that Quandt's Round 2 speaks of): a weight from normals and depth, then the mean of four places around
+// the pixel, as far from its centre as the weight says.
+#include "shared/displayed.glsl"
+#include "shared/geometry_edges.glsl"
+
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE picture;
+layout(location = 0) out vec4 out_colour;
+
+const float farthest = 0.5;  // pixels along an axis, at weight 1
+
+float depth_weight(ivec2 at) {
+    float here = edge_depth(at), most = 0.0;
+    const ivec2 ways[4] = ivec2[](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
+    for (int i = 0; i < 4; ++i)
+        most = max(most, depth_bend(edge_depth(at - ways[i]), here, edge_depth(at + ways[i])));
+    return clamp(most - 1.0, 0.0, 1.0);
+}
+
+float normal_weight(ivec2 at) {
+    const ivec2 ways[4] = ivec2[](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1));
+    vec3 here = edge_normal(at);
+    float most = 0.0;
+    for (int i = 0; i < 4; ++i)
+        if (edge_depth(at + ways[i]) > 0.0)
+            most = max(most, normal_bend(here, edge_normal(at + ways[i])));
+    return edge_depth(at) > 0.0 ? most : 0.0;
+}
+
+vec4 linear_at(ivec2 at) { return displayed_linear(pixel_read(picture, clamp(at, ivec2(0), last_pixel()))); }
+
+// The mean of both sides and of the centre, which is what two places at `offset` from it are, between two pixels each.
+vec4 across(vec4 before, vec4 here, vec4 after, float offset) {
+    return (1.0 - offset) * here + 0.5 * offset * (before + after);
+}
+
+vec4 row(ivec2 at, float offset) {
+    return across(linear_at(at + ivec2(-1, 0)), linear_at(at), linear_at(at + ivec2(1, 0)), offset);
+}
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec4 colour = pixel_read(picture, at);
+    float offset = depth_weight(at);
+    if (has_normals)
+        offset = max(offset, normal_weight(at));
+    offset *= farthest;
+    // A loop: a software device runs both sides of an `if`, but no round of a loop that nobody wants.
+    for (bool once = offset > 0.0; once; once = false)
+        colour = displayed_stored(across(row(at - ivec2(0, 1), offset), row(at, offset), row(at + ivec2(0, 1), offset), offset));
+    out_colour = colour;
+}
