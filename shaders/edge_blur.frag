@@ -11,22 +11,14 @@ layout(location = 0) out vec4 out_colour;
 
 const float farthest = 0.5;  // pixels along an axis, at weight 1
 
-float depth_weight(ivec2 at) {
-    float here = edge_depth(at), most = 0.0;
+float weight_at(ivec2 at) {
     const ivec2 ways[4] = ivec2[](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
+    float weight = 0.0;
     for (int i = 0; i < 4; ++i)
-        most = max(most, depth_bend(edge_depth(at - ways[i]), here, edge_depth(at + ways[i])));
-    return clamp(most - 1.0, 0.0, 1.0);
-}
-
-float normal_weight(ivec2 at) {
-    const ivec2 ways[4] = ivec2[](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1));
-    vec3 here = edge_normal(at);
-    float most = 0.0;
-    for (int i = 0; i < 4; ++i)
-        if (edge_depth(at + ways[i]) > 0.0)
-            most = max(most, normal_bend(here, edge_normal(at + ways[i])));
-    return edge_depth(at) > 0.0 ? most : 0.0;
+        weight = max(weight, clamp(depth_bend(at, ways[i]) - 1.0, 0.0, 1.0));
+    for (int i = 0; i < 2 && has_normals; ++i)
+        weight = max(weight, max(normal_bend(at, at - ways[i]), normal_bend(at, at + ways[i])));
+    return weight;
 }
 
 vec4 linear_at(ivec2 at) { return displayed_linear(pixel_read(picture, clamp(at, ivec2(0), last_pixel()))); }
@@ -43,10 +35,7 @@ vec4 row(ivec2 at, float offset) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 colour = pixel_read(picture, at);
-    float offset = depth_weight(at);
-    if (has_normals)
-        offset = max(offset, normal_weight(at));
-    offset *= farthest;
+    float offset = farthest * weight_at(at);
     // A loop: a software device runs both sides of an `if`, but no round of a loop that nobody wants.
     for (bool once = offset > 0.0; once; once = false)
         colour = displayed_stored(across(row(at - ivec2(0, 1), offset), row(at, offset), row(at + ivec2(0, 1), offset), offset));

@@ -22,13 +22,8 @@ float contrast_of(vec3 a, vec3 b) {
 
 // Whether geometry has an edge between `at` and the pixel before it.
 bool geometry_parts(ivec2 at, ivec2 way) {
-    float d[4];
-    for (int i = 0; i < 4; ++i)
-        d[i] = edge_depth(at + (i - 2) * way);
-    bool parts = max(depth_bend(d[0], d[1], d[2]), depth_bend(d[1], d[2], d[3])) > 1.0;
-    if (has_normals && d[1] > 0.0 && d[2] > 0.0)
-        parts = parts || normal_bend(edge_normal(at - way), edge_normal(at)) > 0.0;
-    return parts;
+    bool parts = max(depth_bend(at - way, way), depth_bend(at, way)) > 1.0;
+    return parts || (has_normals && normal_bend(at, at - way) > 0.0);
 }
 
 // `way`: from the other pixel to this one. `side`: along the edge.

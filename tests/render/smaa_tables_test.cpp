@@ -22,13 +22,13 @@ void expect_areas(const EdgeAreas& got, double below_share, double above_share) 
 TEST(SmaaTables, HaveTheAreasOfSimplePatterns) {
     expect_areas(smaa_area(0, 0, 3, 4), 0, 0);
     expect_areas(smaa_area(both, both, 3, 4), 0, 0);
-    expect_areas(smaa_area(above, 0, 0, 0), 0, 0.125);       // an L of one pixel: a triangle of half by half
-    expect_areas(smaa_area(above, 0, 0, 1), 0, 0.25);        // of two: a triangle of one by half
-    expect_areas(smaa_area(above, 0, 1, 0), 0, 0);           // its flat half
-    expect_areas(smaa_area(above, above, 0, 0), 0, 0.25);    // a U of one pixel
+    expect_areas(smaa_area(above, 0, 0, 0), 0, 0.125);    // an L of one pixel: a triangle of half by half
+    expect_areas(smaa_area(above, 0, 0, 1), 0, 0.25);     // of two: a triangle of one by half
+    expect_areas(smaa_area(above, 0, 1, 0), 0, 0);        // its flat half
+    expect_areas(smaa_area(above, above, 0, 0), 0, 0.25); // a U of one pixel
     expect_areas(smaa_area(below, above, 0, 0), 0.125, 0.125);
-    expect_areas(smaa_area(below, above, 0, 1), 0.25, 0);    // a Z of two
-    expect_areas(smaa_area(both, below, 0, 1), 0, 0.25);     // makes a Z
+    expect_areas(smaa_area(below, above, 0, 1), 0.25, 0);           // a Z of two
+    expect_areas(smaa_area(both, below, 0, 1), 0, 0.25);            // makes a Z
     expect_areas(smaa_diagonal_area(upright, level, 0, 3), 0.5, 0); // exactly 45° through the pixels' corners
     expect_areas(smaa_diagonal_area(level, upright, 2, 2), 0, 0.5);
     expect_areas(smaa_diagonal_area(0, 0, 4, 4), 0.25, 0.25);
@@ -132,8 +132,7 @@ TEST(SmaaTables, AgreeWithPointsCountedUnderDiagonals) {
                         sum_above += 0.5 * counted_below({0, start}, {steps, end}, left, left);
                     }
                     const EdgeAreas got = smaa_diagonal_area(before, after, left, right);
-                    worst = std::max({worst, std::abs(got.below - sum_below),
-                                      std::abs(got.above - sum_above)});
+                    worst = std::max({worst, std::abs(got.below - sum_below), std::abs(got.above - sum_above)});
                 }
     EXPECT_LT(worst, 0.01);
 }
