@@ -5,9 +5,10 @@
 // 4.1). Where geometry has no edge, it takes twice the contrast (predication).
 #include "shared/displayed.glsl"
 #include "shared/geometry_edges.glsl"
+#include "shared/smaa.h"
 
 layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE picture;
-layout(location = 0) out float out_edges;  // 1/255: left, 2/255: above
+layout(location = 0) out float out_edges;  // SMAA_LEFT | SMAA_ABOVE
 
 const float least = 0.1;              // of 1, the difference of an encoded channel at an edge of geometry
 const float within_surfaces = 2.0;    // times that elsewhere
@@ -29,13 +30,14 @@ bool geometry_parts(ivec2 at, ivec2 way) {
 // `way`: from the other pixel to this one. `side`: along the edge.
 bool is_edge(ivec2 at, ivec2 way, ivec2 side, vec3 here, vec3 before) {
     float contrast = contrast_of(here, before);
-    if (contrast < least * (geometry_parts(at, way) ? 1.0 : within_surfaces))
-        return false;
+    bool strong = contrast >= least * within_surfaces;
+    for (bool once = !strong; once; once = false)
+        strong = geometry_parts(at, way);
     // All around both pixels, so that a mirrored picture has the mirrored edges.
     float most = max(contrast_of(before, colour_at(at - 2 * way)), contrast_of(here, colour_at(at + way)));
     for (int i = -1; i <= 1; i += 2)
         most = max(most, max(contrast_of(here, colour_at(at + i * side)), contrast_of(before, colour_at(at - way + i * side))));
-    return contrast * local_contrast >= most;
+    return strong && contrast * local_contrast >= most;
 }
 
 void main() {
@@ -45,8 +47,8 @@ void main() {
     int edges = 0;
     // Loops: a software device runs both sides of an `if`, but no round of a loop that nobody wants.
     for (bool once = contrast_of(here, before) >= least; once; once = false)
-        edges = is_edge(at, right, down, here, before) ? 1 : 0;
+        edges = is_edge(at, right, down, here, before) ? SMAA_LEFT : 0;
     for (bool once = contrast_of(here, above) >= least; once; once = false)
-        edges += is_edge(at, down, right, here, above) ? 2 : 0;
+        edges += is_edge(at, down, right, here, above) ? SMAA_ABOVE : 0;
     out_edges = float(edges) / 255.0;
 }

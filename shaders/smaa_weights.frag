@@ -15,108 +15,113 @@ layout(location = 0) out vec4 out_weights;
 
 const float corner_rounding = 0.25;  // of the weights, how much stays at a corner
 
-// Bit 0: left, bit 1: above.
+int edges_in(ivec2 inside) { return int(pixel_read(edge_buffer, inside).r * 255.0 + 0.5); }
 int edges_at(ivec2 at) {
-    bool outside = any(lessThan(at, ivec2(0))) || any(greaterThan(at, last_pixel()));
-    return outside ? 0 : int(pixel_read(edge_buffer, at).r * 255.0 + 0.5);
+    ivec2 inside = clamp(at, ivec2(0), last_pixel());
+    return at == inside ? edges_in(inside) : 0;
 }
-bool left_of(ivec2 at) { return (edges_at(at) & 1) != 0; }
-bool above(ivec2 at) { return (edges_at(at) & 2) != 0; }
 
 vec2 areas_at(int index) { return unpackUnorm2x16(areas[index]); }
 
-// An edge along `way` as seen in a row: `across` leads over it, from this pixel to the other. `own` is its bit, `crossing` that
-// of what crosses it.
+// A line of edges along `way`, as seen in a row: `across` leads over it, from this pixel to the other. Bits: `own` is the
+// line's; `near` and `far` cross it where a pixel begins, on this side and on the other.
 struct Line {
     ivec2 way, across;
-    int own, crossing;
+    int own, near, far;
 };
 
-bool has(ivec2 at, int bit) { return (edges_at(at) & bit) != 0; }
-
-// Pixels that the line goes on beyond `at`, before or after it: until it ends, or something crosses it.
-int search(Line line, ivec2 at, bool after) {
-    int found = 0;
-    while (found < SMAA_REACH) {
-        ivec2 next = at + (after ? found + 1 : -found - 1) * line.way, corner = after ? next : next + line.way;
-        bool crossed = has(corner, line.crossing) || has(corner + line.across, line.crossing);
-        if (crossed || !has(next, line.own))
-            break;
-        ++found;
+// How many pixels of `limit` the line goes on after `at`, or before it, until it ends or something crosses it. `edges`: of `at`,
+// and then of the last pixel.
+int search(Line line, ivec2 at, int step, int limit, inout int edges) {
+    int found = 0, crossings = line.near | line.far;
+    for (bool on = limit > 0; on;) {
+        int next = edges_in(at + step * (found + 1) * line.way);
+        on = (next & line.own) != 0 && ((step > 0 ? next : edges) & crossings) == 0;
+        edges = on ? next : edges;
+        found += on ? 1 : 0;
+        on = on && found < limit;
     }
     return found;
 }
 
-int crossings_at(Line line, ivec2 corner) {
-    return (has(corner + line.across, line.crossing) ? SMAA_CROSSING_ABOVE : 0) +
-           (has(corner, line.crossing) ? SMAA_CROSSING_BELOW : 0);
+int crossings_of(Line line, int edges) {
+    return ((edges & line.far) != 0 ? SMAA_CROSSING_ABOVE : 0) + ((edges & line.near) != 0 ? SMAA_CROSSING_BELOW : 0);
 }
 
-// How much is left of both weights where the nearer end goes on across for a pixel more: that is a corner, not a step.
-vec2 corner_factor(Line line, ivec2 first, ivec2 last, int left, int right) {
-    vec2 factor = vec2(1.0);
-    float share = (1.0 - corner_rounding) * (left == right ? 0.5 : 1.0);
-    for (int i = 0; i < 2; ++i) {
-        ivec2 corner = i == 0 ? first : last;
-        if (i == 0 ? left <= right : right <= left)
-            factor -= share * vec2(has(corner - line.across, line.crossing), has(corner + 2 * line.across, line.crossing));
-    }
-    return max(factor, 0.0);
+// How much of both weights a corner at this end of the line takes: there what crosses goes on for a pixel more.
+vec2 corner_share(Line line, ivec2 corner) {
+    return vec2(edges_at(corner - line.across) & line.near, edges_at(corner + line.across) & line.far);
 }
 
-vec2 line_weights(Line line, ivec2 at) {
-    int left = search(line, at, false), right = search(line, at, true);
+vec2 line_weights(Line line, ivec2 at, int edges, int pixels_before, int pixels_after) {
+    int first_edges = edges, last_edges = edges;
+    int left = search(line, at, -1, min(SMAA_REACH, pixels_before), first_edges);
+    int right = search(line, at, 1, min(SMAA_REACH, pixels_after), last_edges);
     ivec2 first = at - left * line.way, last = at + (right + 1) * line.way;
-    return areas_at(smaa_area_index(crossings_at(line, first), crossings_at(line, last), left, right)) *
-           corner_factor(line, first, last, left, right);
+    int before = crossings_of(line, first_edges), after = crossings_of(line, edges_at(last));
+    // At the nearer end: that is a corner, not a step.
+    vec2 rounded = vec2(0.0);
+    if (left <= right)
+        rounded += min(corner_share(line, first), 1.0);
+    if (right <= left)
+        rounded += min(corner_share(line, last), 1.0);
+    rounded *= (1.0 - corner_rounding) * (left == right ? 0.5 : 1.0);
+    return areas_at(smaa_area_index(before, after, left, right)) * (1.0 - rounded);
 }
 
-// Steps of the staircase beyond the edge above `at`, to the `right` (1) or left (−1), up (−1) or down (1): each is an edge along
-// a column and one along a row. `ends`: whether it ended within reach.
-int steps(ivec2 at, int right, int down, out bool ends) {
-    int found = 0;
-    ends = false;
-    while (found < SMAA_DIAGONAL_REACH && !ends) {
-        // The column that the last row's edge ends at, and the pixel row that the step goes through.
-        ivec2 corner = at + ivec2(right * found + (right > 0 ? 1 : 0), down * found + (down > 0 ? 0 : -1));
-        ends = !left_of(corner) || !above(at + (found + 1) * ivec2(right, down));
-        found += ends ? 0 : 1;
+// Steps of the staircase beyond the edge above `at`, to the `right` (1) or left (−1), down (1) or up (−1): each is an edge along
+// a column and one along a row. `crossings`: of its end, none where that is out of reach.
+int steps(ivec2 at, int right, int down, int edges, out int crossings) {
+    ivec2 way = ivec2(right, down), room = mix(at, last_pixel() - at, greaterThan(way, ivec2(0)));
+    int limit = min(SMAA_DIAGONAL_REACH, min(room.x, room.y)), found = 0;
+    int column = (right > 0) == (down > 0) ? SMAA_LEFT_OF_UPPER : SMAA_LEFT;  // of the next pixel, or of this one
+    for (bool on = limit > 0; on;) {
+        int next = edges_in(at + (found + 1) * way);
+        on = (next & SMAA_ABOVE) != 0 && ((right > 0 ? next : edges) & column) != 0;
+        edges = on ? next : edges;
+        found += on ? 1 : 0;
+        on = on && found < limit;
     }
+    if (right > 0) {
+        int beside = edges_at(at + found * way + ivec2(1, 0));
+        crossings = ((beside & SMAA_ABOVE) != 0 ? SMAA_CROSSING_LEVEL : 0) +
+                    ((beside & (down > 0 ? SMAA_LEFT : SMAA_LEFT_OF_UPPER)) != 0 ? SMAA_CROSSING_UPRIGHT : 0);
+    } else {
+        crossings = ((edges & SMAA_ABOVE_BEFORE) != 0 ? SMAA_CROSSING_LEVEL : 0) +
+                    ((edges & column) != 0 ? SMAA_CROSSING_UPRIGHT : 0);
+    }
+    crossings = found < SMAA_DIAGONAL_REACH ? crossings : 0;
     return found;
-}
-
-int diagonal_crossings(ivec2 at, int right, int down) {
-    ivec2 corner = at + ivec2(right > 0 ? 1 : 0, down > 0 ? 0 : -1);
-    return (above(at + ivec2(right, 0)) ? SMAA_CROSSING_LEVEL : 0) + (left_of(corner) ? SMAA_CROSSING_UPRIGHT : 0);
 }
 
 // `rises`: from below left to above right. Adds to `weights`; whether there is such a diagonal.
-bool add_diagonal(ivec2 at, bool rises, inout vec2 weights) {
+bool add_diagonal(ivec2 at, bool rises, int edges, inout vec2 weights) {
     int down = rises ? 1 : -1;  // to the left
-    bool starts, ends;
-    int left = steps(at, -1, down, starts), right = steps(at, 1, -down, ends);
-    if (left + right < 3)
-        return false;
-    int before = starts ? diagonal_crossings(at + left * ivec2(-1, down), -1, down) : 0;
-    int after = ends ? diagonal_crossings(at + right * ivec2(1, -down), 1, -down) : 0;
-    vec2 found = areas_at(smaa_diagonal_index(before, after, left, right));
+    int before, after, left = steps(at, -1, down, edges, before), right = steps(at, 1, -down, edges, after);
+    // Four steps are seven edges; so are three between columns.
+    bool is_diagonal = left + right + 1 >= ((before & after & SMAA_CROSSING_UPRIGHT) != 0 ? 3 : 4);
+    vec2 found = is_diagonal ? areas_at(smaa_diagonal_index(before, after, left, right)) : vec2(0.0);
     weights += rises ? found : found.yx;
-    return true;
+    return is_diagonal;
 }
 
 void main() {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    int edges = edges_at(at);
+    ivec2 at = ivec2(gl_FragCoord.xy), after = last_pixel() - at;
+    int edges = edges_in(at);
     vec4 codes = vec4(0.0);
     // Loops: a software device runs both sides of an `if`, but no round of a loop that nobody wants.
-    for (bool once = (edges & 2) != 0; once; once = false) {
+    for (bool once = (edges & SMAA_ABOVE) != 0; once; once = false) {
         vec2 weights = vec2(0.0);
-        bool rising = add_diagonal(at, true, weights), falling = add_diagonal(at, false, weights), diagonal = rising || falling;
-        for (bool row = !diagonal; row; row = false)
-            weights = line_weights(Line(ivec2(1, 0), ivec2(0, -1), 2, 1), at);
-        codes.xy = round(min(weights, 0.5) * 254.0) + (diagonal ? 128.0 : 0.0);
+        bool rises = add_diagonal(at, true, edges, weights), falls = add_diagonal(at, false, edges, weights);
+        for (bool level = !rises && !falls; level; level = false) {
+            Line row = Line(ivec2(1, 0), ivec2(0, -1), SMAA_ABOVE, SMAA_LEFT, SMAA_LEFT_OF_UPPER);
+            weights = line_weights(row, at, edges, at.x, after.x);
+        }
+        codes.xy = round(min(weights, 0.5) * 254.0) + (rises || falls ? 128.0 : 0.0);
     }
-    for (bool once = (edges & 1) != 0; once; once = false)
-        codes.zw = round(line_weights(Line(ivec2(0, 1), ivec2(-1, 0), 1, 2), at) * 254.0);
+    for (bool once = (edges & SMAA_LEFT) != 0; once; once = false) {
+        Line column = Line(ivec2(0, 1), ivec2(-1, 0), SMAA_LEFT, SMAA_ABOVE, SMAA_ABOVE_BEFORE);
+        codes.zw = round(line_weights(column, at, edges, at.y, after.y) * 254.0);
+    }
     out_weights = codes / 255.0;
 }

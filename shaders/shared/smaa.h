@@ -4,6 +4,13 @@
 #include "shared/interop.h"
 SHARED_BEGIN
 
+// A pixel's edges: towards the pixel at its left, and towards the one above it; the left edge of that upper one, and the
+// upper edge of the one at its left.
+#define SMAA_LEFT 1
+#define SMAA_ABOVE 2
+#define SMAA_LEFT_OF_UPPER 4
+#define SMAA_ABOVE_BEFORE 8
+
 // Pixels that a search goes each way from a pixel: 16 steps of two along rows and columns, 8 along diagonals.
 #define SMAA_REACH 32
 #define SMAA_DIAGONAL_REACH 8

@@ -21,10 +21,15 @@ graph::ImageId Smaa::add(graph::FrameGraph& graph, const resident::View& view, c
     find.colour(edges, graph::Load::discard).sample(INPUT_COLOUR_BEFORE, picture);
     draw_fullscreen(find, view, "smaa_edges.frag", read_geometry_edges(find, surface, desc.format));
 
+    const graph::ImageId crossings = graph.image("smaa crossings", {VK_FORMAT_R8_UNORM, desc.raster});
+    graph::Pass& gather = graph.pass("smaa crossings");
+    gather.colour(crossings, graph::Load::discard).sample(INPUT_SMAA_EDGES, edges);
+    draw_fullscreen(gather, view, "smaa_crossings.frag", {});
+
     const graph::ImageId weights = graph.image("smaa weights", {VK_FORMAT_R8G8B8A8_UNORM, desc.raster});
     graph::Pass& weigh = graph.pass("smaa weights");
     weigh.colour(weights, graph::Load::discard)
-        .sample(INPUT_SMAA_EDGES, edges)
+        .sample(INPUT_SMAA_EDGES, crossings)
         .storage(INPUT_SMAA_AREAS, graph.buffer("smaa areas", areas_), false);
     draw_fullscreen(weigh, view, "smaa_weights.frag", {});
 
