@@ -12,12 +12,21 @@ layout(location = 0) out vec4 out_colour;
 const float farthest = 0.5;  // pixels along an axis, at weight 1
 
 float weight_at(ivec2 at) {
-    const ivec2 ways[4] = ivec2[](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
-    float weight = 0.0;
-    for (int i = 0; i < 4; ++i)
-        weight = max(weight, clamp(depth_bend(at, ways[i]) - 1.0, 0.0, 1.0));
-    for (int i = 0; i < 2 && has_normals; ++i)
-        weight = max(weight, max(normal_bend(at, at - ways[i]), normal_bend(at, at + ways[i])));
+    float depths[9];
+    for (int i = 0; i < 9; ++i)
+        depths[i] = edge_depth(at + ivec2(i % 3, i / 3) - 1);
+    float here = depths[4], rows = depth_bend(depths[3], here, depths[5]), columns = depth_bend(depths[1], here, depths[7]);
+    float diagonals = max(depth_bend(depths[0], here, depths[8]), depth_bend(depths[2], here, depths[6]));
+    // At the picture's borders nobody knows how a plane goes on.
+    bvec2 border = bvec2(at.x == 0 || at.x == last_pixel().x, at.y == 0 || at.y == last_pixel().y);
+    float bend = max(max(border.x ? 0.0 : rows, border.y ? 0.0 : columns), any(border) ? 0.0 : diagonals);
+    float weight = clamp(bend - 1.0, 0.0, 1.0);
+    if (has_normals) {
+        const ivec2 ways[4] = ivec2[](ivec2(0, -1), ivec2(-1, 0), ivec2(1, 0), ivec2(0, 1));
+        vec3 normal = edge_normal(at);
+        for (int i = 0; i < 4; ++i)
+            weight = max(weight, normal_bend(normal, edge_normal(at + ways[i]), min(here, depths[2 * i + 1]) > 0.0));
+    }
     return weight;
 }
 

@@ -23,21 +23,28 @@ float contrast_of(vec3 a, vec3 b) {
 
 // Whether geometry has an edge between `at` and the pixel before it.
 bool geometry_parts(ivec2 at, ivec2 way) {
-    bool parts = max(depth_bend(at - way, way), depth_bend(at, way)) > 1.0;
-    return parts || (has_normals && normal_bend(at, at - way) > 0.0);
+    float depths[4];
+    for (int i = 0; i < 4; ++i)
+        depths[i] = edge_depth(at + (i - 2) * way);
+    // At the picture's borders nobody knows how a plane goes on.
+    ivec2 first = at - 2 * way, last = at + way;
+    bool before = first == max(first, ivec2(0)) && depth_bend(depths[0], depths[1], depths[2]) > 1.0;
+    bool after = last == min(last, last_pixel()) && depth_bend(depths[1], depths[2], depths[3]) > 1.0;
+    bool bends = has_normals && normal_bend(edge_normal(at - way), edge_normal(at), min(depths[1], depths[2]) > 0.0) > 0.0;
+    return before || after || bends;
 }
 
 // `way`: from the other pixel to this one. `side`: along the edge.
 bool is_edge(ivec2 at, ivec2 way, ivec2 side, vec3 here, vec3 before) {
     float contrast = contrast_of(here, before);
-    bool strong = contrast >= least * within_surfaces;
-    for (bool once = !strong; once; once = false)
-        strong = geometry_parts(at, way);
     // All around both pixels, so that a mirrored picture has the mirrored edges.
     float most = max(contrast_of(before, colour_at(at - 2 * way)), contrast_of(here, colour_at(at + way)));
     for (int i = -1; i <= 1; i += 2)
         most = max(most, max(contrast_of(here, colour_at(at + i * side)), contrast_of(before, colour_at(at - way + i * side))));
-    return strong && contrast * local_contrast >= most;
+    bool is = contrast * local_contrast >= most;
+    for (bool once = is && contrast < least * within_surfaces; once; once = false)
+        is = geometry_parts(at, way);
+    return is;
 }
 
 void main() {
