@@ -45,8 +45,7 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 colour = pixel_read(picture, at);
     float offset = farthest * weight_at(at);
-    // A loop: a software device runs both sides of an `if`, but no round of a loop that nobody wants.
-    for (bool once = offset > 0.0; once; once = false)
+    if (offset > 0.0)
         colour = displayed_stored(across(row(at - ivec2(0, 1), offset), row(at, offset), row(at + ivec2(0, 1), offset), offset));
     out_colour = colour;
 }

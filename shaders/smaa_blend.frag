@@ -31,8 +31,7 @@ void main() {
     vec2 weights = (by_columns ? columns : rows) / 254.0;
     ivec2 way = by_columns ? right : down;
     float sum = weights.x + weights.y;
-    // A loop: a software device runs both sides of an `if`, but no round of a loop that nobody wants.
-    for (bool once = sum > 0.0; once; once = false) {
+    if (sum > 0.0) {
         vec4 here = linear_at(at);
         vec4 first = weights.x > 0.0 ? linear_at(at - way) : here, second = weights.y > 0.0 ? linear_at(at + way) : here;
         colour = displayed_stored((weights.x * mix(here, first, weights.x) + weights.y * mix(here, second, weights.y)) / sum);

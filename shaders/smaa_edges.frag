@@ -42,7 +42,7 @@ bool is_edge(ivec2 at, ivec2 way, ivec2 side, vec3 here, vec3 before) {
     for (int i = -1; i <= 1; i += 2)
         most = max(most, max(contrast_of(here, colour_at(at + i * side)), contrast_of(before, colour_at(at - way + i * side))));
     bool is = contrast * local_contrast >= most;
-    for (bool once = is && contrast < least * within_surfaces; once; once = false)
+    if (is && contrast < least * within_surfaces)
         is = geometry_parts(at, way);
     return is;
 }
@@ -52,10 +52,9 @@ void main() {
     const ivec2 right = ivec2(1, 0), down = ivec2(0, 1);
     vec3 here = colour_at(at), before = colour_at(at - right), above = colour_at(at - down);
     int edges = 0;
-    // Loops: a software device runs both sides of an `if`, but no round of a loop that nobody wants.
-    for (bool once = contrast_of(here, before) >= least; once; once = false)
+    if (contrast_of(here, before) >= least)
         edges = is_edge(at, right, down, here, before) ? SMAA_LEFT : 0;
-    for (bool once = contrast_of(here, above) >= least; once; once = false)
+    if (contrast_of(here, above) >= least)
         edges += is_edge(at, down, right, here, above) ? SMAA_ABOVE : 0;
     out_edges = float(edges) / 255.0;
 }

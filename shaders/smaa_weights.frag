@@ -34,13 +34,14 @@ struct Line {
 // and then of the last pixel.
 int search(Line line, ivec2 at, int step, int limit, inout int edges) {
     int found = 0, crossings = line.near | line.far;
-    for (bool on = limit > 0; on;) {
-        int next = edges_in(at + step * (found + 1) * line.way);
-        on = (next & line.own) != 0 && ((step > 0 ? next : edges) & crossings) == 0;
+    bool on = limit > 0;
+    do {
+        int next = edges_in(at + (on ? step * (found + 1) : 0) * line.way);
+        on = on && (next & line.own) != 0 && ((step > 0 ? next : edges) & crossings) == 0;
         edges = on ? next : edges;
         found += on ? 1 : 0;
         on = on && found < limit;
-    }
+    } while (on);
     return found;
 }
 
@@ -75,13 +76,14 @@ int steps(ivec2 at, int right, int down, int edges, out int crossings) {
     ivec2 way = ivec2(right, down), room = mix(at, last_pixel() - at, greaterThan(way, ivec2(0)));
     int limit = min(SMAA_DIAGONAL_REACH, min(room.x, room.y)), found = 0;
     int column = (right > 0) == (down > 0) ? SMAA_LEFT_OF_UPPER : SMAA_LEFT;  // of the next pixel, or of this one
-    for (bool on = limit > 0; on;) {
-        int next = edges_in(at + (found + 1) * way);
-        on = (next & SMAA_ABOVE) != 0 && ((right > 0 ? next : edges) & column) != 0;
+    bool on = limit > 0;
+    do {
+        int next = edges_in(at + (on ? found + 1 : 0) * way);
+        on = on && (next & SMAA_ABOVE) != 0 && ((right > 0 ? next : edges) & column) != 0;
         edges = on ? next : edges;
         found += on ? 1 : 0;
         on = on && found < limit;
-    }
+    } while (on);
     if (right > 0) {
         int beside = edges_at(at + found * way + ivec2(1, 0));
         crossings = ((beside & SMAA_ABOVE) != 0 ? SMAA_CROSSING_LEVEL : 0) +
@@ -109,17 +111,16 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy), after = last_pixel() - at;
     int edges = edges_in(at);
     vec4 codes = vec4(0.0);
-    // Loops: a software device runs both sides of an `if`, but no round of a loop that nobody wants.
-    for (bool once = (edges & SMAA_ABOVE) != 0; once; once = false) {
+    if ((edges & SMAA_ABOVE) != 0) {
         vec2 weights = vec2(0.0);
         bool rises = add_diagonal(at, true, edges, weights), falls = add_diagonal(at, false, edges, weights);
-        for (bool level = !rises && !falls; level; level = false) {
+        if (!rises && !falls) {
             Line row = Line(ivec2(1, 0), ivec2(0, -1), SMAA_ABOVE, SMAA_LEFT, SMAA_LEFT_OF_UPPER);
             weights = line_weights(row, at, edges, at.x, after.x);
         }
         codes.xy = round(min(weights, 0.5) * 254.0) + (rises || falls ? 128.0 : 0.0);
     }
-    for (bool once = (edges & SMAA_LEFT) != 0; once; once = false) {
+    if ((edges & SMAA_LEFT) != 0) {
         Line column = Line(ivec2(0, 1), ivec2(-1, 0), SMAA_LEFT, SMAA_ABOVE, SMAA_ABOVE_BEFORE);
         codes.zw = round(line_weights(column, at, edges, at.y, after.y) * 254.0);
     }
