@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Anti-aliasing by blurring edges of geometry (Shishkovtsov, "Deferred Shading in S.T.A.L.K.E.R.", GPU Gems 2, 2005, section
-// 9.4.4; the edge filter that Quandt's Round 2 speaks of): a weight from normals and depth, then the mean of four places around
-// the pixel, as far from its centre as the weight says.
+// Anti-aliasing by blurring edges of geometry (Shishkovtsov, "Deferred Shading in S.T.A.L.K.E.R.", GPU Gems 2, 2005,
+// chapter 9; the edge filter that Quandt's Round 2 speaks of): a weight from normals and depth, then the mean of four
+// places around the pixel, as far from its centre as the weight says.
 #include "shared/displayed.glsl"
 #include "shared/geometry_edges.glsl"
 
@@ -15,7 +15,8 @@ float weight_at(ivec2 at) {
     float depths[9];
     for (int i = 0; i < 9; ++i)
         depths[i] = edge_depth(at + ivec2(i % 3, i / 3) - 1);
-    float here = depths[4], rows = depth_bend(depths[3], here, depths[5]), columns = depth_bend(depths[1], here, depths[7]);
+    float here = depths[4];
+    float rows = depth_bend(depths[3], here, depths[5]), columns = depth_bend(depths[1], here, depths[7]);
     float diagonals = max(depth_bend(depths[0], here, depths[8]), depth_bend(depths[2], here, depths[6]));
     // At the picture's borders nobody knows how a plane goes on.
     bvec2 border = bvec2(at.x == 0 || at.x == last_pixel().x, at.y == 0 || at.y == last_pixel().y);
@@ -45,7 +46,9 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 colour = pixel_read(picture, at);
     float offset = farthest * weight_at(at);
-    if (offset > 0.0)
-        colour = displayed_stored(across(row(at - ivec2(0, 1), offset), row(at, offset), row(at + ivec2(0, 1), offset), offset));
+    if (offset > 0.0) {
+        vec4 upper = row(at - ivec2(0, 1), offset), lower = row(at + ivec2(0, 1), offset);
+        colour = displayed_stored(across(upper, row(at, offset), lower, offset));
+    }
     out_colour = colour;
 }

@@ -33,8 +33,8 @@ void main() {
     float sum = weights.x + weights.y;
     if (sum > 0.0) {
         vec4 here = linear_at(at);
-        vec4 first = weights.x > 0.0 ? linear_at(at - way) : here, second = weights.y > 0.0 ? linear_at(at + way) : here;
-        colour = displayed_stored((weights.x * mix(here, first, weights.x) + weights.y * mix(here, second, weights.y)) / sum);
+        vec4 first = mix(here, linear_at(at - way), weights.x), second = mix(here, linear_at(at + way), weights.y);
+        colour = displayed_stored((weights.x * first + weights.y * second) / sum);
     }
     out_colour = colour;
 }

@@ -1,8 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// SMAA's first pass (Jimenez, Echevarria, Sousa and Gutierrez 2012): where the picture's colour has an edge, at the pixel's
-// left and at its upper side: luma alone misses an orange ball before grey. What is fainter than half of the strongest edge around is none (local contrast adaptation, section
-// 4.1). Where geometry has no edge, it takes twice the contrast (predication).
+// SMAA's first pass (Jimenez, Echevarria, Sousa and Gutierrez 2012, "Edge detection"): where the picture's colour has
+// an edge, at the pixel's left and at its upper side; luma alone misses an orange ball before grey. What is fainter
+// than half of the strongest edge around is none (local contrast adaptation). Where geometry has no edge, it takes
+// twice the contrast (predication).
 #include "shared/displayed.glsl"
 #include "shared/geometry_edges.glsl"
 #include "shared/smaa.h"
@@ -10,9 +11,9 @@
 layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE picture;
 layout(location = 0) out float out_edges;  // SMAA_LEFT | SMAA_ABOVE
 
-const float least = 0.1;              // of 1, the difference of an encoded channel at an edge of geometry
-const float within_surfaces = 2.0;    // times that elsewhere
-const float local_contrast = 2.0;     // times an edge, what outshines it
+const float least = 0.1;            // of 1, the difference of an encoded channel at an edge of geometry
+const float within_surfaces = 2.0;  // times that elsewhere
+const float local_contrast = 2.0;   // times an edge, what outshines it
 
 vec3 colour_at(ivec2 at) { return displayed_encoded(pixel_read(picture, clamp(at, ivec2(0), last_pixel())).rgb); }
 
@@ -30,7 +31,8 @@ bool geometry_parts(ivec2 at, ivec2 way) {
     ivec2 first = at - 2 * way, last = at + way;
     bool before = first == max(first, ivec2(0)) && depth_bend(depths[0], depths[1], depths[2]) > 1.0;
     bool after = last == min(last, last_pixel()) && depth_bend(depths[1], depths[2], depths[3]) > 1.0;
-    bool bends = has_normals && normal_bend(edge_normal(at - way), edge_normal(at), min(depths[1], depths[2]) > 0.0) > 0.0;
+    bool there = min(depths[1], depths[2]) > 0.0;
+    bool bends = has_normals && normal_bend(edge_normal(at - way), edge_normal(at), there) > 0.0;
     return before || after || bends;
 }
 
@@ -39,8 +41,10 @@ bool is_edge(ivec2 at, ivec2 way, ivec2 side, vec3 here, vec3 before) {
     float contrast = contrast_of(here, before);
     // All around both pixels, so that a mirrored picture has the mirrored edges.
     float most = max(contrast_of(before, colour_at(at - 2 * way)), contrast_of(here, colour_at(at + way)));
-    for (int i = -1; i <= 1; i += 2)
-        most = max(most, max(contrast_of(here, colour_at(at + i * side)), contrast_of(before, colour_at(at - way + i * side))));
+    for (int i = -1; i <= 1; i += 2) {
+        most = max(most, contrast_of(here, colour_at(at + i * side)));
+        most = max(most, contrast_of(before, colour_at(at - way + i * side)));
+    }
     bool is = contrast * local_contrast >= most;
     if (is && contrast < least * within_surfaces)
         is = geometry_parts(at, way);

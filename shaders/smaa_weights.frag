@@ -1,16 +1,17 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// SMAA's second pass (Jimenez, Echevarria, Sousa and Gutierrez 2012): how long the line is that an edge is part of, and what
-// crosses its ends; from a table (smaa_tables.cpp) how much the two pixels at the edge take of each other. Diagonals go before
-// rows and columns (section 4.2); where a line ends at a corner, little is rounded (section 4.3). Edges are fetched one by one,
-// as bits: the paper's search texture, which takes filtered fetches apart, has nothing to do here.
+// SMAA's second pass (Jimenez, Echevarria, Sousa and Gutierrez 2012, "Pattern handling"): how long the line is that an
+// edge is part of, and what crosses its ends; from a table (smaa_tables.cpp) how much the two pixels at the edge take
+// of each other. Diagonals go before rows and columns; where a line ends at a corner, little is rounded. Edges are
+// fetched one by one, as bits: the paper's search texture, which takes filtered fetches apart, has nothing to do here.
+// Loops end with their condition: a software device runs a body once more for no pixel when it stands in front.
 #include "shared/pixel_reads.glsl"
 #include "shared/smaa.h"
 
 layout(set = SET_INPUTS, binding = INPUT_SMAA_EDGES) uniform PIXEL_IMAGE edge_buffer;
 layout(set = SET_INPUTS, binding = INPUT_SMAA_AREAS, std430) readonly buffer AreaBlock { uint areas[]; };
-// Of the edge above: what this pixel takes of the other one, and that of this; the same of the edge at the left. Codes 0 … 127
-// for 0 … 0.5, and 128 more on a diagonal.
+// Of the edge above: what this pixel takes of the other one, and that of this; the same of the edge at the left. Codes
+// 0 … 127 for 0 … 0.5, and 128 more on a diagonal.
 layout(location = 0) out vec4 out_weights;
 
 const float corner_rounding = 0.25;  // of the weights, how much stays at a corner
@@ -23,15 +24,15 @@ int edges_at(ivec2 at) {
 
 vec2 areas_at(int index) { return unpackUnorm2x16(areas[index]); }
 
-// A line of edges along `way`, as seen in a row: `across` leads over it, from this pixel to the other. Bits: `own` is the
-// line's; `near` and `far` cross it where a pixel begins, on this side and on the other.
+// A line of edges along `way`, as seen in a row: `across` leads over it, from this pixel to the other. Bits: `own` is
+// the line's; `near` and `far` cross it where a pixel begins, on this side and on the other.
 struct Line {
     ivec2 way, across;
     int own, near, far;
 };
 
-// How many pixels of `limit` the line goes on after `at`, or before it, until it ends or something crosses it. `edges`: of `at`,
-// and then of the last pixel.
+// How many pixels of `limit` the line goes on after `at`, or before it, until it ends or something crosses it. `edges`:
+// of `at`, and then of the last pixel.
 int search(Line line, ivec2 at, int step, int limit, inout int edges) {
     int found = 0, crossings = line.near | line.far;
     bool on = limit > 0;
@@ -70,8 +71,8 @@ vec2 line_weights(Line line, ivec2 at, int edges, int pixels_before, int pixels_
     return areas_at(smaa_area_index(before, after, left, right)) * (1.0 - rounded);
 }
 
-// Steps of the staircase beyond the edge above `at`, to the `right` (1) or left (−1), down (1) or up (−1): each is an edge along
-// a column and one along a row. `crossings`: of its end, none where that is out of reach.
+// Steps of the staircase beyond the edge above `at`, to the `right` (1) or left (−1), down (1) or up (−1): each is an
+// edge along a column and one along a row. `crossings`: of its end, none where that is out of reach.
 int steps(ivec2 at, int right, int down, int edges, out int crossings) {
     ivec2 way = ivec2(right, down), room = mix(at, last_pixel() - at, greaterThan(way, ivec2(0)));
     int limit = min(SMAA_DIAGONAL_REACH, min(room.x, room.y)), found = 0;

@@ -12,8 +12,8 @@ float edge_depth(ivec2 pixel) {
     return linear_depth && frame.forward.w > 0.5 ? (stored > 0.0 ? 1.0 / stored : 0.0) : stored;
 }
 
-// How far the depths at both sides of a pixel are from making a plane with its own: the bend in units of a pixel's width
-// there. Two faces of a cube that are seen alike make 2.
+// How far the depths at both sides of a pixel are from making a plane with its own: the bend in units of a pixel's
+// width there. Two faces of a cube that are seen alike make 2.
 float depth_bend(float before, float here, float after) {
     float second = abs((before - here) + (after - here));
     if (depth_source == DEPTH_R16F)

@@ -4,8 +4,8 @@
 #include "shared/interop.h"
 SHARED_BEGIN
 
-// A pixel's edges: towards the pixel at its left, and towards the one above it; the left edge of that upper one, and the
-// upper edge of the one at its left.
+// A pixel's edges: towards the pixel at its left, and towards the one above it; the left edge of that upper one, and
+// the upper edge of the one at its left.
 #define SMAA_LEFT 1
 #define SMAA_ABOVE 2
 #define SMAA_LEFT_OF_UPPER 4

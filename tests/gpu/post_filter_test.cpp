@@ -13,27 +13,27 @@
 namespace prelight {
 namespace {
 
-constexpr int width = 144, height = 112;
-using Texels = std::vector<glm::vec4>;
-using Bytes = std::vector<std::array<uint8_t, 4>>;
+constexpr int picture_width = 144, picture_height = 112;
+using PictureTexels = std::vector<glm::vec4>;
+using PictureBytes = std::vector<std::array<uint8_t, 4>>;
 
-size_t index_of(int x, int y) { return static_cast<size_t>(y * width + x); }
+size_t index_of(int x, int y) { return static_cast<size_t>(y * picture_width + x); }
 
-Texels make(const auto& at) {
-    Texels all(size_t(width) * height);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
+PictureTexels make_texels(const auto& at) {
+    PictureTexels all(size_t(picture_width) * picture_height);
+    for (int y = 0; y < picture_height; ++y)
+        for (int x = 0; x < picture_width; ++x)
             all[index_of(x, y)] = glm::vec4(at(x, y));
     return all;
 }
 
 /// A wall ten metres away, which is one plane.
-Texels wall() {
-    return make([](int, int) { return 10.0f; });
+PictureTexels wall() {
+    return make_texels([](int, int) { return 10.0f; });
 }
 
 struct Filtered {
-    Bytes before, after;
+    PictureBytes before, after;
 };
 
 enum class Filter { smaa, edge_blur };
@@ -41,22 +41,22 @@ enum class Filter { smaa, edge_blur };
 class PostFilters : public OnEachDevice {
 protected:
     /// `picture` as shaders write it, `depth` in metres; without normals.
-    Filtered filter(const Texels& picture, const Texels& depth, Filter which,
+    Filtered filter(const PictureTexels& picture, const PictureTexels& depth, Filter which,
                     VkFormat format = VK_FORMAT_R8G8B8A8_UNORM) {
         TestWorld test; // a frame wants a world; these passes look at its camera alone
         test.add(square(1));
-        WorldView on_device(context(), test.world, {.raster = {{width, height}}});
+        WorldView on_device(context(), test.world, {.raster = {{picture_width, picture_height}}});
         resident::View& view = on_device.view;
         view.update(front_camera(5));
         graph::FrameGraph graph(context());
-        const auto upload = [&](const char* name, const Texels& texels, VkFormat as) {
+        const auto upload = [&](const char* name, const PictureTexels& texels, VkFormat as) {
             gpu::Buffer& buffer = buffers_.emplace_back(context(), name, texels.size() * sizeof(glm::vec4),
                                                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferPlace::upload);
             std::copy(texels.begin(), texels.end(), buffer.mapped<glm::vec4>());
-            const graph::ImageId image = graph.image(name, {as, {width, height}});
+            const graph::ImageId image = graph.image(name, {as, {picture_width, picture_height}});
             graph::Pass& pass = graph.pass(name);
             pass.colour(image, graph::Load::discard).storage(0, graph.buffer(name, buffer), false);
-            run_program(pass, context(), "from_buffer.frag", {width});
+            run_program(pass, context(), "from_buffer.frag", {picture_width});
             return image;
         };
         const graph::ImageId colour = upload("picture", picture, format),
@@ -73,7 +73,7 @@ protected:
         graph.keep(smooth);
         graph.compile();
         run_frame(context(), graph);
-        return {texels<Bytes::value_type>(graph, colour), texels<Bytes::value_type>(graph, smooth)};
+        return {texels<PictureBytes::value_type>(graph, colour), texels<PictureBytes::value_type>(graph, smooth)};
     }
 
 private:
@@ -81,16 +81,16 @@ private:
 };
 
 /// Lines, discs and specks of any colour.
-Texels confetti(unsigned seed) {
+PictureTexels confetti(unsigned seed) {
     std::mt19937 random(seed);
     const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-    Texels picture(size_t(width) * height, glm::vec4(0.2f, 0.3f, 0.4f, 1));
+    PictureTexels picture(size_t(picture_width) * picture_height, glm::vec4(0.2f, 0.3f, 0.4f, 1));
     for (int shape = 0; shape < 60; ++shape) {
         const glm::vec4 colour(number(0, 1), number(0, 1), number(0, 1), number(0, 1));
-        const double cx = number(0, width), cy = number(0, height), angle = number(0, 6.3);
+        const double cx = number(0, picture_width), cy = number(0, picture_height), angle = number(0, 6.3);
         const double across = number(0.3, 6), along = shape % 3 == 0 ? across : number(1, 50);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
+        for (int y = 0; y < picture_height; ++y)
+            for (int x = 0; x < picture_width; ++x) {
                 const double dx = x - cx, dy = y - cy;
                 const double u = (dx * std::cos(angle) + dy * std::sin(angle)) / along,
                              v = (dy * std::cos(angle) - dx * std::sin(angle)) / across;
@@ -102,8 +102,8 @@ Texels confetti(unsigned seed) {
 }
 
 /// Depth that goes with it: what is brighter is nearer.
-Texels depth_of(const Texels& picture) {
-    Texels depth;
+PictureTexels depth_of(const PictureTexels& picture) {
+    PictureTexels depth;
     for (const glm::vec4& colour : picture)
         depth.emplace_back(10 + 3 * std::floor(4 * colour.r));
     return depth;
@@ -116,7 +116,7 @@ struct HalfPlane {
     /// Pixels from the edge to this place, positive in the white half.
     double inside(double x, double y) const {
         const double angle = glm::radians(degrees);
-        return (x - width / 2.0) * std::sin(angle) - (y - height / 2.0) * std::cos(angle) - shift;
+        return (x - picture_width / 2.0) * std::sin(angle) - (y - picture_height / 2.0) * std::cos(angle) - shift;
     }
     /// The white share of a pixel, in closed form.
     double coverage(int x, int y) const {
@@ -129,8 +129,8 @@ struct HalfPlane {
             larger = 1 - std::pow((s + c) / 2 - far, 2) / (2 * s * c);
         return from_centre > 0 ? larger : 1 - larger;
     }
-    Texels picture() const {
-        return make([&](int x, int y) {
+    PictureTexels picture() const {
+        return make_texels([&](int x, int y) {
             const bool in = inside(x + 0.5, y + 0.5) > 0;
             return glm::vec4(in, in, in, in);
         });
@@ -142,9 +142,9 @@ struct EdgeError {
     double sum = 0;
     int count = 0;
 
-    void add(const Bytes& picture, const HalfPlane& half) {
-        for (int y = 34; y < height - 34; ++y)
-            for (int x = 34; x < width - 34; ++x) {
+    void add(const PictureBytes& picture, const HalfPlane& half) {
+        for (int y = 34; y < picture_height - 34; ++y)
+            for (int x = 34; x < picture_width - 34; ++x) {
                 const double covered = half.coverage(x, y);
                 if (covered == 0 || covered == 1)
                     continue;
@@ -188,8 +188,8 @@ TEST_P(PostFilters, SmaaComesCloseToTheCoverageOfHalfPlanes) {
 
 // A device that encodes finds the same edges and mixes the same light.
 TEST_P(PostFilters, DoTheSameInAnImageThatTheDeviceEncodes) {
-    const Texels encoded = confetti(5), depth = depth_of(encoded);
-    Texels linear = encoded;
+    const PictureTexels encoded = confetti(5), depth = depth_of(encoded);
+    PictureTexels linear = encoded;
     for (glm::vec4& colour : linear)
         for (int c = 0; c < 3; ++c)
             colour[c] = srgb_decode(std::round(255 * colour[c]) / 255);
@@ -208,7 +208,8 @@ TEST_P(PostFilters, DoTheSameInAnImageThatTheDeviceEncodes) {
 TEST_P(PostFilters, MixAlphaLikeLight) {
     const HalfPlane half{20};
     for (const Filter which : {Filter::smaa, Filter::edge_blur}) {
-        const Texels depth = make([&](int x, int y) { return half.inside(x + 0.5, y + 0.5) > 0 ? 10.0f : 20.0f; });
+        const PictureTexels depth =
+            make_texels([&](int x, int y) { return half.inside(x + 0.5, y + 0.5) > 0 ? 10.0f : 20.0f; });
         const Filtered got = filter(half.picture(), depth, which);
         size_t between = 0;
         for (const auto& texel : got.after) {
@@ -223,23 +224,25 @@ TEST_P(PostFilters, MixAlphaLikeLight) {
 TEST_P(PostFilters, OfAMirroredPictureAreItsMirroredResult) {
     const auto mirrored = [](const auto& picture, bool upside_down) {
         auto other = picture;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                other[index_of(x, y)] = picture[upside_down ? index_of(x, height - 1 - y) : index_of(width - 1 - x, y)];
+        for (int y = 0; y < picture_height; ++y)
+            for (int x = 0; x < picture_width; ++x)
+                other[index_of(x, y)] =
+                    picture[upside_down ? index_of(x, picture_height - 1 - y) : index_of(picture_width - 1 - x, y)];
         return other;
     };
     for (const Filter which : {Filter::smaa, Filter::edge_blur})
         for (unsigned seed = 1; seed <= 3; ++seed) {
-            const Texels picture = confetti(seed), depth = depth_of(picture);
-            const Bytes straight = filter(picture, depth, which).after;
+            const PictureTexels picture = confetti(seed), depth = depth_of(picture);
+            const PictureBytes straight = filter(picture, depth, which).after;
             for (const bool upside_down : {false, true}) {
-                const Bytes other = filter(mirrored(picture, upside_down), mirrored(depth, upside_down), which).after;
-                const Bytes expected = mirrored(straight, upside_down);
+                const PictureBytes other =
+                    filter(mirrored(picture, upside_down), mirrored(depth, upside_down), which).after;
+                const PictureBytes expected = mirrored(straight, upside_down);
                 size_t differ = 0;
                 for (size_t i = 0; i < other.size(); ++i)
                     for (size_t c = 0; c < 4; ++c) {
                         differ += other[i][c] != expected[i][c];
-                        ASSERT_NEAR(other[i][c], expected[i][c], 1) << i % width << ", " << i / width;
+                        ASSERT_NEAR(other[i][c], expected[i][c], 1) << i % picture_width << ", " << i / picture_width;
                     }
                 EXPECT_LE(differ, which == Filter::smaa ? 0u : 64u); // sums of three round by their order
             }
@@ -247,11 +250,11 @@ TEST_P(PostFilters, OfAMirroredPictureAreItsMirroredResult) {
 }
 
 TEST_P(PostFilters, LeavePixelsAwayFromEdgesAlone) {
-    const Texels picture = confetti(7), depth = depth_of(picture);
+    const PictureTexels picture = confetti(7), depth = depth_of(picture);
     const Filtered smaa = filter(picture, depth, Filter::smaa), blur = filter(picture, depth, Filter::edge_blur);
     size_t changed = 0, blurred = 0;
-    for (int y = 1; y < height - 1; ++y)
-        for (int x = 1; x < width - 1; ++x) {
+    for (int y = 1; y < picture_height - 1; ++y)
+        for (int x = 1; x < picture_width - 1; ++x) {
             const size_t at = index_of(x, y);
             bool contrast = false, step = false;
             for (int dy = -1; dy <= 1; ++dy)
@@ -275,16 +278,17 @@ TEST_P(PostFilters, LeavePixelsAwayFromEdgesAlone) {
 }
 
 TEST_P(PostFilters, LeaveAPictureWithoutEdgesAlone) {
-    const Texels gradient = make([](int x, int y) { return glm::vec4(x / 144.0f, y / 112.0f, 0.5f, x / 144.0f); });
+    const PictureTexels gradient =
+        make_texels([](int x, int y) { return glm::vec4(x / 144.0f, y / 112.0f, 0.5f, x / 144.0f); });
     // A floor seen at a flat angle: depth changes much from row to row, and is a plane all the same.
-    const Texels floor = make([](int, int y) { return y > 40 ? 100.0f / (y - 40) : 0.0f; });
+    const PictureTexels floor = make_texels([](int, int y) { return y > 40 ? 100.0f / (y - 40) : 0.0f; });
     for (const Filter which : {Filter::smaa, Filter::edge_blur})
         for (const VkFormat format : {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R8G8B8A8_SRGB}) {
             const Filtered on_wall = filter(gradient, wall(), which, format),
                            on_floor = filter(gradient, floor, which, format);
             EXPECT_TRUE(on_wall.after == on_wall.before);
-            for (int y = 0; y < height; ++y)
-                for (int x = 0; x < width && std::abs(y - 40) > 1; ++x) // but for the horizon
+            for (int y = 0; y < picture_height; ++y)
+                for (int x = 0; x < picture_width && std::abs(y - 40) > 1; ++x) // but for the horizon
                     ASSERT_EQ(on_floor.after[index_of(x, y)], on_floor.before[index_of(x, y)]) << x << ", " << y;
         }
 }
@@ -293,10 +297,11 @@ TEST_P(PostFilters, LeaveAPictureWithoutEdgesAlone) {
 TEST_P(PostFilters, SmaaSeesFainterEdgesWhereDepthSteps) {
     const HalfPlane half{10};
     const auto in = [&](int x, int y) { return half.inside(x + 0.5, y + 0.5) > 0; };
-    const Texels faint = make([&](int x, int y) { return in(x, y) ? 0.65f : 0.5f; });
+    const PictureTexels faint = make_texels([&](int x, int y) { return in(x, y) ? 0.65f : 0.5f; });
     const Filtered flat = filter(faint, wall(), Filter::smaa);
     EXPECT_TRUE(flat.after == flat.before);
-    const Filtered stepped = filter(faint, make([&](int x, int y) { return in(x, y) ? 10.0f : 11.0f; }), Filter::smaa);
+    const Filtered stepped =
+        filter(faint, make_texels([&](int x, int y) { return in(x, y) ? 10.0f : 11.0f; }), Filter::smaa);
     EXPECT_TRUE(stepped.after != stepped.before);
 }
 
