@@ -65,6 +65,14 @@ keep deferred-motion
 keep lights
 keep lights-light-count
 
+# Edges as they come, blurred, and by SMAA.
+for how in none edge-blur smaa; do
+    "$prelight" render shadows --size 640x360 --set antialiasing=$how -o "$work/anti-aliasing-$how.png"
+done
+convert "$work"/anti-aliasing-{none,edge-blur,smaa}.png -crop 100x100+250+90 +repage -scale 300% \
+    -bordercolor white -border 4x0 +append "$work/anti-aliasing.png"
+keep anti-aliasing
+
 # What the forward renderers have: depth, and colour that lights are added to.
 for renderer in multipass z-prepass; do
     "$prelight" render lights --lights 64 --size 640x360 --renderer $renderer -o "$work/$renderer-final.png" \

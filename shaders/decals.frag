@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: SAMPLES
 // Between the first and the second stage: what one decal makes of the surface under a pixel, blended over what
 // earlier decals made of it. Alpha of the first two targets is how much of the surface itself is left.
 #include "shared/decal.h"
@@ -38,6 +39,9 @@ vec4 look_up(sampler2D map, int binding, vec2 uv) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
+#ifdef SAMPLES
+    pixel_sample = gl_SampleID;
+#endif
     vec3 world;
     bool surface = read_position(pixel, world);
     vec3 place = in_box(vec4(world, 1.0));

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, SHADOWS, DECALS
+// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES
+// only: SAMPLES with DECALS
 // materials: all with OWN_MATERIAL
 // Forward shading of up to eight lights, which come as push constants. Fresnel of each
 // light at V·H (model=full), or at N·V (nv). Depth test EQUAL needs no alpha mask, for a hole's depth is another's; LESS_OR_EQUAL

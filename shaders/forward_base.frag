@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, DECALS
+// variants: OWN_MATERIAL, DECALS, SAMPLES
+// only: SAMPLES with DECALS
 // materials: all with OWN_MATERIAL
 // Multi-pass forward's first pass: ambient and emissive light, or the base colour for --view albedo.
 #include "shared/base_light.glsl"

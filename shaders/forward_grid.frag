@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, SHADOWS, DECALS
+// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES
+// only: SAMPLES with DECALS
 // materials: all with OWN_MATERIAL
 // Forward shading with the lights of the pixel's cell in a grid over the world. It needs nothing of
 // the screen, so that transparent surfaces can take the same path.

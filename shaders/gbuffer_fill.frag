@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, OCCLUSION, DECALS
+// variants: OWN_MATERIAL, OCCLUSION, DECALS, SAMPLES
+// only: SAMPLES with DECALS
 // materials: all with OWN_MATERIAL
 // Deferred shading's geometry pass: all that lights need of the nearest surface, and the light
 // that no light source sends. The only place that discards. A material's surface() fills it, and its shade() is asked

@@ -212,7 +212,7 @@ void main() {
             continue;
         bool surface = pixels[row].point.surface;
         count_lights(pixel, surface ? evaluated : 0u, contributing[row]);
-#ifdef DEFERRED_TARGET
+#if defined(DEFERRED_TARGET) && !defined(SAMPLES)
         if (!surface)
             continue; // stays as it is; elsewhere the sum of nothing takes the place of what was here before
 #endif

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: SAMPLE_LIGHT
 // Deferred shading: accumulated light (RT0) → scene-linear light, or the picture.
 #include "shared/display.glsl"
 #include "shared/gbuffer_layout.glsl"
@@ -7,10 +8,21 @@
 
 layout(constant_id = CONSTANT_CLIPPED_LIGHT) const bool clipped = false; // RT0 holds 0 … 1
 layout(set = SET_INPUTS, binding = INPUT_COLOUR) uniform PIXEL_IMAGE accumulated;
+#ifdef SAMPLE_LIGHT // edge pixels' samples have light of their own
+#include "shared/edge_samples.glsl"
+layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX) uniform ONE_SAMPLE_IMAGE_BITS edge_index; // from 1; 0: no edge
+layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DIFFUSE) uniform ONE_SAMPLE_IMAGE sample_light;
+#endif
 layout(location = 0) out vec4 out_colour;
 
 void main() {
-    vec4 stored = pixel_read(accumulated, ivec2(gl_FragCoord.xy));
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 stored = pixel_read(accumulated, pixel);
+#ifdef SAMPLE_LIGHT
+    uint edge = one_sample_read(edge_index, pixel).r;
+    vec4 own = one_sample_read(sample_light, edge_texel(max(edge, 1u) - 1u) + ivec2(gl_SampleID, 0));
+    stored = edge > 0u ? own : stored;
+#endif
     vec3 light = stored.rgb * frame.light_buffer.x;
     // Where RGB is full, intensity still knows how bright the pixel is.
     if (clipped && max(stored.r, max(stored.g, stored.b)) >= 1.0)

@@ -96,6 +96,10 @@
 // motion blur
 #define INPUT_MOTION_TILES 57
 #define MOTION_TILE 40  // pixels along an axis; the longest motion that blurs
+// anti-aliasing of the finished picture, which is INPUT_COLOUR_BEFORE
+#define INPUT_SMAA_EDGES 58
+#define INPUT_SMAA_WEIGHTS 59
+#define INPUT_SMAA_AREAS 60
 
 // measuring how targets store normals and depths: passes of their own, without a frame
 #define SET_BENCH 0
@@ -188,6 +192,7 @@
 #define CONSTANT_CLIPPING_SECOND 93
 #define CONSTANT_LIGHT_MOST 94
 #define CONSTANT_LIGHT_SAMPLE_STEP 95
+#define CONSTANT_HAS_NORMALS 100
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u

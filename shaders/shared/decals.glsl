@@ -11,6 +11,9 @@ layout(set = SET_INPUTS, binding = INPUT_DECAL_METALLIC) uniform PIXEL_IMAGE dec
 
 void apply_decals(inout Surface s) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
+#ifdef SAMPLES // whoever reads it shades each sample by itself
+    pixel_sample = findLSB(gl_SampleMaskIn[0]);
+#endif
     vec4 colour = pixel_read(decal_colour, pixel);
     vec2 roughness = pixel_read(decal_roughness, pixel).rg;
     s.base = s.base * colour.a + colour.rgb;

@@ -5,6 +5,10 @@
 #define ONE_TARGET
 #include "shared/light_target.glsl"
 #include "shared/lit_pixel.glsl"
+#ifdef SAMPLES
+#include "shared/edge_reads.glsl"
+layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE own_light; // RT0, of samples
+#endif
 
 struct LightSums {
     vec3 light;
@@ -25,7 +29,9 @@ void add_ambient(inout LightSums sums) {} // the geometry pass left it in RT0
 void write_sums(ivec2 pixel, LightSums sums) {
     vec3 stored = min(sums.light / frame.light_buffer.x, vec3(frame.ambient.w));
     vec4 light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
-#ifdef STORAGE_TARGET
+#ifdef SAMPLES
+    light += pixel_read(own_light, edge_at);
+#elif defined(STORAGE_TARGET)
     light += first_before(pixel);
 #endif
     write_first(pixel, light);

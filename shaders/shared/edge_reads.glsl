@@ -6,11 +6,16 @@
 
 layout(set = SET_INPUTS, binding = INPUT_EDGE_PIXELS, std430) readonly buffer EdgeBlock { uint edge_pixels[]; };
 
+ivec2 edge_at = ivec2(0); // the pixel that edge_pixel() found last
+
 // The pixel of a slot of a tile, whose block lies at `block`, and its sample in pixel_sample; (-1, -1): none.
 ivec2 edge_pixel(uint tile, uint slot, uvec2 block) {
     uint within = edge_pixels[tile * edge_pixels_of_tile() + slot / uint(samples)];
     pixel_sample = int(slot) % samples;
-    return within == NO_EDGE_PIXEL ? ivec2(-1) : ivec2(block * LIT_BLOCK + uvec2(within % LIT_BLOCK, within / LIT_BLOCK));
+    bool none = within == NO_EDGE_PIXEL;
+    uvec2 pixel = block * LIT_BLOCK + uvec2(within % LIT_BLOCK, within / LIT_BLOCK);
+    edge_at = none ? ivec2(0) : ivec2(pixel);
+    return none ? ivec2(-1) : edge_at;
 }
 
 #ifndef STORAGE_TARGET // draws: a texel of the sample light buffer is a fragment

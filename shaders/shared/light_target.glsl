@@ -24,7 +24,7 @@ void write_second(ivec2 pixel, vec4 value) { imageStore(second_target, pixel, va
 layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform ONE_SAMPLE_IMAGE_BITS pair_before;
 vec4 first_before(ivec2 pixel) { return half_floats(one_sample_read(pair_before, pixel).xy); }
 vec4 second_before(ivec2 pixel) { return half_floats(one_sample_read(pair_before, pixel).zw); }
-#elif defined(ADDED) || defined(DEFERRED_TARGET)
+#elif defined(ADDED) || (defined(DEFERRED_TARGET) && !defined(SAMPLES))
 layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform ONE_SAMPLE_IMAGE target_before;
 vec4 first_before(ivec2 pixel) { return one_sample_read(target_before, pixel); }
 #ifndef ONE_TARGET

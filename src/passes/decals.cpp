@@ -20,7 +20,7 @@ public:
         : view_(view) {
         gpu::GraphicsPipelineDesc desc;
         desc.vertex = "decals.vert";
-        desc.fragment = "decals.frag";
+        desc.fragment = {"decals.frag", gpu::when(interface.attachments.samples > 1, gpu::Variant::samples)};
         desc.attachments = interface.attachments;
         desc.blend = gpu::Blend::over;
         desc.sets = {view.layout(), interface.inputs, view.scene().materials().layout};

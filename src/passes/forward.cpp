@@ -1,4 +1,5 @@
 #include "forward.hpp"
+#include "resolve.hpp"
 #include "surface_draws.hpp"
 #include <algorithm>
 #include <array>
@@ -97,12 +98,12 @@ void forward_pass(graph::FrameGraph& graph, const resident::View& view, const Fo
 
 graph::ImageId forward_albedo_pass(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
                                    const DecalBuffer& decals) {
-    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.raster()});
+    const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, graph.raster(depth)});
     graph::Pass& pass = graph.pass("albedo");
     pass.colour(target, graph::Load::clear).depth_test(depth);
     declare_decals(pass, decals);
     draw_surfaces(graph, pass, view, base_desc(MATERIAL_OUTPUT_ALBEDO, gpu::DepthTest::equal, decals));
-    return target;
+    return resolve_pass(graph, view, target);
 }
 
 } // namespace prelight::passes

@@ -54,7 +54,7 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::View& view, const
     out.surface.format.specular_antialiasing = format.specular_antialiasing;
     const auto reduced = [&](uint32_t size) { return (size + format.reduction - 1) / format.reduction; };
     const auto [width, height] = view.raster().extent;
-    const gpu::Raster raster{{reduced(width), reduced(height)}, view.raster().samples};
+    const gpu::Raster raster{{reduced(width), reduced(height)}, format.samples};
     const auto make = format.layout == GBufferLayout::killzone2 ? make_killzone2 : make_wide;
     make(graph, raster, format.stencil, has_gloss(*view.scene().world().scene), out);
     out.surface.depth_source = out.surface.depth;
@@ -97,14 +97,20 @@ void ambient_light_pass(graph::FrameGraph& graph, const resident::View& view, co
 }
 
 graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
-                                  Display display) {
-    const graph::ImageId target = picture_image(graph, view, graph.raster(gbuffer.light), display);
+                                  Display display, const SampleColours* samples) {
+    const graph::ImageId target =
+        picture_image(graph, view, samples ? samples->raster : graph.raster(gbuffer.light), display);
     graph::Pass& pass = graph.pass("resolve");
     pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, gbuffer.light);
+    if (samples)
+        pass.sample(INPUT_EDGE_INDEX, samples->edges.index).sample(INPUT_SAMPLE_DIFFUSE, samples->light);
     const bool bytes = graph.desc(gbuffer.light).format == VK_FORMAT_R8G8B8A8_UNORM;
     gpu::Constants constants = display_constants(display, graph.desc(target).format);
     constants.emplace_back(CONSTANT_CLIPPED_LIGHT, bytes);
-    draw_fullscreen(pass, view, "light_resolve.frag", constants);
+    if (samples)
+        for (const auto& constant : samples->edges.constants())
+            constants.push_back(constant);
+    draw_fullscreen(pass, view, {"light_resolve.frag", gpu::when(samples, gpu::Variant::sample_light)}, constants);
     return target;
 }
 

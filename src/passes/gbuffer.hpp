@@ -26,6 +26,7 @@ struct GBufferFormat {
     bool specular_antialiasing = false; ///< as in SurfaceFormat
     bool wide_light = false;            ///< RT0 in RGBA32F, for many lights that blending adds up
     bool ambient_apart = false;         ///< ambient light waits in targets of its own for ambient_light_pass()
+    uint32_t samples = 1;               ///< of a pixel; several for the wide layout
     uint32_t reduction = 1;             ///< pixels of the frame, along an axis, for each of the buffers'
     const char* pass = "geometry";      ///< its name
 };
@@ -40,9 +41,17 @@ GBuffer gbuffer_pass(graph::FrameGraph& graph, const resident::View& view, const
 void ambient_light_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
                         graph::ImageId visibility);
 
+/// Light of edge pixels' samples, as RT0 has that of pixels.
+struct SampleColours {
+    SampleEdges edges;
+    graph::ImageId light;
+    gpu::Raster raster; ///< of the picture
+};
+
 /// RT0 → scene-linear and exposed, or with `display` the finished picture. Where bytes have clipped RGB, its intensity
-/// channel gives back the luminance, up to eight times as much.
+/// channel gives back the luminance, up to eight times as much. `samples`: the picture has several, and those of edge
+/// pixels their own light.
 graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::View& view, const GBuffer& gbuffer,
-                                  Display display = {});
+                                  Display display = {}, const SampleColours* samples = nullptr);
 
 } // namespace prelight::passes

@@ -24,17 +24,15 @@ void light_pass(graph::FrameGraph& graph, const resident::View& view, const std:
     }
 }
 
-LightBuffer sample_light_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
-                              LightingInputs inputs, const SampledSurfaces& surfaces, bool pair, bool wide) {
-    const LightBuffer out = make_light_buffer(graph, view, inputs.model, pair, wide, &*surfaces.edges);
+void sample_light_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                       LightingInputs inputs, const SampledSurfaces& surfaces, const LightTarget& target) {
     inputs.surface = surfaces.samples;
     inputs.edges = surfaces.edges;
-    inputs.target = out.target;
+    inputs.target = target;
     if (inputs.lists)
         light_list_pass(graph, view, name, inputs);
     else
         light_loop_pass(graph, view, name, inputs);
-    return out;
 }
 
 graph::ImageId light_count_pass(graph::FrameGraph& graph, const resident::View& view, LightingInputs inputs) {

@@ -8,10 +8,10 @@ namespace prelight::passes {
 void light_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
                 const LightingInputs& inputs);
 
-/// All lights of edge pixels' samples into a sample light buffer, by the lists of `inputs`, or one by one where it has
-/// none. `inputs`: as of light_pass(), but for surface and target. `pair`, `wide`: as make_light_buffer() has them.
-LightBuffer sample_light_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
-                              LightingInputs inputs, const SampledSurfaces& surfaces, bool pair, bool wide);
+/// All lights of edge pixels' samples into `target`, a sample light buffer, by the lists of `inputs`, or one by one
+/// where it has none. `inputs`: as of light_pass(), but for surface and target.
+void sample_light_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                       LightingInputs inputs, const SampledSurfaces& surfaces, const LightTarget& target);
 
 /// The same, but instead of light an image of the lights that each pixel evaluates in R and those that
 /// contribute in G, for --view light-count.

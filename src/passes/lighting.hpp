@@ -25,6 +25,7 @@ struct LightTarget {
 struct LightingInputs {
     SurfaceBuffers surface;
     graph::ImageId material{}, albedo{}; ///< of a deferred target: RT2 and RT3 of the G-buffer
+    graph::ImageId own_light{};          ///< with `edges`: RT0, with several samples
     LightModel model;
     LightTarget target;
     Shadows shadows;

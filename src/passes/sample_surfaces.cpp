@@ -12,7 +12,7 @@ uint32_t blocks_along(uint32_t pixels) { return (pixels + LIT_BLOCK - 1) / LIT_B
 
 /// One surface a pixel, and in `edges` whether it is one of several.
 SurfaceBuffers resolve_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
-                                graph::ImageId edges, bool every_pixel) {
+                                graph::ImageId edges, bool every_pixel, GBufferColours* colours) {
     SurfaceBuffers out{surface.format};
     out.depth = out.depth_source = make_depth(graph, view.raster(), surface.format.stencil);
     const auto like = [&](const char* name, graph::ImageId image) {
@@ -24,14 +24,26 @@ SurfaceBuffers resolve_surfaces(graph::FrameGraph& graph, const resident::View& 
     const bool apart = surface.roughness != surface.normal;
     if (apart)
         pass.colour(out.roughness = like("pixel roughness", surface.roughness), graph::Load::discard);
+    if (colours) {
+        const GBufferColours drawn = *colours;
+        *colours = {like("pixel light", drawn.light), like("pixel motion", drawn.material),
+                    like("pixel albedo", drawn.albedo)};
+        pass.sample(INPUT_COLOUR_BEFORE, drawn.light)
+            .sample(INPUT_MATERIAL, drawn.material)
+            .sample(INPUT_ALBEDO, drawn.albedo);
+        for (const graph::ImageId image : {colours->light, colours->material, colours->albedo})
+            pass.colour(image, graph::Load::discard);
+    }
     pass.sample(INPUT_DEPTH, surface.depth_source)
         .sample(INPUT_NORMAL, surface.normal)
         .sample(INPUT_ROUGHNESS, surface.roughness);
     gpu::Constants constants = surface.format.constants();
     constants.insert(constants.end(),
                      {{CONSTANT_SAMPLES, graph.raster(surface.depth).samples}, {CONSTANT_EVERY_EDGE, every_pixel}});
-    draw_fullscreen(pass, view, {"sample_surfaces.frag", gpu::when(apart, gpu::Variant::roughness_target)}, constants,
-                    gpu::Blend::none, gpu::DepthTest::overwrite);
+    draw_fullscreen(pass, view,
+                    {"sample_surfaces.frag", gpu::when(apart, gpu::Variant::roughness_target) |
+                                                 gpu::when(colours, gpu::Variant::deferred_target)},
+                    constants, gpu::Blend::none, gpu::DepthTest::overwrite);
     return out;
 }
 
@@ -63,12 +75,13 @@ bool EdgeCounter::take(uint32_t slot) {
 }
 
 SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
-                                 SampleLight light, EdgeCounter& counter) {
+                                 SampleLight light, EdgeCounter& counter, GBufferColours* colours) {
     const uint32_t samples = graph.raster(surface.depth).samples;
     if (samples == 1)
         return {surface, surface, {}};
     const graph::ImageId flags = graph.image("edges", {VK_FORMAT_R8_UINT, view.raster()});
-    SampledSurfaces out{surface, resolve_surfaces(graph, view, surface, flags, light == SampleLight::samples), {}};
+    SampledSurfaces out{
+        surface, resolve_surfaces(graph, view, surface, flags, light == SampleLight::samples, colours), {}};
     if (light == SampleLight::pixel)
         return out;
 

@@ -35,6 +35,11 @@ struct SampledSurfaces {
     uint32_t count() const { return edges ? edges->samples : 1; }
 };
 
+/// The rest of a G-buffer: RT0, RT2 and RT3.
+struct GBufferColours {
+    graph::ImageId light, material, albedo;
+};
+
 /// What is known of the frames that are done about how many pixels are edges.
 class EdgeCounter {
 public:
@@ -49,14 +54,15 @@ public:
 
 private:
     friend SampledSurfaces sampled_surfaces(graph::FrameGraph&, const resident::View&, const SurfaceBuffers&,
-                                            SampleLight, EdgeCounter&);
+                                            SampleLight, EdgeCounter&, GBufferColours*);
     gpu::PerFrame<gpu::Buffer> counts_;
     uint32_t pixels_ = 0, needed_ = 0, room_ = 0; ///< tiles
 };
 
 /// Passes "sample-surfaces", and "sample-edges" where edges are lit by themselves; nothing where surfaces have one
-/// sample a pixel. `surface` has depth in its attachment, and roughness in a colour target.
+/// sample a pixel. `surface` has depth in its attachment, and roughness in a colour target. `colours`: with
+/// several samples, and with one a pixel afterwards.
 SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
-                                 SampleLight light, EdgeCounter& counter);
+                                 SampleLight light, EdgeCounter& counter, GBufferColours* colours = nullptr);
 
 } // namespace prelight::passes

@@ -85,6 +85,8 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     const bool decals = (features & FEATURE_DECALS) != 0;
     const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
     using gpu::Variant;
+    const gpu::Variants decal_variants =
+        gpu::when(decals, Variant::decals) | gpu::when(decals && pipeline.attachments.samples > 1, Variant::samples);
     const bool untextured = desc.vertex.has(Variant::no_textures) && !own && !decals && !has_textures(features);
     gpu::Variants vertex =
         gpu::when(desc.vertex.has(Variant::motion), Variant::motion) | gpu::when(untextured, Variant::no_textures);
@@ -92,23 +94,23 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
         vertex |= gpu::when(!own && desc.vertex.has(left_out), left_out);
     pipeline.vertex = shaded ? gpu::ShaderKey("surface.vert", vertex) : "depth_only.vert";
     pipeline.fragment =
-        !shaded ? gpu::ShaderKey()
-                : desc.fragment.with(gpu::when(untextured, Variant::no_textures) | gpu::when(decals, Variant::decals));
+        !shaded ? gpu::ShaderKey() : desc.fragment.with(gpu::when(untextured, Variant::no_textures) | decal_variants);
     pipeline.fragment_code.clear();
     pipeline.name = desc.name;
     if (own) {
         const resident::MaterialShaders& shaders = view_.scene().materials().shaders;
         pipeline.name += " " + shaders.name(shader);
         if (shaded) {
-            const gpu::ShaderKey stage = (desc.own_fragment.empty() ? desc.fragment : desc.own_fragment)
-                                             .with(gpu::when(decals, Variant::decals));
+            const gpu::ShaderKey stage =
+                (desc.own_fragment.empty() ? desc.fragment : desc.own_fragment).with(decal_variants);
             pipeline.fragment = {stage.file, stage.variants | Variant::own_material, shaders.name(shader)};
             const auto code = shaders.code(shader, stage);
             pipeline.fragment_code.assign(code.begin(), code.end());
         }
     }
     pipeline.name += " features " + std::to_string(features);
-    pipeline.sample_shading = features & FEATURE_ALPHA_MASK ? gpu::SampleShading::sample : desc.sample_shading;
+    pipeline.sample_shading =
+        features & (FEATURE_ALPHA_MASK | FEATURE_DECALS) ? gpu::SampleShading::sample : desc.sample_shading;
     pipeline.attributes = shaded ? surface_attributes(vertex) : position_attributes();
     pipeline.constants = desc.constants;
     pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);

@@ -26,7 +26,7 @@ public:
         /// Of surface.vert: MOTION (GpuSceneSettings::motion); NO_WORLD and NO_NORMAL where the fragment shader reads
         /// no point and no normal; NO_TEXTURES where it has that variant too, for materials without textures.
         gpu::Variants vertex = {};
-        /// What has an alpha mask is shaded once a sample wherever the mask is asked.
+        /// What has an alpha mask is shaded once a sample wherever the mask is asked, and so is what reads decals.
         gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
         bool depth_only = false; ///< materials without mask get positions and no shader
         Decals decals = Decals::none;

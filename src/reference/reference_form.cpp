@@ -24,7 +24,7 @@ ReferenceSamples samples_form(const InForce& settings, uint32_t count) {
         form.geometry = says(settings, "msaa-geometry", "sample") ? Rate::sample : Rate::fragment;
         if (says(settings, "msaa-light", "pixel"))
             form.light = ReferenceSamples::Light::pixel;
-        if (says(settings, "msaa-material", "fragment"))
+        if (says(settings, "msaa-material", "fragment") || settings.contains("g-buffer"))
             form.material = Rate::fragment;
     }
     form.shadows_per_pixel = says(settings, "msaa-shadows", "pixel");

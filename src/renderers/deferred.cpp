@@ -5,6 +5,7 @@
 #include "settings/light_culling_settings.hpp"
 #include "settings/light_model_settings.hpp"
 #include "settings/occlusion_settings.hpp"
+#include "settings/sample_settings.hpp"
 #include "settings/shadow_settings.hpp"
 #include "settings/texture_settings.hpp"
 #include <passes/decals.hpp>
@@ -22,7 +23,10 @@ namespace {
 class Deferred final : public DeviceRenderer {
 public:
     Deferred(Device& device, const RenderOptions& options, Settings settings)
-        : DeviceRenderer(device, options, std::move(settings)), model_(material_light_model(this->settings())) {}
+        : DeviceRenderer(device, options, std::move(settings)), model_(material_light_model(this->settings())) {
+        if (options.msaa > 1)
+            edges_.emplace(dynamic_cast<gpu::Context&>(device));
+    }
 
 private:
     passes::GBufferFormat format() const {
@@ -33,8 +37,11 @@ private:
                 .stencil = settings().is("light-culling", "stencil"),
                 .specular_antialiasing = settings().is("specular-antialiasing", "on"),
                 .wide_light = light_sums().wide(),
-                .ambient_apart = occlusion_options(settings()).on};
+                .ambient_apart = occlusion_options(settings()).on,
+                .samples = options().msaa};
     }
+
+    bool outgrown(uint32_t slot) override { return edges_ && edges_->take(slot); }
 
     uint32_t blended_adds(const resident::View& view) const override {
         return settings().is("accumulation", "rgba8") ? 0 : passes::light_adds(view, true);
@@ -86,8 +93,19 @@ private:
         scale_.reset();
         if (format().light_in_bytes)
             find_light_scale(graph, view, maps);
-        const auto gbuffer = passes::gbuffer_pass(graph, view, format());
-        passes::decal_geometry_pass(graph, view, gbuffer, passes::decal_pass(graph, view, gbuffer.surface));
+        const auto drawn = passes::gbuffer_pass(graph, view, format());
+        passes::decal_geometry_pass(graph, view, drawn, passes::decal_pass(graph, view, drawn.surface));
+        passes::GBuffer gbuffer = drawn;
+        passes::SampledSurfaces surfaces{drawn.surface, drawn.surface, {}};
+        if (edges_) {
+            passes::GBufferColours colours{drawn.light, drawn.motion, drawn.albedo};
+            surfaces =
+                passes::sampled_surfaces(graph, view, drawn.surface, sample_light(settings()), *edges_, &colours);
+            gbuffer.surface = surfaces.pixels;
+            gbuffer.light = colours.light;
+            gbuffer.motion = colours.material;
+            gbuffer.albedo = colours.albedo;
+        }
         const passes::OcclusionOptions occlusion = occlusion_options(settings());
         std::optional<graph::ImageId> visibility;
         if (occlusion.on || wants("ambient-occlusion"))
@@ -98,17 +116,32 @@ private:
                                         ? passes::sun_occlusion_pass(graph, view, gbuffer, maps)
                                         : maps;
         passes::LightingInputs lighting = lighting_of(gbuffer, lit);
-        lighting.lists = passes::screen_light_lists(graph, view, "light", lighting, screen_list_options(settings()));
+        passes::ScreenListOptions lists = screen_list_options(settings());
+        if (surfaces.edges)
+            lists.samples = &surfaces.samples;
+        lighting.lists = passes::screen_light_lists(graph, view, "light", lighting, lists);
         passes::light_pass(graph, view, "light", lighting);
+        std::optional<passes::SampleColours> samples;
+        if (surfaces.edges) {
+            const VkFormat light = graph.desc(gbuffer.light).format;
+            samples = {*surfaces.edges, graph.image("sample light", {light, surfaces.edges->raster}),
+                       view.surface_raster()};
+            passes::LightingInputs own = lighting;
+            own.material = drawn.motion;
+            own.albedo = drawn.albedo;
+            own.own_light = drawn.light;
+            passes::sample_light_pass(graph, view, "light samples", own, surfaces,
+                                      {gpu::Variant::deferred_target, {samples->light}});
+        }
         if (scale_)
             scale_->count_clipped(graph, view, gbuffer.light, gbuffer.light);
         const auto resolve = [&](passes::Display display) {
-            return passes::light_resolve_pass(graph, view, gbuffer, display);
+            return passes::light_resolve_pass(graph, view, gbuffer, display, samples ? &*samples : nullptr);
         };
         const auto blur = [&](graph::ImageId linear) { return passes::motion_blur_pass(graph, view, gbuffer, linear); };
-        const graph::ImageId depth = gbuffer.surface.depth;
-        Outputs outputs = settings().is("motion-blur", "on") ? linear_outputs(graph, view, resolve({}), depth, blur)
-                                                             : picture_outputs(graph, view, depth, resolve);
+        const passes::SurfaceBuffers& shown = samples ? drawn.surface : gbuffer.surface;
+        Outputs outputs = settings().is("motion-blur", "on") ? linear_outputs(graph, view, resolve({}), shown, blur)
+                                                             : picture_outputs(graph, view, shown, resolve);
         using passes::ViewKind;
         const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
             if (wants(name))
@@ -135,7 +168,8 @@ private:
     }
 
     passes::LightModel model_;
-    std::optional<passes::LightScale> scale_; ///< of RT0 in bytes
+    std::optional<passes::EdgeCounter> edges_; ///< with several samples a pixel
+    std::optional<passes::LightScale> scale_;  ///< of RT0 in bytes
 };
 
 } // namespace
@@ -161,7 +195,9 @@ RendererInfo deferred_info() {
              specular_vector_setting(),
              light_sums_setting(),
              specular_antialiasing_setting(),
-             texture_filter_setting()},
+             msaa_light_setting(false),
+             texture_filter_setting(),
+             antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "sun-occlusion", "motion",
                   "light-count", "ambient-occlusion"},
         .presets = {"killzone2"},
@@ -178,6 +214,7 @@ std::unique_ptr<Renderer> make_deferred(Device& device, const RenderOptions& opt
     Settings settings(deferred_info(), options);
     choose_shadow_memory(settings);
     choose_light_culling(settings, device);
+    resolve_sample_settings(settings, dynamic_cast<const gpu::Context&>(device), options.msaa);
     return std::make_unique<Deferred>(device, options, std::move(settings));
 }
 

@@ -19,7 +19,7 @@ namespace prelight {
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
     : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)),
-      light_sums_(settings_) {
+      light_sums_(settings_), post_filter_(settings_, context_) {
     resolve_draw_settings(settings_, context_);
     resolve_texture_filter(settings_, context_);
     settings_.refuse_without_effect();
@@ -73,27 +73,29 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
 
 DeviceRenderer::Outputs
 DeviceRenderer::linear_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId linear,
-                               graph::ImageId depth,
+                               const passes::SurfaceBuffers& surface,
                                const std::function<graph::ImageId(graph::ImageId)>& filter) const {
-    passes::background_pass(graph, view, linear, depth, {});
+    passes::background_pass(graph, view, linear, surface.depth, {});
     if (filter)
         linear = filter(passes::resolve_pass(graph, view, linear));
     const bool one = graph.raster(linear).samples == 1;
-    Outputs outputs{{"final", one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
-                                  : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap)}};
+    const graph::ImageId picture = one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
+                                       : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap);
+    Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
     if (wants("linear"))
         outputs["linear"] = passes::resolve_pass(graph, view, linear);
     return outputs;
 }
 
 DeviceRenderer::Outputs
-DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
+DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& view,
+                                const passes::SurfaceBuffers& surface,
                                 const std::function<graph::ImageId(passes::Display)>& draw) const {
     if (wants("linear"))
-        return linear_outputs(graph, view, draw({}), depth);
+        return linear_outputs(graph, view, draw({}), surface);
     const graph::ImageId picture = draw(options_.tonemap);
-    passes::background_pass(graph, view, picture, depth, options_.tonemap);
-    return Outputs{{"final", passes::resolve_pass(graph, view, picture)}};
+    passes::background_pass(graph, view, picture, surface.depth, options_.tonemap);
+    return Outputs{{"final", post_filter_.add(graph, view, surface, passes::resolve_pass(graph, view, picture))}};
 }
 
 void DeviceRenderer::set_world(const World& world) {

@@ -3,6 +3,7 @@
 #include "frame_stats.hpp"
 #include "light_sums.hpp"
 #include "pair_counters.hpp"
+#include "post_filter.hpp"
 #include "settings/settings.hpp"
 #include <functional>
 #include <graph/frame_graph.hpp>
@@ -48,14 +49,15 @@ protected:
     virtual uint32_t blended_adds(const resident::View&) const { return 0; }
     /// What that takes, for build().
     const LightSums& light_sums() const { return light_sums_; }
-    /// The picture from `linear`, which is kept when it was asked for; where `depth` is empty, the background. `filter`
-    /// makes another scene-linear picture of the whole.
+    /// The picture from `linear`, which is kept when it was asked for; where the depth of `surface` is empty, the
+    /// background. `filter` makes another scene-linear picture of the whole. `surface` without normals: they are its
+    /// depth.
     Outputs linear_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId linear,
-                           graph::ImageId depth,
+                           const passes::SurfaceBuffers& surface,
                            const std::function<graph::ImageId(graph::ImageId)>& filter = {}) const;
     /// The picture from `draw`, which draws it finished or scene-linear: finished, unless "linear" was
     /// asked for. That saves an image of 8 bytes a pixel and a pass.
-    Outputs picture_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
+    Outputs picture_outputs(graph::FrameGraph& graph, const resident::View& view, const passes::SurfaceBuffers& surface,
                             const std::function<graph::ImageId(passes::Display)>& draw) const;
     virtual resident::GpuSceneSettings scene_settings() const;
     virtual resident::ViewSettings view_settings() const;
@@ -102,6 +104,7 @@ private:
     RenderOptions options_;
     Settings settings_;
     LightSums light_sums_;
+    PostFilter post_filter_;
     std::optional<PairCounters> pair_counters_;
     const World* world_ = nullptr;
     std::unique_ptr<resident::GpuScene> scene_;

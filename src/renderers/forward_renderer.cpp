@@ -8,6 +8,7 @@
 #include <passes/depth_only.hpp>
 #include <passes/light_overlap.hpp>
 #include <passes/lighting.hpp>
+#include <passes/resolve.hpp>
 #include <passes/view.hpp>
 
 namespace prelight {
@@ -56,15 +57,14 @@ passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId 
 void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
                                 graph::ImageId depth) const {
     const bool any = wants("depth") || wants("albedo") || wants("light-count");
-    if (any && graph.raster(depth).samples > 1)
-        depth = passes::pixel_depth_pass(graph, view);
-    const passes::SurfaceBuffers surface{
-        .format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
+    const graph::ImageId pixels =
+        any && graph.raster(depth).samples > 1 ? passes::pixel_depth_pass(graph, view) : depth;
+    const passes::SurfaceBuffers surface = surface_of(pixels);
     const auto show = [&](const char* name, passes::ViewKind kind, graph::ImageId buffer) {
         outputs[name] = passes::view_pass(graph, view, name, kind, surface, buffer);
     };
     if (wants("depth"))
-        show("depth", passes::ViewKind::depth, depth);
+        show("depth", passes::ViewKind::depth, pixels);
     if (wants("albedo"))
         show("albedo", passes::ViewKind::colour, passes::forward_albedo_pass(graph, view, depth, decals_));
     if (wants("light-count")) {
@@ -81,15 +81,15 @@ void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, cons
         counts.pair_counters = &pair_counters();
         counts.counts_lights = true;
         light_count_pass(graph, view, counts);
-        show("light-count", passes::ViewKind::count, counts.colour);
+        show("light-count", passes::ViewKind::count, passes::resolve_pass(graph, view, counts.colour));
     }
 }
 
 std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twice) {
     const std::vector<SettingInfo> common{
-        model_setting(),        specular_gate_setting(),         specular_vector_setting(),
-        light_sums_setting(),   specular_antialiasing_setting(), texture_filter_setting(),
-        msaa_material_setting()};
+        model_setting(),         specular_gate_setting(),         specular_vector_setting(),
+        light_sums_setting(),    specular_antialiasing_setting(), texture_filter_setting(),
+        msaa_material_setting(), antialiasing_setting()};
     own.insert(own.end(), common.begin(), common.end());
     for (SettingInfo& setting : draw_settings(twice))
         own.push_back(std::move(setting));

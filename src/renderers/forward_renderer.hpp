@@ -24,6 +24,10 @@ protected:
     Plan limited(Plan plan) const;
     /// A pass that draws into `colour`; the caller adds kinds and plan. Its draws are counted.
     passes::ForwardInputs shading(const char* name, graph::ImageId depth, graph::ImageId colour);
+    /// Depth alone, without normals.
+    static passes::SurfaceBuffers surface_of(graph::ImageId depth) {
+        return {.format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
+    }
     /// Adds the other views that were asked for.
     void add_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) const;
 

@@ -107,7 +107,8 @@ private:
         if (surfaces.edges) {
             materials.edges = surfaces.edges;
             materials.sample_light =
-                passes::sample_light_pass(graph, view, "light samples", lighting, surfaces, pair, light_sums().wide());
+                passes::make_light_buffer(graph, view, model_, pair, light_sums().wide(), &*surfaces.edges);
+            passes::sample_light_pass(graph, view, "light samples", lighting, surfaces, materials.sample_light.target);
         }
         const passes::OcclusionOptions occlusion = occlusion_options(settings());
         std::optional<graph::ImageId> visibility;
@@ -115,7 +116,7 @@ private:
             visibility = passes::ambient_occlusion_passes(graph, view, surface, occlusion);
         if (occlusion.on)
             materials.visibility = visibility;
-        Outputs outputs = picture_outputs(graph, view, drawn.depth, [&](passes::Display display) {
+        Outputs outputs = picture_outputs(graph, view, drawn, [&](passes::Display display) {
             return passes::material_pass(graph, view, materials, display);
         });
         using passes::ViewKind;
@@ -179,9 +180,10 @@ RendererInfo light_prepass_info() {
              {"geometry", {"mrt", "two-passes"}, "mrt", "depth and normals at once, or depth first and then normals"},
              {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
              specular_antialiasing_setting(),
-             msaa_light_setting(),
+             msaa_light_setting(true),
              msaa_material_setting(),
-             texture_filter_setting()},
+             texture_filter_setting(),
+             antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",
                   "specular-sum", "albedo", "light-count", "ambient-occlusion"},
         .presets = {"engel", "round2", "prelighting"},

@@ -42,7 +42,7 @@ private:
         }
         lights.plan = limited([=](const resident::LightReach& reach) { return plan(reach, per_pass, per_object); });
         passes::forward_pass(graph, view, lights);
-        Outputs outputs = linear_outputs(graph, view, linear, depth);
+        Outputs outputs = linear_outputs(graph, view, linear, surface_of(depth));
         add_views(outputs, graph, view, depth);
         return outputs;
     }

@@ -47,12 +47,13 @@ private:
             lists_ = passes::grid_light_lists(graph, view, "opaque");
         Outputs outputs;
         if (grid_ && lists_->rounds.size() > 1) // which add up: only linear light does
-            outputs = linear_outputs(graph, view, draw_by_grid(graph, view, depth, {}), depth);
+            outputs = linear_outputs(graph, view, draw_by_grid(graph, view, depth, {}), surface_of(depth));
         else if (grid_)
-            outputs = picture_outputs(
-                graph, view, depth, [&](passes::Display display) { return draw_by_grid(graph, view, depth, display); });
+            outputs = picture_outputs(graph, view, surface_of(depth), [&](passes::Display display) {
+                return draw_by_grid(graph, view, depth, display);
+            });
         else // further lights blend
-            outputs = linear_outputs(graph, view, draw_by_plan(graph, view, depth), depth);
+            outputs = linear_outputs(graph, view, draw_by_plan(graph, view, depth), surface_of(depth));
         add_views(outputs, graph, view, depth);
         return outputs;
     }

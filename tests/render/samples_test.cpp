@@ -76,6 +76,10 @@ INSTANTIATE_TEST_SUITE_P(
                         "EverywhereSample", "light-prepass", {{"msaa-light", "samples"}, {"msaa-material", "sample"}}},
                     Sampled{"Pixel", "light-prepass", {{"msaa-light", "pixel"}}},
                     Sampled{"PixelSample", "light-prepass", {{"msaa-light", "pixel"}, {"msaa-material", "sample"}}},
+                    Sampled{"Deferred", "deferred", {}}, Sampled{"DeferredOrtho", "deferred", {}, true},
+                    Sampled{"DeferredSamples", "deferred", {{"msaa-light", "samples"}}},
+                    Sampled{"DeferredVolumes", "deferred", {{"light-culling", "volumes"}}},
+                    Sampled{"DeferredFragmentWalk", "deferred", {{"list-shading", "fragment"}}},
                     Sampled{"ZPrepass", "z-prepass", {}}, Sampled{"ZPrepassOrtho", "z-prepass", {}, true},
                     Sampled{"ZPrepassGrid", "z-prepass", {{"lights", "grid"}}},
                     // lavapipe (Mesa 22.3) interpolates to a sample, but divides by w at the pixel's centre.
@@ -89,8 +93,6 @@ TEST(SamplesOf, AWallAreTheOneSamplePictureBitForBit) {
     wall.add(square(40));
     wall.add_light({.kind = LightKind::point, .intensity = 40, .range = 10}, {0.3, 0.2, 2});
     for (const std::string& renderer : device_renderers) {
-        if (renderer == "deferred")
-            continue;
         Shot shot{.world = &wall.world, .camera = front_camera(5), .renderer = renderer};
         const Image one = view_of(shot, "final");
         shot.samples = 4;

@@ -25,6 +25,12 @@ std::vector<Shot> every_steady_way(const Shot& shot) {
         shots.back().settings = {
             {"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}};
     }
+    for (const char* renderer : {"light-prepass", "multipass"})
+        for (const char* filter : {"edge-blur", "smaa"}) {
+            shots.push_back(shot);
+            shots.back().renderer = renderer;
+            shots.back().settings = {{"antialiasing", filter}};
+        }
     return shots;
 }
 

@@ -25,6 +25,7 @@ constexpr std::array beginnings{
     Beginning{"shadow", PassKind::light}, // as much as the light needs it
     Beginning{"sun", PassKind::light},           Beginning{"background", PassKind::display},
     Beginning{"resolve", PassKind::display},     Beginning{"tonemap", PassKind::display},
+    Beginning{"edge-blur", PassKind::display},   Beginning{"smaa", PassKind::display},
 };
 
 } // namespace

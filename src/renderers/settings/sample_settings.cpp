@@ -14,11 +14,17 @@ constexpr Choice<SampleLight> light_words[] = {
     {"edges", SampleLight::edges}, {"samples", SampleLight::samples}, {"pixel", SampleLight::pixel}};
 constexpr ChoiceSetting<SampleLight> light_setting{
     "msaa-light", light_words, "edges",
-    "--msaa 2 or 4: what is lit by itself: the samples of pixels at edges, all samples, or no more than a pixel"};
+    "--msaa 2 or 4: what is lit by itself: the samples of edge pixels, all samples, or (pixel) no more than a pixel"};
 
 } // namespace
 
-SettingInfo msaa_light_setting() { return light_setting.info(); }
+SettingInfo msaa_light_setting(bool once) {
+    SettingInfo info = light_setting.info();
+    if (!once)
+        std::erase(info.values, light_setting.word(SampleLight::pixel));
+    return info;
+}
+
 SampleLight sample_light(const Settings& settings) { return settings.value(light_setting); }
 
 void resolve_sample_settings(Settings& settings, const gpu::Context& context, uint32_t samples) {
@@ -32,7 +38,12 @@ void resolve_sample_settings(Settings& settings, const gpu::Context& context, ui
     give_way("roughness", "normal", "with several samples a pixel roughness is stored with the normals");
     if (settings.is("shadows", "on") && sample_light(settings) != SampleLight::pixel)
         give_way("shadow-memory", "atlas", "edge samples are lit by all lights at once");
-    if (!context.features().post_depth_coverage && material_rate(settings) == MaterialRate::fragment)
+    give_way("g-buffer", "wide", "with several samples a pixel a G-buffer is wide");
+    give_way("accumulation", "rgba16f", "with several samples a pixel light is added up in half floats");
+    if (settings.has("g-buffer"))
+        give_way("ssao", "off", "with several samples a pixel deferred shading has no occlusion of ambient light");
+    if (settings.has(material_setting.key) && !context.features().post_depth_coverage &&
+        material_rate(settings) == MaterialRate::fragment)
         settings.fall_back(material_setting.key, "sample",
                            context.name() + " does not tell coverage after depth tests (VK_EXT_post_depth_coverage)");
 }

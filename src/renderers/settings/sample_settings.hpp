@@ -12,8 +12,8 @@ enum class MaterialRate { fragment, sample };
 SettingInfo msaa_material_setting();
 MaterialRate material_rate(const Settings& settings);
 
-/// `msaa-light`, of renderers that light what they drew before.
-SettingInfo msaa_light_setting();
+/// `msaa-light`, of renderers that light what they drew before. `once`: a pixel's materials may share one light.
+SettingInfo msaa_light_setting(bool once);
 passes::SampleLight sample_light(const Settings& settings);
 /// What several samples a pixel cannot go with gives way to what they can: depth in a colour target, roughness in
 /// stencil and shadow maps drawn light by light.
