@@ -158,9 +158,9 @@ uint slot_of(int row) { return (gl_LocalInvocationID.y * uint(rows) + uint(row))
 
 // In the picture; outside of it where there is none.
 ivec2 pixel_of(Block block, int row) {
-    return edge_pixel(block.there ? block.number : 0u, slot_of(row), block.place);
+    return edge_pixel((block.there ? block.number * TILE_SLOTS : 0u) + slot_of(row), block.place);
 }
-ivec2 texel_of(Block block, int row) { return edge_texel(block.number, slot_of(row)); }
+ivec2 texel_of(Block block, int row) { return edge_texel(block.number * TILE_SLOTS + slot_of(row)); }
 #else
 ivec2 pixel_of(Block block, int row) {
     return ivec2(block.place) * LIT_BLOCK + ivec2(gl_LocalInvocationID.x, gl_LocalInvocationID.y * uint(rows) + uint(row));

@@ -10,7 +10,8 @@ layout(constant_id = CONSTANT_CLIPPED_LIGHT) const bool clipped = false; // RT0 
 layout(set = SET_INPUTS, binding = INPUT_COLOUR) uniform PIXEL_IMAGE accumulated;
 #ifdef SAMPLE_LIGHT // edge pixels' samples have light of their own
 #include "shared/edge_samples.glsl"
-layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX) uniform ONE_SAMPLE_IMAGE_BITS edge_index; // from 1; 0: no edge
+layout(set = SET_INPUTS, binding = INPUT_EDGE_FLAGS) uniform ONE_SAMPLE_IMAGE_BITS edges;
+layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX) uniform ONE_SAMPLE_IMAGE_BITS edge_index;
 layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DIFFUSE) uniform ONE_SAMPLE_IMAGE sample_light;
 #endif
 layout(location = 0) out vec4 out_colour;
@@ -19,9 +20,14 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 stored = pixel_read(accumulated, pixel);
 #ifdef SAMPLE_LIGHT
-    uint edge = one_sample_read(edge_index, pixel).r;
-    vec4 own = one_sample_read(sample_light, edge_texel(max(edge, 1u) - 1u) + ivec2(gl_SampleID, 0));
-    stored = edge > 0u ? own : stored;
+    uint edge = one_sample_read(edges, pixel).r;
+    for (bool once = edge > 0u; once; once = false) { // a loop: a software device runs both sides of an `if`
+        uint slot = one_sample_read(edge_index, pixel).r;
+        if (slot + surfaces_of(edge) > edge_tiles * TILE_SLOTS)
+            break; // there was no room
+        uint surface = surface_of(edge, gl_SampleID);
+        stored = surface < surfaces_of(edge) ? one_sample_read(sample_light, edge_texel(slot + surface)) : vec4(0.0);
+    }
 #endif
     vec3 light = stored.rgb * frame.light_buffer.x;
     // Where RGB is full, intensity still knows how bright the pixel is.

@@ -1,52 +1,71 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Gathers the samples of edge pixels, so that they can be lit evenly: those of a block of 8 × 8 pixels fill 8 × 8 texels
-// of the sample light buffer, and as many more as they need. A pixel's samples are neighbours in a row.
+// Gathers the surfaces of edge pixels, so that they can be lit evenly: those of a block of 8 × 8 pixels fill tiles
+// of the sample light buffer, as many as they need. An invocation looks after a block: barriers between those
+// of a block cost a software device more than all else here.
 #include "shared/edge_samples.glsl"
 #include "shared/pixel_reads.glsl"
 
-layout(local_size_x = LIT_BLOCK, local_size_y = LIT_BLOCK) in;
+layout(local_size_x = LIST_GROUP) in;
 layout(set = SET_INPUTS, binding = INPUT_EDGES) uniform PIXEL_IMAGE_BITS edges;
+// The number of the pixel's first slot; only of edges.
 layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX, r32ui) uniform writeonly uimage2D edge_index;
 layout(set = SET_INPUTS, binding = INPUT_LIT_BLOCKS, std430) buffer TileBlock { LitBlocks tiles; uint tile_blocks[]; };
 layout(set = SET_INPUTS, binding = INPUT_EDGE_PIXELS, std430) writeonly buffer PixelBlock { uint edge_pixels[]; };
 layout(set = SET_INPUTS, binding = INPUT_EDGE_COUNTS, std430) buffer CountBlock { uint edge_counts[]; }; // pixels, tiles
-shared uint bits[2];
-shared uint first_tile;
+
+ivec2 pixel_of(ivec2 low, uint i) { return low + ivec2(i % LIT_BLOCK, i / LIT_BLOCK); }
+
+// The samples of surface `s`, as they stand in a slot.
+uint samples_of(uint edge, uint s) {
+    uint mask = 0u;
+    for (int i = 0; i < samples; ++i)
+        mask |= surface_of(edge, i) == s ? 1u << i : 0u;
+    return mask;
+}
 
 void main() {
-    uint me = gl_LocalInvocationIndex, per_tile = edge_pixels_of_tile();
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    bool inside = all(lessThanEqual(pixel, last_pixel()));
-    bool edge = pixel_read(edges, min(pixel, last_pixel())).r > 0u && inside;
-    if (me < 2u)
-        bits[me] = 0u;
-    barrier();
-    if (edge)
-        atomicOr(bits[me / 32u], 1u << (me % 32u));
-    barrier();
-    uint below = bits[me / 32u] & ((1u << (me % 32u)) - 1u);
-    uint rank = uint(bitCount(below)) + (me >= 32u ? uint(bitCount(bits[0])) : 0u);
-    uint count = uint(bitCount(bits[0]) + bitCount(bits[1]));
-    uint needed = (count + per_tile - 1u) / per_tile;
-    if (me == 0u) {
-        first_tile = needed > 0u ? atomicAdd(tiles.dispatch.w, needed) : 0u;
-        if (needed > 0u) {
-            atomicMax(tiles.dispatch.y, (min(first_tile + needed, edge_tiles) + LIT_ROW - 1u) / LIT_ROW);
-            atomicAdd(edge_counts[0], count);
-            atomicAdd(edge_counts[1], needed);
-        }
+    ivec2 size = last_pixel() + 1;
+    uvec2 blocks = uvec2(size + LIT_BLOCK - 1) / LIT_BLOCK;
+    uint block = gl_GlobalInvocationID.x;
+    bool there = block < blocks.x * blocks.y;
+    ivec2 low = ivec2(block % blocks.x, block / blocks.x) * LIT_BLOCK;
+    uvec2 found = uvec2(0u); // a bit a pixel
+    uint count = 0u;
+    // Loops here are left at their end: see light_list.comp.
+    uint i = 0u;
+    do {
+        ivec2 pixel = pixel_of(low, i);
+        bool inside = there && all(lessThan(pixel, size));
+        uint surfaces = inside ? surfaces_of(pixel_read(edges, min(pixel, size - 1)).r) : 0u;
+        uint bit = surfaces > 0u ? 1u << (i % 32u) : 0u;
+        found |= i < 32u ? uvec2(bit, 0u) : uvec2(0u, bit);
+        count += surfaces;
+    } while (++i < BLOCK_PIXELS);
+
+    uint needed = (count + TILE_SLOTS - 1u) / TILE_SLOTS, first = edge_tiles;
+    if (needed > 0u) {
+        first = atomicAdd(tiles.dispatch.w, needed);
+        atomicMax(tiles.dispatch.y, (min(first + needed, edge_tiles) + LIT_ROW - 1u) / LIT_ROW);
+        atomicAdd(edge_counts[0], uint(bitCount(found.x) + bitCount(found.y)));
+        atomicAdd(edge_counts[1], needed);
     }
-    barrier();
-    uint tile = first_tile + rank / per_tile;
-    bool fits = edge && tile < edge_tiles; // what does not is lit once
-    if (inside)
-        imageStore(edge_index, pixel, uvec4(fits ? 1u + first_tile * per_tile + rank : 0u));
-    if (fits)
-        edge_pixels[first_tile * per_tile + rank] = me;
-    uint last = min(needed, max(edge_tiles, first_tile) - first_tile);
-    if (me >= count && me < last * per_tile)
-        edge_pixels[first_tile * per_tile + me] = NO_EDGE_PIXEL;
-    if (me < last)
-        tile_blocks[first_tile + me] = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    // What does not fit is lit once: its slots lie past the end.
+    uint slot = first * TILE_SLOTS, end = edge_tiles * TILE_SLOTS;
+    while ((found.x | found.y) != 0u) {
+        bool lower = found.x != 0u;
+        uint bit = uint(findLSB(lower ? found.x : found.y));
+        found = lower ? uvec2(found.x & (found.x - 1u), found.y) : uvec2(0u, found.y & (found.y - 1u));
+        uint place = bit + (lower ? 0u : 32u);
+        ivec2 pixel = pixel_of(low, place);
+        uint edge = pixel_read(edges, pixel).r, surfaces = surfaces_of(edge);
+        imageStore(edge_index, pixel, uvec4(slot));
+        for (uint s = 0u; s < surfaces; ++s, ++slot)
+            if (slot < end)
+                edge_pixels[slot] = samples_of(edge, s) * BLOCK_PIXELS + place;
+    }
+    for (uint last = min((first + needed) * TILE_SLOTS, end); slot < last; ++slot)
+        edge_pixels[slot] = NO_SURFACE;
+    for (uint t = first; t < min(first + needed, edge_tiles); ++t)
+        tile_blocks[t] = block;
 }

@@ -3,14 +3,15 @@
 // variants: ROUGHNESS_TARGET|DEFERRED_TARGET
 // One surface a pixel out of its samples, which lights see as if there were no others: where the samples share a
 // surface, that under the pixel's centre, for depth is linear over a triangle and the standard sample locations have
-// their mean there; else that of the first sample that has one. Normals are never averaged. And whether the pixel is an
-// edge: its samples do not share a surface (after Lauritzen 2010, who compares normals, and depth with its slope).
+// their mean there; else that of the first sample that has one. Normals are never averaged. And which of the samples
+// share a surface, where not all do: the pixel is an edge then (after Lauritzen 2010, who compares normals, and depth
+// with its slope).
 #define SAMPLES
 #include "shared/gbuffer.glsl"
 
 layout(constant_id = CONSTANT_EVERY_EDGE) const bool every_pixel = false; // is an edge, where a surface is
 layout(location = 0) out vec4 out_normal;
-layout(location = 1) out uint out_edge;
+layout(location = 1) out uint out_edge; // as shared/edge_samples.glsl reads it
 #ifdef ROUGHNESS_TARGET
 layout(location = 2) out float out_roughness;
 #endif
@@ -28,45 +29,131 @@ bool alike(vec4 a, vec4 b) { return all(lessThanEqual(abs(a - b), max(abs(a), ve
 
 const float least_cosine = 0.99, most_roughness = 0.05, most_slope = 10.0; // as docs/anti-aliasing.md has them
 
+// A sample as it is stored, fetched once. Samples are named one by one below: a software device keeps arrays in memory.
+struct Stored {
+    float depth; // device depth; 0: nothing is there
+    vec4 normal; // of the normal buffer
+#ifdef ROUGHNESS_TARGET
+    float roughness;
+#endif
+#ifdef DEFERRED_TARGET
+    vec4 light, material, albedo;
+#endif
+};
+
+Stored fetch(ivec2 pixel, int i) {
+    pixel_sample = min(i, samples - 1);
+    Stored s;
+    s.depth = i < samples ? pixel_read(depth_buffer, pixel).r : 0.0;
+    s.normal = pixel_read(normal_buffer, pixel);
+#ifdef ROUGHNESS_TARGET
+    s.roughness = pixel_read(roughness_buffer, pixel).r;
+#endif
+#ifdef DEFERRED_TARGET
+    s.light = pixel_read(own_light, pixel);
+    s.material = pixel_read(material_buffer, pixel);
+    s.albedo = pixel_read(albedo_buffer, pixel);
+#endif
+    return s;
+}
+
+// Of one fragment, as far as all but depth can tell.
+bool same(Stored a, Stored b) {
+    bool equal = a.normal == b.normal;
+#ifdef ROUGHNESS_TARGET
+    equal = equal && a.roughness == b.roughness;
+#endif
+#ifdef DEFERRED_TARGET
+    equal = equal && a.light == b.light && a.material == b.material && a.albedo == b.albedo;
+#endif
+    return equal;
+}
+
+// What lights see of it.
+struct Seen {
+    Stored stored;
+    bool there;
+    float z; // view depth
+    vec3 normal;
+    float roughness;
+    float within; // metres that depth may change by within a pixel: much on steep surfaces
+    uint number;  // of its surface among those of the pixel; 3 where there is none, for then there are three at most
+};
+
+float depth_of(Stored s) { return view_depth(max(s.depth, 1e-30)); }
+
+Seen seen_of(Stored s, vec3 viewer) {
+    Seen seen;
+    seen.stored = s;
+    seen.there = s.depth > 0.0;
+    seen.z = depth_of(s);
+    seen.normal = stored_normal(s.normal);
+#ifdef ROUGHNESS_TARGET
+    seen.roughness = s.roughness;
+#else
+    seen.roughness = roughness_decode(s.normal.a);
+#endif
+    float nv = max(abs(dot(seen.normal, viewer)), 1e-9);
+    seen.within = pixel_metres(seen.z) * (1.0 + 2.0 * min(sqrt(max(1.0 - nv * nv, 0.0)) / nv, most_slope));
+    seen.number = 3u;
+    return seen;
+}
+
+bool share_surface(Seen a, Seen b) {
+    bool alike_to_lights = a.there && b.there && abs(a.z - b.z) <= a.within && dot(a.normal, b.normal) >= least_cosine &&
+                           abs(a.roughness - b.roughness) <= most_roughness;
+#ifdef DEFERRED_TARGET
+    return alike_to_lights && alike(a.stored.albedo, b.stored.albedo) && alike(a.stored.light, b.stored.light) &&
+           abs(a.stored.material.b - b.stored.material.b) <= 1.0 / 128.0;
+#else
+    return alike_to_lights;
+#endif
+}
+
+// The next surface, unless the sample shares one.
+void number(inout Seen seen, uint known, inout uint surfaces) {
+    seen.number = !seen.there ? 3u : known < 3u ? known : surfaces;
+    surfaces += seen.there && known == 3u ? 1u : 0u;
+}
+
+uint known(bool shares, Seen with, uint otherwise) { return shares ? with.number : otherwise; }
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    int first = -1;
-    bool all = true;
-    float sum = 0.0;
-    for (pixel_sample = samples - 1; pixel_sample >= 0; --pixel_sample) {
-        float stored = pixel_read(depth_buffer, pixel).r;
-        first = stored > 0.0 ? pixel_sample : first;
-        all = all && stored > 0.0;
-        sum += stored;
+    vec2 clip = clip_of(vec2(pixel) + 0.5);
+    vec3 viewer = to_viewer(clip.x * frame.ray_right.xyz + clip.y * frame.ray_up.xyz + frame.forward.xyz);
+    Stored p = fetch(pixel, 0), q = fetch(pixel, 1), r = fetch(pixel, 2), s = fetch(pixel, 3);
+    bool four = samples == 4;
+    bool all_there = min(p.depth, q.depth) > 0.0 && (!four || min(r.depth, s.depth) > 0.0);
+    bool none_there = max(max(p.depth, q.depth), max(r.depth, s.depth)) <= 0.0;
+    Seen a = seen_of(p, viewer);
+    vec3 away = abs(vec3(depth_of(q), four ? vec2(depth_of(r), depth_of(s)) : vec2(a.z)) - a.z);
+    bool all_share = all_there && same(p, q) && (!four || (same(p, r) && same(p, s))) && all(lessThanEqual(away, vec3(a.within)));
+    uint edge = 0u;
+    Stored own = p; // the first that shows something
+    // A loop: a software device runs both sides of an `if`.
+    for (bool once = !all_share && !none_there; once; once = false) {
+        Seen b = seen_of(q, viewer), c = seen_of(r, viewer), d = seen_of(s, viewer);
+        uint surfaces = 0u;
+        number(a, 3u, surfaces);
+        number(b, known(share_surface(a, b), a, 3u), surfaces);
+        number(c, known(share_surface(a, c), a, known(share_surface(b, c), b, 3u)), surfaces);
+        number(d, known(share_surface(a, d), a, known(share_surface(b, d), b, known(share_surface(c, d), c, 3u))), surfaces);
+        all_share = all_there && surfaces == 1u;
+        if (!a.there)
+            own = b.there ? q : c.there ? r : s;
+        edge = all_share ? 0u : a.number | b.number << 2 | c.number << 4 | d.number << 6 | surfaces << 8;
     }
-    pixel_sample = max(first, 0);
-    float own = pixel_read(depth_buffer, pixel).r, z = view_depth(max(own, 1e-30));
-    vec3 n = read_normal(pixel), world;
-    float roughness = read_roughness(pixel);
-    read_position(pixel, world);
-    out_normal = pixel_read(normal_buffer, pixel);
+    out_normal = own.normal;
 #ifdef ROUGHNESS_TARGET
-    out_roughness = roughness;
+    out_roughness = own.roughness;
 #endif
 #ifdef DEFERRED_TARGET
-    out_light = pixel_read(own_light, pixel);
-    out_material = pixel_read(material_buffer, pixel);
-    out_albedo = pixel_read(albedo_buffer, pixel);
+    out_light = own.light;
+    out_material = own.material;
+    out_albedo = own.albedo;
 #endif
-    float nv = max(abs(dot(n, to_viewer(world))), 1e-9);
-    float slope = min(sqrt(max(1.0 - nv * nv, 0.0)) / nv, most_slope);
-    float most_depth = pixel_metres(z) * (1.0 + 2.0 * slope);
-    bool shared_surface = all;
-    EACH_SAMPLE {
-        float there = view_depth(max(pixel_read(depth_buffer, pixel).r, 1e-30));
-        shared_surface = shared_surface && abs(there - z) <= most_depth && dot(read_normal(pixel), n) >= least_cosine &&
-                         abs(read_roughness(pixel) - roughness) <= most_roughness;
-#ifdef DEFERRED_TARGET
-        shared_surface = shared_surface && alike(out_albedo, pixel_read(albedo_buffer, pixel)) &&
-                         alike(out_light, pixel_read(own_light, pixel)) &&
-                         abs(out_material.b - pixel_read(material_buffer, pixel).b) <= 1.0 / 128.0;
-#endif
-    }
-    gl_FragDepth = shared_surface ? sum / float(samples) : own;
-    out_edge = first >= 0 && (every_pixel || !shared_surface) ? 1u : 0u;
+    gl_FragDepth = all_share ? (p.depth + q.depth + r.depth + s.depth) / float(samples) : own.depth;
+    uint each = 0xe4u | uint(samples) << 8; // 3, 2, 1, 0: a surface a sample
+    out_edge = every_pixel && !none_there ? each : edge;
 }

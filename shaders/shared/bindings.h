@@ -31,6 +31,8 @@
 #define INPUT_COLOUR 0
 // several samples a pixel: which pixels are edges, where their samples' light lies, and that light
 #define INPUT_EDGES 0
+#define INPUT_SAMPLE_DEPTH 46
+#define INPUT_EDGE_FLAGS 45 // the same where 0 is another
 #define INPUT_EDGE_INDEX 58
 #define INPUT_EDGE_PIXELS 59
 #define INPUT_EDGE_COUNTS 60

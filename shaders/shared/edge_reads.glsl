@@ -1,4 +1,4 @@
-// Finding the samples of edge pixels again, for passes that light them.
+// Finding the surfaces of edge pixels again, for passes that light them.
 #ifndef PRELIGHT_EDGE_READS_GLSL
 #define PRELIGHT_EDGE_READS_GLSL
 #include "shared/edge_samples.glsl"
@@ -8,12 +8,14 @@ layout(set = SET_INPUTS, binding = INPUT_EDGE_PIXELS, std430) readonly buffer Ed
 
 ivec2 edge_at = ivec2(0); // the pixel that edge_pixel() found last
 
-// The pixel of a slot of a tile, whose block lies at `block`, and its sample in pixel_sample; (-1, -1): none.
-ivec2 edge_pixel(uint tile, uint slot, uvec2 block) {
-    uint within = edge_pixels[tile * edge_pixels_of_tile() + slot / uint(samples)];
-    pixel_sample = int(slot) % samples;
-    bool none = within == NO_EDGE_PIXEL;
-    uvec2 pixel = block * LIT_BLOCK + uvec2(within % LIT_BLOCK, within / LIT_BLOCK);
+// The pixel of a slot, whose block lies at `block`; (-1, -1): none. From then on pixel_read() reads the first sample of
+// the surface, and its place and depth are the mean of its samples.
+ivec2 edge_pixel(uint slot, uvec2 block) {
+    uint filled = edge_pixels[slot];
+    bool none = filled == NO_SURFACE;
+    uvec2 pixel = block * LIT_BLOCK + uvec2(filled % LIT_BLOCK, filled / LIT_BLOCK % LIT_BLOCK);
+    shared_samples = none ? 1u : filled / BLOCK_PIXELS;
+    pixel_sample = findLSB(shared_samples);
     edge_at = none ? ivec2(0) : ivec2(pixel);
     return none ? ivec2(-1) : edge_at;
 }
@@ -23,9 +25,10 @@ layout(set = SET_INPUTS, binding = INPUT_LIT_BLOCKS, std430) readonly buffer Til
 
 ivec2 edge_pixel_of_fragment() {
     uvec2 texel = uvec2(gl_FragCoord.xy);
-    uint tile = texel.y / LIT_BLOCK * edge_row + texel.x / LIT_BLOCK, block = tile_blocks[min(tile, edge_tiles - 1u)];
+    uint tile = texel.y / EDGE_TILE_ROWS * edge_row + texel.x / LIT_BLOCK, block = tile_blocks[min(tile, edge_tiles - 1u)];
     uint across = (uint(raster.size.x) + LIT_BLOCK - 1u) / LIT_BLOCK;
-    return edge_pixel(tile, texel.y % LIT_BLOCK * LIT_BLOCK + texel.x % LIT_BLOCK, uvec2(block % across, block / across));
+    return edge_pixel(tile * TILE_SLOTS + texel.y % EDGE_TILE_ROWS * LIT_BLOCK + texel.x % LIT_BLOCK,
+                      uvec2(block % across, block / across));
 }
 #endif
 #endif

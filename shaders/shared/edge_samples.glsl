@@ -1,5 +1,6 @@
-// The sample light buffer: light of edge pixels' samples, gathered by sample_edges.comp. Its texels lie in tiles of 8 × 8,
-// each of one block of the picture's 8 × 8 pixels; in a tile a pixel's samples follow each other along a row.
+// The sample light buffer: light of edge pixels' surfaces, gathered by sample_edges.comp. Its texels lie in tiles of 8 × 2,
+// each of one block of the picture's 8 × 8 pixels. The samples of a pixel that share a surface share a texel, and a
+// pixel's texels follow each other.
 #ifndef PRELIGHT_EDGE_SAMPLES_GLSL
 #define PRELIGHT_EDGE_SAMPLES_GLSL
 #include "shared/light_lists.h"
@@ -8,18 +9,21 @@
 layout(constant_id = CONSTANT_EDGE_TILES) const uint edge_tiles = 1u; // that the buffer has room for
 layout(constant_id = CONSTANT_EDGE_ROW) const uint edge_row = 1u;     // of them along x
 
-const uint NO_EDGE_PIXEL = 0xffffffffu; // what fills up a tile
+layout(constant_id = CONSTANT_EVERY_EDGE) const bool every_sample = false; // is a surface of its own
 
-uint edge_pixels_of_tile() { return uint(LIT_BLOCK * LIT_BLOCK) / uint(samples); }
+const uint TILE_SLOTS = uint(LIT_BLOCK * EDGE_TILE_ROWS), BLOCK_PIXELS = uint(LIT_BLOCK * LIT_BLOCK);
 
-// Texel `slot` of a tile, counted along its rows.
-ivec2 edge_texel(uint tile, uint slot) {
-    return ivec2(tile % edge_row, tile / edge_row) * LIT_BLOCK + ivec2(slot % LIT_BLOCK, slot / LIT_BLOCK);
-}
+// What sample_surfaces.frag says of a pixel: two bits a sample, the number of its surface (3, where it has none, is
+// never another's), and above them how many surfaces there are; 0: the pixel is no edge.
+uint surfaces_of(uint edge) { return edge >> 8; }
+uint surface_of(uint edge, int i) { return edge >> (2 * i) & 3u; }
 
-// Of an edge pixel's first sample; the others follow along x. `number`: of the pixel in the buffer.
-ivec2 edge_texel(uint number) {
-    uint per_tile = edge_pixels_of_tile();
-    return edge_texel(number / per_tile, number % per_tile * uint(samples));
+// What fills a slot of the buffer: a pixel of its block, and above six bits the samples that share the surface.
+const uint NO_SURFACE = 0xffffffffu;
+
+// Slots are counted through all tiles, in a tile along its rows.
+ivec2 edge_texel(uint slot) {
+    uint tile = slot / TILE_SLOTS, within = slot % TILE_SLOTS;
+    return ivec2(tile % edge_row, tile / edge_row) * ivec2(LIT_BLOCK, EDGE_TILE_ROWS) + ivec2(within % LIT_BLOCK, within / LIT_BLOCK);
 }
 #endif

@@ -32,10 +32,12 @@ float device_depth(float z) {
     return (frame.depth.y - frame.depth.x * z) / (frame.forward.w > 0.5 ? z : 1.0);
 }
 
-vec3 read_normal(ivec2 pixel) {
-    vec3 n = normal_decode(normal_encoding, pixel_read(normal_buffer, pixel));
+vec3 stored_normal(vec4 texel) {
+    vec3 n = normal_decode(normal_encoding, texel);
     return view_space ? n * mat3(frame.view_from_world) : n;
 }
+
+vec3 read_normal(ivec2 pixel) { return stored_normal(pixel_read(normal_buffer, pixel)); }
 
 float read_roughness(ivec2 pixel) {
 #ifdef STENCIL_ROUGHNESS
@@ -50,7 +52,17 @@ float read_roughness(ivec2 pixel) {
 
 // Stored depth is reversed device depth, or view depth (linear_depth); 0 where no surface is.
 const bool linear_depth = depth_source != DEPTH_ATTACHMENT;
-float read_depth(ivec2 pixel) { return linear_depth_decode(depth_source, pixel_read(depth_buffer, pixel)); }
+float read_depth(ivec2 pixel) {
+#ifdef SAMPLES // device depth, which is linear over a triangle
+    if (shared_samples != 0u) {
+        float sum = 0.0;
+        for (int i = 0; i < samples; ++i)
+            sum += (shared_samples >> i & 1u) != 0u ? texelFetch(depth_buffer, pixel, i).r : 0.0;
+        return sum / float(bitCount(shared_samples));
+    }
+#endif
+    return linear_depth_decode(depth_source, pixel_read(depth_buffer, pixel));
+}
 
 // False where no surface is.
 bool read_position(ivec2 pixel, out vec3 world) {

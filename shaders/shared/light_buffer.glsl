@@ -17,7 +17,9 @@ layout(set = SET_INPUTS, binding = INPUT_DIFFUSE_LIGHT) uniform LIGHT_IMAGE diff
 layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform LIGHT_IMAGE specular_light;
 #ifdef SAMPLE_LIGHT
 #include "shared/edge_samples.glsl"
-layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX) uniform ONE_SAMPLE_IMAGE_BITS edge_index;  // from 1; 0: no edge
+layout(set = SET_INPUTS, binding = INPUT_EDGE_FLAGS) uniform ONE_SAMPLE_IMAGE_BITS edges;
+layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX) uniform ONE_SAMPLE_IMAGE_BITS edge_index;
+layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DEPTH) uniform texture2DMS sample_depth;
 layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DIFFUSE) uniform LIGHT_IMAGE sample_diffuse;
 layout(set = SET_INPUTS, binding = INPUT_SAMPLE_SPECULAR) uniform LIGHT_IMAGE sample_specular;
 #endif
@@ -69,26 +71,46 @@ LightTexels unpacked(StoredLight texels) {
 }
 
 #ifdef SAMPLE_LIGHT
-// An edge pixel's samples have their own light in the sample light buffer. A fragment sees the mean of what it owns: with
-// the coverage that is left after the depth test, or it would see the light of what stands before it.
+// The samples that the fragment covers and that nothing nearer covers: there its own plane has the depth that is stored.
+// gl_SampleMaskIn is what it covers before the depth test; what stands before it there would lend it its light.
+uint owned_samples(ivec2 pixel) {
+    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)); // device depth is linear over a triangle
+    float most = 0.02 * (abs(slope.x) + abs(slope.y)) + 1e-6 * gl_FragCoord.z; // rounding
+    uint covered = uint(gl_SampleMaskIn[0]), owned = 0u;
+    for (int i = 0; i < samples; ++i) {
+        float own = gl_FragCoord.z + dot(slope, place_of_sample(i) - 0.5);
+        owned |= abs(texelFetch(sample_depth, pixel, i).r - own) <= most ? 1u << i : 0u;
+    }
+    return bitCount(covered) == 1 || (owned & covered) == 0u ? covered : owned & covered;
+}
+
+LightTexels light_of_sample(uint slot, uint edge, int i) {
+    return unpacked(fetched(sample_diffuse, sample_specular, edge_texel(slot + surface_of(edge, i))));
+}
+
+// An edge pixel's surfaces have their own light in the sample light buffer. A fragment sees that of the first sample
+// that it owns, for its samples share a surface; or where every sample has its own, the mean of them.
 LightTexels read_light() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     LightTexels light = unpacked(fetched(diffuse_light, specular_light, pixel));
-    uint edge = one_sample_read(edge_index, pixel).r;
+    uint edge = one_sample_read(edges, pixel).r;
     for (bool once = edge > 0u; once; once = false) { // a loop: a software device runs both sides of an `if`
-        ivec2 texel = edge_texel(edge - 1u);
-        light = LightTexels(vec4(0.0), vec4(0.0), 0.0);
-        float owned = 0.0;
-        for (int i = 0; i < samples; ++i) {
-            float own = float(gl_SampleMaskIn[0] >> i & 1);
-            LightTexels one = unpacked(fetched(sample_diffuse, sample_specular, texel + ivec2(i, 0)));
-            light.diffuse += own * one.diffuse;
-            light.specular += own * one.specular;
-            light.weight += own * one.weight;
-            owned += own;
+        uint slot = one_sample_read(edge_index, pixel).r;
+        if (slot + surfaces_of(edge) > edge_tiles * TILE_SLOTS)
+            break; // there was no room
+        uint owned = owned_samples(pixel);
+        if (!every_sample) {
+            light = light_of_sample(slot, edge, findLSB(owned));
+            break;
         }
-        float share = 1.0 / max(owned, 1.0);
-        light = LightTexels(light.diffuse * share, light.specular * share, light.weight * share);
+        light = LightTexels(vec4(0.0), vec4(0.0), 0.0);
+        float share = 1.0 / float(max(bitCount(owned), 1));
+        for (int i = 0; i < samples; ++i) {
+            float own = float(owned >> i & 1u) * share;
+            LightTexels one = light_of_sample(slot, edge, i);
+            light = LightTexels(light.diffuse + own * one.diffuse, light.specular + own * one.specular,
+                                light.weight + own * one.weight);
+        }
     }
     return light;
 }

@@ -13,7 +13,8 @@
 #include "shared/samples.glsl"
 #define PIXEL_IMAGE texture2DMS
 #define PIXEL_IMAGE_BITS utexture2DMS
-int pixel_sample = 0;  // the one that pixel_read() reads
+int pixel_sample = 0;      // the one that pixel_read() reads
+uint shared_samples = 0u;  // samples of one surface, whose mean depth and place are read; 0: those of pixel_sample
 #define pixel_read(image, pixel) texelFetch(image, pixel, pixel_sample)
 #define EACH_SAMPLE for (pixel_sample = 0; pixel_sample < samples; ++pixel_sample)
 #else

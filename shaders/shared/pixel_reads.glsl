@@ -9,10 +9,15 @@ layout(set = SET_INPUTS, binding = INPUT_RASTER, std430) readonly buffer RasterB
 
 ivec2 last_pixel() { return ivec2(raster.size.xy) - 1; }
 
-// Where a pixel's sample lies, pixels: that of pixel_read(), or the only one.
+// Where a pixel's sample lies, pixels: that of pixel_read(), the mean of those that share a surface, or the only one.
 vec2 place_of(ivec2 pixel) {
 #ifdef SAMPLES
-    return vec2(pixel) + place_of_sample(pixel_sample);
+    if (shared_samples == 0u)
+        return vec2(pixel) + place_of_sample(pixel_sample);
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < samples; ++i)
+        sum += (shared_samples >> i & 1u) != 0u ? place_of_sample(i) : vec2(0.0);
+    return vec2(pixel) + sum / float(bitCount(shared_samples));
 #else
     return vec2(pixel) + 0.5;
 #endif

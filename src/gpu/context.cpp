@@ -39,7 +39,6 @@ Context::Context(const DeviceOptions& options)
     };
     chosen_.optional.conditional_rendering &= !hides(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     chosen_.optional.stencil_export &= !hides(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
-    chosen_.optional.post_depth_coverage &= !hides(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME);
     presents_ = !options.window_extensions.empty();
     vkGetPhysicalDeviceProperties(physical(), &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical(), &memory_);
@@ -113,8 +112,6 @@ void Context::create_device() {
     }
     if (o.stencil_export)
         extensions.push_back(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
-    if (o.post_depth_coverage)
-        extensions.push_back(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME);
     if (presents_)
         extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());

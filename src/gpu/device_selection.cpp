@@ -127,8 +127,6 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     candidate.optional.stencil_export = driver.driverID != VK_DRIVER_ID_GOOGLE_SWIFTSHADER &&
                                         has_extension(physical, VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
     (candidate.optional.stencil_export ? info.features : info.missing).push_back("stencil export");
-    candidate.optional.post_depth_coverage = has_extension(physical, VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME);
-    (candidate.optional.post_depth_coverage ? info.features : info.missing).push_back("coverage after depth tests");
     const bool fragment_stores = features.features.fragmentStoresAndAtomics;
     const std::optional<uint32_t> family = graphics_queue_family(physical);
     if (!family)

@@ -69,10 +69,11 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     out->layout = make_pipeline_layout(context, desc.name, desc.sets, desc.push_stage, desc.push_bytes);
     const ShaderStage vertex(context, VK_SHADER_STAGE_VERTEX_BIT, desc.vertex, desc.constants);
     std::vector<VkPipelineShaderStageCreateInfo> stages{vertex.info()};
-    const SampleShading shading = desc.attachments.samples > 1 ? desc.sample_shading : SampleShading::fragment;
+    const bool per_sample =
+        desc.sample_shading == SampleShading::sample && desc.attachments.samples > 1 && !desc.fragment.empty();
     std::vector<uint32_t> code = desc.fragment_code;
-    if (shading != SampleShading::fragment && !desc.fragment.empty())
-        code = with_sample_shading(code.empty() ? find_shader(desc.fragment) : code, shading);
+    if (per_sample)
+        code = with_sample_inputs(code.empty() ? find_shader(desc.fragment) : code);
     std::optional<ShaderStage> fragment;
     if (!desc.fragment.empty())
         stages.push_back(
@@ -105,7 +106,7 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     raster.depthClampEnable = desc.depth_clamp && context.features().depth_clamp;
     VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
     samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.attachments.samples);
-    samples.sampleShadingEnable = shading == SampleShading::sample && !desc.fragment.empty();
+    samples.sampleShadingEnable = per_sample;
     samples.minSampleShading = 1;
     VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc.depth);
     depth.depthBoundsTestEnable = desc.depth_bounds;

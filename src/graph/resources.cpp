@@ -21,7 +21,7 @@ constexpr FormatInfo formats[] = {
     {VK_FORMAT_D32_SFLOAT_S8_UINT, 5, "D32F_S8"},
     {VK_FORMAT_D24_UNORM_S8_UINT, 4, "D24_S8"},
     {VK_FORMAT_R8_UNORM, 1, "R8"},
-    {VK_FORMAT_R8_UINT, 1, "R8UI"},
+    {VK_FORMAT_R16_UINT, 2, "R16UI"},
     {VK_FORMAT_R8G8_UNORM, 2, "RG8"},
     {VK_FORMAT_R16_SFLOAT, 2, "R16F"},
     {VK_FORMAT_R32_SFLOAT, 4, "R32F"},

@@ -22,9 +22,9 @@ struct BlockList {
     graph::BufferId id;
 };
 
-/// Rows of pixels of an invocation: as many as leave a subgroup full. `lanes`: 1 … 64, build_light_lists() has seen to
-/// it.
-uint32_t rows_of(uint32_t lanes) { return std::clamp<uint32_t>(LIT_BLOCK * LIT_BLOCK / lanes, 1, LIT_BLOCK); }
+/// Of so many rows of pixels those of an invocation: as many as leave a subgroup full. `lanes`: 1 … 64,
+/// build_light_lists() has seen to it.
+uint32_t rows_of(uint32_t lanes, uint32_t rows) { return std::clamp<uint32_t>(LIT_BLOCK * rows / lanes, 1, rows); }
 
 /// Passes that list the blocks with light, and clear those that have none any more.
 template <class Store>
@@ -77,9 +77,10 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& vie
     if (!inputs.edges)
         lit = find_lit_blocks(graph, view, name, inputs, round, ambient, store);
     gpu::Constants constants = lighting_constants(view, inputs);
-    const uint32_t rows = rows_of(view.context().features().shuffle_lanes);
+    const uint32_t all_rows = inputs.edges ? EDGE_TILE_ROWS : LIT_BLOCK;
+    const uint32_t rows = rows_of(view.context().features().shuffle_lanes, all_rows);
     constants.insert(constants.end(), {{CONSTANT_LIST_ROWS, rows},
-                                       {CONSTANT_LIST_GROUP_ROWS, LIT_BLOCK / rows},
+                                       {CONSTANT_LIST_GROUP_ROWS, all_rows / rows},
                                        {CONSTANT_LIST_MASKED, lists.masked},
                                        {CONSTANT_AMBIENT_TOO, ambient}});
     graph::Pass& pass = graph.pass(name + round.ending);

@@ -50,7 +50,8 @@ SurfaceBuffers resolve_surfaces(graph::FrameGraph& graph, const resident::View& 
 } // namespace
 
 gpu::Constants SampleEdges::constants() const {
-    return {{CONSTANT_SAMPLES, samples}, {CONSTANT_EDGE_TILES, tile_count}, {CONSTANT_EDGE_ROW, row}};
+    return {{CONSTANT_SAMPLES, samples}, {CONSTANT_EDGE_TILES, tile_count}, {CONSTANT_EDGE_ROW, row},
+            {CONSTANT_EVERY_EDGE, every_sample}};
 }
 
 EdgeCounter::EdgeCounter(const gpu::Context& context) {
@@ -62,7 +63,7 @@ EdgeCounter::EdgeCounter(const gpu::Context& context) {
 }
 
 uint32_t EdgeCounter::room(uint32_t all) const {
-    const uint32_t guess = all / 8; // half of a block's samples in a quarter of the blocks
+    const uint32_t guess = all / 8; // two surfaces in a quarter of the pixels
     return std::clamp(needed_ > 0 ? needed_ + needed_ / 4 : guess, std::min(64u, all), all); // more, for cameras move
 }
 
@@ -79,7 +80,7 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     const uint32_t samples = graph.raster(surface.depth).samples;
     if (samples == 1)
         return {surface, surface, {}};
-    const graph::ImageId flags = graph.image("edges", {VK_FORMAT_R8_UINT, view.raster()});
+    const graph::ImageId flags = graph.image("edges", {VK_FORMAT_R16_UINT, view.raster()});
     SampledSurfaces out{
         surface, resolve_surfaces(graph, view, surface, flags, light == SampleLight::samples, colours), {}};
     if (light == SampleLight::pixel)
@@ -88,11 +89,13 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     const auto [width, height] = view.raster().extent;
     const uint32_t across = blocks_along(width), down = blocks_along(height);
     SampleEdges edges{.row = across, .samples = samples};
-    const uint32_t all = across * down * samples;
+    const uint32_t all = across * down * samples * LIT_BLOCK / EDGE_TILE_ROWS;
     counter.room_ = light == SampleLight::samples ? all : counter.room(all);
     const uint32_t rows = (counter.room_ + across - 1) / across;
-    edges.raster = {{across * LIT_BLOCK, rows * LIT_BLOCK}};
+    edges.raster = {{across * LIT_BLOCK, rows * EDGE_TILE_ROWS}};
     edges.tile_count = counter.room_ = rows * across;
+    edges.every_sample = light == SampleLight::samples;
+    edges.flags = flags;
     edges.index = graph.image("edge index", {VK_FORMAT_R32_UINT, view.raster()});
     const auto make = [&](const char* name, uint64_t words, VkBufferUsageFlags more) {
         return std::make_shared<gpu::Buffer>(view.context(), name, words * sizeof(uint32_t),
@@ -101,7 +104,7 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     constexpr uint64_t head = sizeof(shared::LitBlocks) / sizeof(uint32_t);
     const auto tiles = make("edge tiles", head + edges.tile_count,
                             VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
-    const auto pixels = make("edge pixels", uint64_t(edges.tile_count) * (LIT_BLOCK * LIT_BLOCK / samples), 0);
+    const auto pixels = make("edge pixels", uint64_t(edges.tile_count) * (LIT_BLOCK * EDGE_TILE_ROWS), 0);
     edges.tile_buffer = tiles;
     edges.tiles = graph.buffer("edge tiles", *tiles);
     edges.pixels = graph.buffer("edge pixels", *pixels);
@@ -131,7 +134,7 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
         pipeline->bind(context.commands);
         pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
-        vkCmdDispatch(context.commands, across, down, 1);
+        vkCmdDispatch(context.commands, (across * down + LIST_GROUP - 1) / LIST_GROUP, 1, 1);
     });
     out.edges = edges;
     return out;

@@ -15,14 +15,16 @@ enum class SampleLight {
 
 /// Where the samples of edge pixels lie in the sample light buffer (shaders/shared/edge_samples.glsl).
 struct SampleEdges {
-    graph::ImageId index; ///< R32_UINT, of each pixel: 0, or from 1 its number among the edge pixels
+    graph::ImageId flags; ///< R16_UINT: which samples of a pixel share surfaces; 0: it is no edge
+    graph::ImageId index; ///< R32_UINT: of an edge pixel, where its surfaces begin in the sample light buffer
     std::shared_ptr<const gpu::Buffer> tile_buffer;
     graph::BufferId tiles;   ///< its id: LitBlocks, then the block of each tile of 8 × 8 texels
-    graph::BufferId pixels;  ///< pixels of those blocks, 64 / samples a tile
+    graph::BufferId pixels;  ///< what fills each texel: a pixel of the block, and some of its samples
     gpu::Raster raster;      ///< of the sample light buffer
     uint32_t tile_count = 0; ///< that it has room for
     uint32_t row = 0;        ///< tiles of it along x
     uint32_t samples = 1;
+    bool every_sample = false; ///< is a surface of its own
     /// Of shaders that find samples in it.
     gpu::Constants constants() const;
 };

@@ -45,8 +45,7 @@ ForwardRenderer::Plan ForwardRenderer::limited(Plan plan) const {
 passes::ForwardInputs ForwardRenderer::shading(const char* name, graph::ImageId depth, graph::ImageId colour) {
     passes::ForwardInputs inputs{
         .name = name, .depth = depth, .colour = colour, .kinds = {}, .plan = {}, .model = model_};
-    inputs.sample_shading =
-        material_rate(settings()) == MaterialRate::sample ? gpu::SampleShading::sample : gpu::SampleShading::fragment;
+    inputs.sample_shading = material_shading(settings());
     inputs.decals = decals_;
     inputs.pair_counters = &pair_counters();
     inputs.count_pairs = options().count_pairs;

@@ -3,9 +3,9 @@
 namespace prelight {
 namespace {
 
-constexpr Choice<MaterialRate> material_words[] = {{"fragment", MaterialRate::fragment},
-                                                   {"sample", MaterialRate::sample}};
-constexpr ChoiceSetting<MaterialRate> material_setting{
+constexpr Choice<gpu::SampleShading> material_words[] = {{"fragment", gpu::SampleShading::fragment},
+                                                         {"sample", gpu::SampleShading::sample}};
+constexpr ChoiceSetting<gpu::SampleShading> material_setting{
     "msaa-material", material_words, "fragment",
     "--msaa 2 or 4: surfaces are shaded once a fragment, which is what a triangle covers of a pixel, or once a sample"};
 
@@ -27,7 +27,7 @@ SettingInfo msaa_light_setting(bool once) {
 
 SampleLight sample_light(const Settings& settings) { return settings.value(light_setting); }
 
-void resolve_sample_settings(Settings& settings, const gpu::Context& context, uint32_t samples) {
+void resolve_sample_settings(Settings& settings, uint32_t samples) {
     if (samples == 1)
         return;
     const auto give_way = [&](const char* key, const char* value, const char* why) {
@@ -42,18 +42,10 @@ void resolve_sample_settings(Settings& settings, const gpu::Context& context, ui
     give_way("accumulation", "rgba16f", "with several samples a pixel light is added up in half floats");
     if (settings.has("g-buffer"))
         give_way("ssao", "off", "with several samples a pixel deferred shading has no occlusion of ambient light");
-    if (settings.has(material_setting.key) && !context.features().post_depth_coverage &&
-        material_rate(settings) == MaterialRate::fragment)
-        settings.fall_back(material_setting.key, "sample",
-                           context.name() + " does not tell coverage after depth tests (VK_EXT_post_depth_coverage)");
 }
 
-gpu::SampleShading material_shading(const Settings& settings) {
-    return material_rate(settings) == MaterialRate::sample ? gpu::SampleShading::sample
-                                                           : gpu::SampleShading::owned_fragment;
-}
+gpu::SampleShading material_shading(const Settings& settings) { return settings.value(material_setting); }
 
 SettingInfo msaa_material_setting() { return material_setting.info(); }
-MaterialRate material_rate(const Settings& settings) { return settings.value(material_setting); }
 
 } // namespace prelight

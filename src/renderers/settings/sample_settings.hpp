@@ -1,24 +1,19 @@
 #pragma once
 #include "settings.hpp"
-#include <gpu/context.hpp>
+#include <gpu/sample_shading.hpp>
 #include <passes/sample_surfaces.hpp>
 
 namespace prelight {
 
-/// What is shaded of a pixel with several samples.
-enum class MaterialRate { fragment, sample };
-
 /// `msaa-material`, of every renderer that shades surfaces as it draws them.
 SettingInfo msaa_material_setting();
-MaterialRate material_rate(const Settings& settings);
+gpu::SampleShading material_shading(const Settings& settings);
 
 /// `msaa-light`, of renderers that light what they drew before. `once`: a pixel's materials may share one light.
 SettingInfo msaa_light_setting(bool once);
 passes::SampleLight sample_light(const Settings& settings);
 /// What several samples a pixel cannot go with gives way to what they can: depth in a colour target, roughness in
 /// stencil and shadow maps drawn light by light.
-void resolve_sample_settings(Settings& settings, const gpu::Context& context, uint32_t samples);
-/// How often surfaces are shaded that meet the light of what was drawn before.
-gpu::SampleShading material_shading(const Settings& settings);
+void resolve_sample_settings(Settings& settings, uint32_t samples);
 
 } // namespace prelight
