@@ -75,6 +75,10 @@ void main() {
     } else if (view == VIEW_SUN_OCCLUSION) {
         // A layout without that channel hides no surface from the sun.
         colour = vec3(!surface ? 0.0 : gbuffer_layout == GBUFFER_KILLZONE2 ? value.a : 1.0);
+#ifdef LIGHT_PAIR
+    } else if (view == VIEW_EDGES) {
+        colour = vec3(float(bits.r >> 8) / 4.0); // shared/edge_samples.glsl
+#endif
     } else if (view == VIEW_COUNT) {
         colour = heat(value.g);
     } else {

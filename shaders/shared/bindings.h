@@ -308,5 +308,6 @@
 #define VIEW_OCCLUSION 16
 #define VIEW_SPECULAR_LIGHT 17  // light by the specular scale
 #define VIEW_SUN_OCCLUSION 18
+#define VIEW_EDGES 19  // how many surfaces an edge pixel has
 
 #endif

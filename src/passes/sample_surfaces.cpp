@@ -50,7 +50,9 @@ SurfaceBuffers resolve_surfaces(graph::FrameGraph& graph, const resident::View& 
 } // namespace
 
 gpu::Constants SampleEdges::constants() const {
-    return {{CONSTANT_SAMPLES, samples}, {CONSTANT_EDGE_TILES, tile_count}, {CONSTANT_EDGE_ROW, row},
+    return {{CONSTANT_SAMPLES, samples},
+            {CONSTANT_EDGE_TILES, tile_count},
+            {CONSTANT_EDGE_ROW, row},
             {CONSTANT_EVERY_EDGE, every_sample}};
 }
 

@@ -4,12 +4,27 @@
 #include <shared/bindings.h>
 
 namespace prelight::passes {
+namespace {
+
+graph::ImageId view_image(graph::FrameGraph& graph, const resident::View& view, const std::string& name) {
+    return graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, view.raster()});
+}
+
+} // namespace
+
+graph::ImageId edges_view_pass(graph::FrameGraph& graph, const resident::View& view, const SampledSurfaces& surfaces) {
+    if (surfaces.edges)
+        return view_pass(graph, view, "edges", ViewKind::edges, surfaces.pixels, surfaces.edges->flags);
+    const graph::ImageId target = view_image(graph, view, "edges");
+    graph.pass("view-edges").colour(target, graph::Load::clear, {0, 0, 0, 1}).record([](const graph::PassContext&) {});
+    return target;
+}
 
 graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name, ViewKind kind,
                          const SurfaceBuffers& surface, graph::ImageId buffer) {
-    const graph::ImageId target = graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, view.raster()});
+    const graph::ImageId target = view_image(graph, view, name);
     graph::Pass& pass = graph.pass("view-" + name);
-    const bool pair = is_light_pair(graph, buffer);
+    const bool pair = is_light_pair(graph, buffer) || kind == ViewKind::edges; // unsigned integers
     pass.colour(target, graph::Load::discard)
         .sample(INPUT_DEPTH, surface.depth_source)
         .sample(INPUT_NORMAL, pair ? surface.normal : buffer);

@@ -1,5 +1,5 @@
 #pragma once
-#include "depth_normal.hpp"
+#include "sample_surfaces.hpp"
 
 namespace prelight::passes {
 
@@ -20,10 +20,14 @@ enum class ViewKind {
     occlusion = VIEW_OCCLUSION,           ///< visibility as grey
     specular_light = VIEW_SPECULAR_LIGHT, ///< light that is stored by the specular scale
     sun_occlusion = VIEW_SUN_OCCLUSION,   ///< of a G-buffer: RT3's alpha
+    edges = VIEW_EDGES,                   ///< SampleEdges::flags: surfaces of an edge pixel, white for four
 };
 
 /// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.
 graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name, ViewKind kind,
                          const SurfaceBuffers& surface, graph::ImageId buffer);
+
+/// Edge pixels, whose samples have light of their own; black where no pixel is one.
+graph::ImageId edges_view_pass(graph::FrameGraph& graph, const resident::View& view, const SampledSurfaces& surfaces);
 
 } // namespace prelight::passes

@@ -155,6 +155,8 @@ private:
         show("albedo", ViewKind::albedo, gbuffer.albedo);
         show("sun-occlusion", ViewKind::sun_occlusion, gbuffer.albedo);
         show("motion", ViewKind::motion, gbuffer.motion);
+        if (wants("edges"))
+            outputs["edges"] = passes::edges_view_pass(graph, view, surfaces);
         if (visibility)
             show("ambient-occlusion", ViewKind::occlusion, *visibility);
         if (wants("light-count"))
@@ -199,7 +201,7 @@ RendererInfo deferred_info() {
              texture_filter_setting(),
              antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "sun-occlusion", "motion",
-                  "light-count", "ambient-occlusion"},
+                  "light-count", "ambient-occlusion", "edges"},
         .presets = {"killzone2"},
         .preset_settings = {{"killzone2",
                              {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}},

@@ -140,6 +140,8 @@ private:
                 outputs[name] = passes::light_sum_pass(graph, view, materials, specular);
         if (wants("albedo"))
             show("albedo", ViewKind::colour, passes::albedo_pass(graph, view, materials));
+        if (wants("edges"))
+            outputs["edges"] = passes::edges_view_pass(graph, view, surfaces);
         if (visibility)
             show("ambient-occlusion", ViewKind::occlusion, *visibility);
         if (wants("light-count"))
@@ -185,7 +187,7 @@ RendererInfo light_prepass_info() {
              texture_filter_setting(),
              antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",
-                  "specular-sum", "albedo", "light-count", "ambient-occlusion"},
+                  "specular-sum", "albedo", "light-count", "ambient-occlusion", "edges"},
         .presets = {"engel", "round2", "prelighting"},
         .preset_settings = light_prepass_presets(),
         .preset_shading = {{"engel", Shading::phong}, {"round2", Shading::phong}, {"prelighting", Shading::phong}}};

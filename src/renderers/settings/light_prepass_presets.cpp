@@ -16,7 +16,8 @@ std::map<std::string, std::map<std::string, std::string>> light_prepass_presets(
           {"specular-antialiasing", "off"}}},
         // M. Quandt, Light Pre-Pass Round 2: depth in a colour target (Single, HalfSingle, Color), world-space
         // normals in 10:10:10:2 (Color), R·V in alpha, frustum rays, ambient and directional lights full
-        // screen, spheres, cones; no depth test, culling by the camera's place.
+        // screen, spheres, cones; no depth test, culling by the camera's place. With several samples a pixel, light
+        // at one and materials at all.
         {"round2",
          {{"depth", "r32f"},
           {"normals", "rgb10a2"},
@@ -29,6 +30,8 @@ std::map<std::string, std::map<std::string, std::string>> light_prepass_presets(
           {"light-culling", "volumes"},
           {"spot-volume", "cone"},
           {"volume-depth-test", "off"},
+          {"msaa-light", "pixel"},
+          {"msaa-material", "sample"},
           {"specular-antialiasing", "off"}}},
         // M. Lee, Prelighting: view-space normal in RGB and specular power in alpha of the memory that later
         // holds the frame (the frame graph sees to that), diffuse and specular light by MRT in 8:8:8:8

@@ -55,10 +55,12 @@ void Settings::refuse_without_effect() {
         if (given(key))
             throw UsageError(fmt::format("--set {}={}: {}", key, value, *why));
         if (!of_preset_.contains(key))
-            continue;                                                   // what another setting resolved it to
-        const bool of_shadows = needs_of(key).front().key == "shadows"; // how they are made once somebody wants them
+            continue; // what another setting resolved it to
+        // How shadows or samples are made, once somebody wants them.
+        const std::string need = needs_of(key).front().key;
+        const bool silent = need == "shadows" || need == "msaa";
         const std::string reason = fmt::format("{} (preset {})", *why, preset_);
-        if (of_shadows)
+        if (silent)
             resolve(key, defaults_.at(key), reason);
         else
             fall_back(key, defaults_.at(key), reason);
