@@ -4,6 +4,7 @@
 #include <gpu/compute_pipeline.hpp>
 #include <shared/bindings.h>
 #include <shared/light_lists.h>
+#include <utility>
 
 namespace prelight::passes {
 namespace {
@@ -58,13 +59,19 @@ gpu::Constants SampleEdges::constants() const {
 
 EdgeCounter::EdgeCounter(const gpu::Context& context) {
     for (gpu::Buffer& one : counts_) {
-        one = gpu::Buffer(context, "edge counts", 2 * sizeof(uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        one = gpu::Buffer(context, "edge counts", 2 * sizeof(uint32_t),
+                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                           gpu::BufferPlace::readback);
         std::fill_n(one.mapped<uint32_t>(), 2, 0u);
     }
 }
 
-uint32_t EdgeCounter::room(uint32_t all) const {
+uint32_t EdgeCounter::room(uint32_t all) {
+    for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
+        take(slot); // of the graph before, whose pictures may have been of another size
+    if (all_ > 0)
+        needed_ = static_cast<uint32_t>((uint64_t(needed_) * all + all_ - 1) / all_);
+    all_ = all;
     const uint32_t guess = all / 8; // two surfaces in a quarter of the pixels
     return std::clamp(needed_ > 0 ? needed_ + needed_ / 4 : guess, std::min(64u, all), all); // more, for cameras move
 }
@@ -73,8 +80,7 @@ bool EdgeCounter::take(uint32_t slot) {
     uint32_t* counts = counts_[slot].mapped<uint32_t>();
     pixels_ = counts[0];
     needed_ = std::max(needed_, counts[1]);
-    std::fill_n(counts, 2, 0u);
-    return needed_ > room_;
+    return std::exchange(counts[1], 0u) > room_;
 }
 
 SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
@@ -90,12 +96,14 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
 
     const auto [width, height] = view.raster().extent;
     const uint32_t across = blocks_along(width), down = blocks_along(height);
-    SampleEdges edges{.row = across, .samples = samples};
-    const uint32_t all = across * down * samples * LIT_BLOCK / EDGE_TILE_ROWS;
-    counter.room_ = light == SampleLight::samples ? all : counter.room(all);
-    const uint32_t rows = (counter.room_ + across - 1) / across;
-    edges.raster = {{across * LIT_BLOCK, rows * EDGE_TILE_ROWS}};
-    edges.tile_count = counter.room_ = rows * across;
+    const uint32_t all = across * down * samples * LIT_BLOCK / EDGE_TILE_ROWS, guess = counter.room(all);
+    const uint32_t room = light == SampleLight::samples ? all : guess;
+    // As wide as the picture, unless that were higher than an image may be.
+    const uint32_t most_rows = view.context().limits().maxImageDimension2D / EDGE_TILE_ROWS;
+    SampleEdges edges{.row = std::max(across, (room + most_rows - 1) / most_rows), .samples = samples};
+    const uint32_t rows = (room + edges.row - 1) / edges.row;
+    edges.raster = {{edges.row * LIT_BLOCK, rows * EDGE_TILE_ROWS}};
+    edges.tile_count = counter.room_ = rows * edges.row;
     edges.every_sample = light == SampleLight::samples;
     edges.flags = flags;
     edges.index = graph.image("edge index", {VK_FORMAT_R32_UINT, view.raster()});
@@ -111,20 +119,26 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     edges.tiles = graph.buffer("edge tiles", *tiles);
     edges.pixels = graph.buffer("edge pixels", *pixels);
 
-    const shared::LitBlocks none{{LIT_ROW, 0, 1, 0}};
+    const shared::LitBlocks none[2]{{{LIT_ROW, 0, 1, 0}}, {}};
     const auto empty = std::make_shared<gpu::Buffer>(gpu::make_device_buffer(
-        view.context(), "no edge tiles", std::as_bytes(std::span(&none, 1)), VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
-    graph.pass("sample-edges none").copy_to(edges.tiles).record([=](const graph::PassContext& context) {
-        const VkBufferCopy all{0, 0, sizeof(shared::LitBlocks)};
-        vkCmdCopyBuffer(context.commands, empty->handle(), tiles->handle(), 1, &all);
-    });
+        view.context(), "no edge tiles", std::as_bytes(std::span(none)), VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
+    const graph::BufferId counts = graph.buffer("edge counts", counter.counts_);
+    graph.pass("sample-edges none")
+        .copy_to(edges.tiles)
+        .copy_to(counts)
+        .record([=, &counter](const graph::PassContext& context) {
+            const VkBufferCopy whole{0, 0, sizeof(shared::LitBlocks)};
+            vkCmdCopyBuffer(context.commands, empty->handle(), tiles->handle(), 1, &whole);
+            const VkBufferCopy zeros{sizeof(shared::LitBlocks), 0, 2 * sizeof(uint32_t)};
+            vkCmdCopyBuffer(context.commands, empty->handle(), counter.counts_[context.slot].handle(), 1, &zeros);
+        });
     graph::Pass& pass = graph.pass("sample-edges");
     pass.raster(view.raster())
         .sample(INPUT_EDGES, flags)
         .store(INPUT_EDGE_INDEX, edges.index)
         .storage(INPUT_LIT_BLOCKS, edges.tiles, true)
         .storage(INPUT_EDGE_PIXELS, edges.pixels, true)
-        .storage(INPUT_EDGE_COUNTS, graph.buffer("edge counts", counter.counts_), true);
+        .storage(INPUT_EDGE_COUNTS, counts, true);
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
     pass.prepare([=, &view, constants = edges.constants()](const graph::PassInterface& interface) {
         *pipeline = gpu::ComputePipeline(view.context(), {.name = "sample edges",
@@ -136,7 +150,8 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
         pipeline->bind(context.commands);
         pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
-        vkCmdDispatch(context.commands, (across * down + LIST_GROUP - 1) / LIST_GROUP, 1, 1);
+        // Warming up draws a pixel, and the others' flags are anything: what they add up to is not to be counted.
+        vkCmdDispatch(context.commands, context.one_pixel ? 1 : (across * down + LIST_GROUP - 1) / LIST_GROUP, 1, 1);
     });
     out.edges = edges;
     return out;

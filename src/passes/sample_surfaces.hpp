@@ -46,8 +46,8 @@ struct GBufferColours {
 class EdgeCounter {
 public:
     explicit EdgeCounter(const gpu::Context& context);
-    /// Room for tiles in the sample light buffer of the graph that is built next, at most `all`.
-    uint32_t room(uint32_t all) const;
+    /// Room for tiles in the sample light buffer of the graph that is built next, at most `all`. No frame is in flight.
+    uint32_t room(uint32_t all);
     /// Reads what a frame that is done has counted, before another takes the slot. True where there was too little
     /// room.
     bool take(uint32_t slot);
@@ -58,7 +58,8 @@ private:
     friend SampledSurfaces sampled_surfaces(graph::FrameGraph&, const resident::View&, const SurfaceBuffers&,
                                             SampleLight, EdgeCounter&, GBufferColours*);
     gpu::PerFrame<gpu::Buffer> counts_;
-    uint32_t pixels_ = 0, needed_ = 0, room_ = 0; ///< tiles
+    uint32_t pixels_ = 0;
+    uint32_t needed_ = 0, room_ = 0, all_ = 0; ///< tiles
 };
 
 /// Passes "sample-surfaces", and "sample-edges" where edges are lit by themselves; nothing where surfaces have one

@@ -214,7 +214,7 @@ void DeviceRenderer::drop_graph() {
 }
 
 void DeviceRenderer::build_graph() {
-    drawn_ = warm_ = false;
+    drawn_ = warm_ = outgrown_ = false;
     auto graph = std::make_unique<graph::FrameGraph>(context_);
     for (const std::string& note : settings_.notes())
         graph->note(note);
