@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // variants: ONE_TARGET|LIGHT_PAIR|COUNT_TARGET|DEFERRED_TARGET, ADDED, SHADOWS, STENCIL_ROUGHNESS, SAMPLES
-// never: COUNT_TARGET SHADOWS, DEFERRED_TARGET STENCIL_ROUGHNESS, DEFERRED_TARGET ADDED, SAMPLES COUNT_TARGET
-// never: SAMPLES STENCIL_ROUGHNESS
+// never: COUNT_TARGET SHADOWS, DEFERRED_TARGET STENCIL_ROUGHNESS, SAMPLES COUNT_TARGET, SAMPLES STENCIL_ROUGHNESS
+// only: DEFERRED_TARGET ADDED with SAMPLES
 // All lights of a tile, summed and written once, for devices that read buffers slowly: each invocation
 // of a subgroup loads another light, then all of them take each in turn from their neighbours. A workgroup is
 // one of the 8 × 8 blocks of pixels that light_lists_lit.comp found, an invocation `rows` of them. The lights

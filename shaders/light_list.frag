@@ -27,6 +27,9 @@ void main() {
     LightList list = list_of(tile.y * lists.cells.x + tile.x, slice);
     LitPixel p = read_pixel(pixel);
     LightSums sums = no_light();
+#if defined(DEFERRED_TARGET) && defined(SAMPLES)
+    first_round = lists.round.z == 0u;
+#endif
     uint contributing = 0u;
     for (uint i = 0u; i < list.count; ++i)
         contributing += add_light(sums, p, light_source(lights[listed_light(list, i)])) ? 1u : 0u;

@@ -22,6 +22,9 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
 #endif
     LightSums sums = no_light();
+#if defined(DEFERRED_TARGET) && defined(SAMPLES)
+    first_round = loop.first == 0u;
+#endif
     if (loop.ambient > 0u)
         add_ambient(sums);
     LitPixel p = read_pixel(pixel);

@@ -7,7 +7,10 @@
 #include "shared/lit_pixel.glsl"
 #ifdef SAMPLES
 #include "shared/edge_reads.glsl"
+bool first_round = true; // of lights; what the geometry pass left in RT0 comes with it
+#ifndef ADDED
 layout(set = SET_INPUTS, binding = INPUT_COLOUR_BEFORE) uniform PIXEL_IMAGE own_light; // RT0, of samples
+#endif
 #endif
 
 struct LightSums {
@@ -29,10 +32,10 @@ void add_ambient(inout LightSums sums) {} // the geometry pass left it in RT0
 void write_sums(ivec2 pixel, LightSums sums) {
     vec3 stored = min(sums.light / frame.light_buffer.x, vec3(frame.ambient.w));
     vec4 light = vec4(stored, luminance(stored) / INTENSITY_RANGE);
-#ifdef SAMPLES
-    light += pixel_read(own_light, edge_at);
-#elif defined(STORAGE_TARGET)
+#if defined(ADDED) || (defined(STORAGE_TARGET) && !defined(SAMPLES))
     light += first_before(pixel);
+#elif defined(SAMPLES)
+    light += first_round ? pixel_read(own_light, edge_at) : vec4(0.0);
 #endif
     write_first(pixel, light);
 }

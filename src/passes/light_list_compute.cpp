@@ -90,7 +90,7 @@ void light_list_compute_pass(graph::FrameGraph& graph, const resident::View& vie
         pass.storage(INPUT_LIT_BLOCKS, lit->id, false);
     pass.indirect(lit ? lit->id : inputs.edges->tiles);
     store(pass);
-    if (keeps && !(inputs.edges && inputs.target.deferred()))
+    if (keeps)
         pass.sample(INPUT_COLOUR_BEFORE, images[0]);
     if (inputs.target.added && images.size() > 1)
         pass.sample(INPUT_SECOND_BEFORE, images[1]);

@@ -112,7 +112,7 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
         pass.sample(INPUT_ROUGHNESS, inputs.surface.roughness);
     if (inputs.target.deferred())
         pass.sample(INPUT_MATERIAL, inputs.material).sample(INPUT_ALBEDO, inputs.albedo);
-    if (inputs.target.deferred() && inputs.edges)
+    if (inputs.target.deferred() && inputs.edges && !inputs.target.added) // else it is there already
         pass.sample(INPUT_COLOUR_BEFORE, inputs.own_light);
     if (!inputs.target.counts())
         declare_shadows(pass, inputs.shadows);
