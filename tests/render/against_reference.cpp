@@ -162,4 +162,30 @@ void expect_within(const Comparison& c, const Bound& bound) {
                 c.block, c.flip, c.left_out_share * 100);
 }
 
+void expect_within_on_edges(const Image& picture, const ReferencePicture& reference, const Bound& bound,
+                            const EdgeBound& edges) {
+    const std::vector<uint8_t> out = reference.left_out();
+    std::vector<uint8_t> others = out;
+    size_t judged = 0;
+    for (size_t i = 0; i < others.size(); ++i) {
+        others[i] = out[i] || !reference.edge[i];
+        judged += !others[i];
+    }
+    expect_within(compare(picture, reference.linear, out), bound);
+    const double psnr = compare(picture, reference.linear, others).psnr;
+    std::printf("    %zu edge pixels, %.1f dB there\n", judged, psnr);
+    EXPECT_GE(judged, edges.pixels);
+    EXPECT_GE(psnr, edges.psnr);
+}
+
+const ReferencePicture& References::of(const Shot& shot) {
+    const ReferenceForm form = form_of(shot);
+    for (const auto& [known, picture] : known_)
+        if (known == form)
+            return picture;
+    return known_
+        .emplace_back(form, render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form))
+        .second;
+}
+
 } // namespace prelight

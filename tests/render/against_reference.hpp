@@ -76,6 +76,24 @@ void save_when_wanted(const Image& picture, const ReferencePicture& reference);
 void expect_within(const Comparison& comparison, const Bound& bound);
 /// EXPECTs the bound, printing the figures; no validation message may have come.
 void expect_agrees(const Shot& shot, const Bound& bound = half_float_bound);
+/// Of the pixels of a shot with several samples a pixel that show more than one surface, by themselves.
+struct EdgeBound {
+    size_t pixels = 1000; ///< at least so many that the reference can judge
+    double psnr = 50;
+};
+/// EXPECTs both bounds of a picture of a shot with several samples a pixel, edge pixels being part of the first.
+/// `reference`: of the shot's form.
+void expect_within_on_edges(const Image& picture, const ReferencePicture& reference,
+                            const Bound& bound = half_float_bound, const EdgeBound& edges = {});
+
+/// References of shots that differ in little, each form's once.
+class References {
+public:
+    const ReferencePicture& of(const Shot& shot);
+
+private:
+    std::vector<std::pair<ReferenceForm, ReferencePicture>> known_; ///< of one world, camera and size
+};
 
 /// Fails the test when the device's validation has said anything since the last call.
 void expect_validation_clean(Device& device);

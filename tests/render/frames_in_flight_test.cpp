@@ -40,12 +40,16 @@ std::vector<Shot> ways_in_flight() {
     shots.push_back({.renderer = "deferred"});
     shots.push_back({.renderer = "multipass"});
     shots.push_back({.settings = {{"lights", "grid"}}, .renderer = "z-prepass"});
+    for (const char* renderer : {"light-prepass", "deferred", "z-prepass", "multipass"})
+        shots.push_back({.renderer = renderer, .samples = 4});
     return shots;
 }
 INSTANTIATE_TEST_SUITE_P(FramesInFlight, EachWay, testing::ValuesIn(ways_in_flight()), [](const auto& way) {
     std::string name = way.param.renderer;
     for (const auto& [key, value] : way.param.settings)
         name += "_" + value;
+    if (way.param.samples > 1)
+        name += "_samples";
     std::erase(name, '-');
     return name;
 });

@@ -68,6 +68,19 @@ TEST_P(KeptRenderer, ShadowsAreThoseOfANewOne) {
     expect_validation_clean(test_device());
 }
 
+// Samples of edge pixels, of which there may be more from one frame to the next than there is room for.
+TEST(KeptRenderers, SeveralSamplesAPixel) {
+    for (const std::string& renderer : device_renderers) {
+        SCOPED_TRACE(renderer);
+        const Shot shot{.width = 96, .height = 54, .renderer = renderer, .samples = 4};
+        expect_as_new(shot, {{}}, seed_of(shot), 5);
+    }
+    Shot shadowed{.width = 96, .height = 54, .samples = 4};
+    shadowed.settings = {{"shadows", "on"}, {"shadow-budget", "262144"}, {"msaa-light", "samples"}};
+    expect_as_new(shadowed, {{}}, 5, 3);
+    expect_validation_clean(test_device());
+}
+
 // The same with what filters read beside the texel, and with the shadow that waits in a G-buffer.
 TEST(KeptRenderers, EveryFilterAndTheSunOcclusionChannel) {
     for (const char* filter : {"pcf", "contact"})

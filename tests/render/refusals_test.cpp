@@ -30,7 +30,7 @@ TEST(Refusals, SettingsAndCombinations) {
     options.settings = {{"light-scale", "zero"}};
     EXPECT_THAT(refusal<UsageError>(options), testing::HasSubstr("0.01"));
     options.settings = {};
-    options.msaa = 4;
+    options.msaa = 3;
     EXPECT_THAT(refusal<UsageError>(options), testing::HasSubstr("--msaa"));
     options.msaa = 1;
     options.views = {"nothing"};

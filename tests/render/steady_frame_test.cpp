@@ -1,4 +1,5 @@
 // A frame that draws what was drawn before makes nothing: no memory, no pipeline, no buffer.
+#include "every_way.hpp"
 #include "garden.hpp"
 #include "vulkan_calls.hpp"
 #include <prelight/vary.hpp>
@@ -44,8 +45,18 @@ TEST(SteadyFrame, MakesNothingWhileLightsAndCameraMove) {
         Shot& shadowed = shots.emplace_back(garden.shot());
         shadowed.settings = {{"shadows", "on"}, {"shadow-memory", memory}, {"shadow-budget", "1048576"}};
     }
+    for (const Way& way : std::initializer_list<Way>{{"light-prepass", {{"light-culling", "tiles"}}},
+                                                     {"light-prepass", {{"light-culling", "volumes"}}},
+                                                     {"deferred", {{"light-culling", "tiles"}}},
+                                                     {"z-prepass", {{"lights", "grid"}}},
+                                                     {"multipass", {{"order", "objects"}}}})
+        shots.push_back({.world = &garden.world,
+                         .camera = garden.camera,
+                         .settings = way.settings,
+                         .renderer = way.renderer,
+                         .samples = 4});
     for (Shot shot : shots) {
-        SCOPED_TRACE(shot.renderer + " " + shot.settings.begin()->second);
+        SCOPED_TRACE(shot.renderer + " " + shot.settings.begin()->second + ", " + std::to_string(shot.samples));
         shot.width = 160, shot.height = 90;
         const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
         renderer->set_world(garden.world);

@@ -1,0 +1,124 @@
+// SPIR-V that was made to run once a sample, or once for the samples that it owns, is still valid SPIR-V.
+#include <algorithm>
+#include <gpu/sample_shading.hpp>
+#include <gpu/shaders.hpp>
+#include <gtest/gtest.h>
+#include <set>
+#include <spirv-tools/libspirv.hpp>
+
+namespace prelight {
+namespace {
+
+using gpu::SampleShading;
+using gpu::Variant;
+using Code = std::vector<uint32_t>;
+
+/// What the validator says against it; empty: nothing.
+std::string faults_of(const Code& code) {
+    std::string faults;
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
+    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& at, const char* message) {
+        faults += std::to_string(at.index) + ": " + message + "\n";
+    });
+    if (!tools.Validate(code) && faults.empty())
+        faults = "not valid";
+    return faults;
+}
+
+/// As text, an instruction a line.
+std::string text_of(const Code& code) {
+    std::string text;
+    spvtools::SpirvTools(SPV_ENV_VULKAN_1_3).Disassemble(code, &text, SPV_BINARY_TO_TEXT_OPTION_NO_HEADER);
+    return text;
+}
+
+Code assembled(const std::string& text) {
+    Code code;
+    EXPECT_TRUE(spvtools::SpirvTools(SPV_ENV_VULKAN_1_3).Assemble(text, &code));
+    return code;
+}
+
+size_t times(const std::string& text, const std::string& what) {
+    size_t count = 0;
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size()))
+        ++count;
+    return count;
+}
+
+/// Reads an interpolated input, a flat one, one that is per sample already and a built-in one. `modes`: more of them.
+std::string shader(const std::string& capabilities = "", const std::string& modes = "") {
+    return "OpCapability Shader\n" + capabilities +
+           "OpMemoryModel Logical GLSL450\n"
+           "OpEntryPoint Fragment %main \"main\" %smooth %flat %each %place %out\n"
+           "OpExecutionMode %main OriginUpperLeft\n" +
+           modes +
+           "OpDecorate %smooth Location 0\n"
+           "OpDecorate %flat Location 1\n"
+           "OpDecorate %flat Flat\n"
+           "OpDecorate %each Sample\n"
+           "OpDecorate %each Location 2\n"
+           "OpDecorate %place BuiltIn FragCoord\n"
+           "OpDecorate %out Location 0\n"
+           "%void = OpTypeVoid\n%f = OpTypeFloat 32\n%v = OpTypeVector %f 4\n"
+           "%in_v = OpTypePointer Input %v\n%out_v = OpTypePointer Output %v\n%fn = OpTypeFunction %void\n"
+           "%smooth = OpVariable %in_v Input\n%flat = OpVariable %in_v Input\n%each = OpVariable %in_v Input\n"
+           "%place = OpVariable %in_v Input\n%out = OpVariable %out_v Output\n"
+           "%main = OpFunction %void None %fn\n%begin = OpLabel\n%a = OpLoad %v %smooth\nOpStore %out %a\n"
+           "OpReturn\nOpFunctionEnd\n";
+}
+constexpr const char* has_samples = "OpCapability SampleRateShading\n";
+
+TEST(SampleShading, OnceASampleDecoratesWhatIsInterpolatedAndNothingElse) {
+    const Code code = assembled(shader(has_samples)), made = with_sample_shading(code, SampleShading::sample);
+    EXPECT_EQ(faults_of(code), "");
+    EXPECT_EQ(faults_of(made), "");
+    EXPECT_EQ(times(text_of(made), " Sample\n"), 2u) << text_of(made);
+    EXPECT_EQ(times(text_of(made), "SampleRateShading"), 1u) << "it was there";
+    EXPECT_EQ(made.size(), code.size() + 3);
+    std::string plain = shader();
+    plain.replace(plain.find("OpDecorate %each Sample\n"), 24, "");
+    const std::string text = text_of(with_sample_shading(assembled(plain), SampleShading::sample));
+    EXPECT_EQ(times(text, " Sample\n"), 2u) << text;
+    EXPECT_EQ(times(text, "OpCapability SampleRateShading\n"), 1u) << text;
+    EXPECT_EQ(faults_of(assembled(text)), "");
+}
+
+TEST(SampleShading, OwnedFragmentsHaveTheirModesOnce) {
+    for (const char* modes : {"", "OpExecutionMode %main EarlyFragmentTests\n"}) {
+        const Code made = with_sample_shading(assembled(shader(has_samples, modes)), SampleShading::owned_fragment);
+        const std::string text = text_of(made);
+        EXPECT_EQ(faults_of(made), "") << text;
+        EXPECT_EQ(times(text, " EarlyFragmentTests\n"), 1u) << text;
+        EXPECT_EQ(times(text, " PostDepthCoverage\n"), 1u) << text;
+        EXPECT_EQ(times(text, "OpCapability SampleMaskPostDepthCoverage\n"), 1u) << text;
+        EXPECT_EQ(times(text, "OpExtension \"SPV_KHR_post_depth_coverage\"\n"), 1u) << text;
+        EXPECT_EQ(times(text, " Sample\n"), 1u) << text;
+    }
+}
+
+TEST(SampleShading, OnceAFragmentIsTheShaderAsItWas) {
+    const Code code = assembled(shader(has_samples));
+    EXPECT_EQ(with_sample_shading(code, SampleShading::fragment), code);
+}
+
+// All that draws objects, with the materials that are built in, as the build compiled it.
+TEST(SampleShading, EveryShaderOfObjectsStaysValid) {
+    const std::set<std::string_view> files{"material.frag",     "forward.frag",      "forward_grid.frag",
+                                           "forward_base.frag", "gbuffer_fill.frag", "depth_normal.frag"};
+    size_t seen = 0;
+    for (const gpu::EmbeddedShader& one : gpu::all_shaders()) {
+        if (!files.contains(one.file) || (!one.material.empty() && one.material != "skin"))
+            continue;
+        const gpu::ShaderKey key(std::string(one.file), gpu::Variants::from_bits(one.variants),
+                                 std::string(one.material));
+        if (key.variants.has(Variant::stencil_roughness) || key.variants.has(Variant::decals))
+            continue; // fewer are enough
+        ++seen;
+        for (const SampleShading shading : {SampleShading::sample, SampleShading::owned_fragment})
+            EXPECT_EQ(faults_of(with_sample_shading(gpu::find_shader(key), shading)), "") << key.text();
+    }
+    EXPECT_GT(seen, 20u);
+}
+
+} // namespace
+} // namespace prelight

@@ -1,0 +1,43 @@
+// Several samples a pixel on a second driver, which cannot tell what a fragment owns of a pixel after its depth test.
+// It places vertices on a 16th of a pixel, so that its edges lie beside the reference's: means are what can be judged.
+#include "garden.hpp"
+
+namespace prelight {
+namespace {
+
+TEST(SamplesOnSwiftShader, AgreeWithTheReferenceInTheMean) {
+    const std::unique_ptr<Device> device = swiftshader_device();
+    if (!device)
+        GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
+    Garden garden;
+    garden.add_lights(6, 4, 6);
+    for (const char* name : {"light-prepass", "deferred", "z-prepass"}) {
+        SCOPED_TRACE(name);
+        Shot shot = garden.shot();
+        shot.renderer = name;
+        shot.samples = 4;
+        const auto renderer = create_renderer(name, device.get(), options_of(shot));
+        renderer->set_world(garden.world);
+        renderer->render(garden.camera);
+        const Image picture = renderer->read("linear");
+        const Stats stats = renderer->stats();
+        const bool falls_back = std::string(name) == "light-prepass";
+        if (falls_back) {
+            EXPECT_EQ(stats.settings.at("msaa-material"), "sample");
+            EXPECT_THAT(stats.notes, testing::Contains(testing::HasSubstr("VK_EXT_post_depth_coverage")));
+        }
+        ReferenceForm form = form_of(shot);
+        form.samples = reference_form(shot.shading, stats.settings, shot.samples).samples;
+        const ReferencePicture reference =
+            render_reference(garden.world, garden.camera, shot.width, shot.height, 0, form);
+        save_when_wanted(picture, reference);
+        const Comparison c = compare(picture, reference.linear);
+        std::printf("    %.1f dB, block %.2f/255\n", c.psnr, c.block);
+        EXPECT_GE(c.psnr, 40);
+        EXPECT_LE(c.block, half_float_bound.block);
+        expect_validation_clean(*device);
+    }
+}
+
+} // namespace
+} // namespace prelight
