@@ -77,8 +77,11 @@ uint32_t EdgeCounter::room(uint32_t all) {
 }
 
 bool EdgeCounter::take(uint32_t slot) {
+    if (std::exchange(warming_, false))
+        for (const gpu::Buffer& one : counts_)
+            std::fill_n(one.mapped<uint32_t>(), 2, 0u);
     uint32_t* counts = counts_[slot].mapped<uint32_t>();
-    pixels_ = counts[0];
+    pixels_ = std::exchange(counts[0], 0u);
     needed_ = std::max(needed_, counts[1]);
     return std::exchange(counts[1], 0u) > room_;
 }
@@ -146,11 +149,12 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
                                                           .constants = constants,
                                                           .sets = {view.layout(), interface.inputs}});
     });
-    pass.record([=, &view, kept = std::pair(tiles, pixels)](const graph::PassContext& context) { // as long as the graph
+    pass.record([=, &view, warming = &counter.warming_, kept = std::pair(tiles, pixels)](const graph::PassContext& context) { // as long as the graph
         pipeline->bind(context.commands);
         pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);
         // Warming up draws a pixel, and the others' flags are anything: what they add up to is not to be counted.
+        *warming = *warming || context.one_pixel;
         vkCmdDispatch(context.commands, context.one_pixel ? 1 : (across * down + LIST_GROUP - 1) / LIST_GROUP, 1, 1);
     });
     out.edges = edges;

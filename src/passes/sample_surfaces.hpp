@@ -60,6 +60,7 @@ private:
     gpu::PerFrame<gpu::Buffer> counts_;
     uint32_t pixels_ = 0;
     uint32_t needed_ = 0, room_ = 0, all_ = 0; ///< tiles
+    bool warming_ = false;                     ///< a warm-up has counted pixels that nobody drew
 };
 
 /// Passes "sample-surfaces", and "sample-edges" where edges are lit by themselves; nothing where surfaces have one

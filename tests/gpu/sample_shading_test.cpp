@@ -1,4 +1,4 @@
-// SPIR-V that was made to run once a sample, or once for the samples that it owns, is still valid SPIR-V.
+// SPIR-V that was made to run once a sample is still valid SPIR-V.
 #include <algorithm>
 #include <gpu/sample_shading.hpp>
 #include <gpu/shaders.hpp>
@@ -9,7 +9,6 @@
 namespace prelight {
 namespace {
 
-using gpu::SampleShading;
 using gpu::Variant;
 using Code = std::vector<uint32_t>;
 
@@ -45,13 +44,12 @@ size_t times(const std::string& text, const std::string& what) {
     return count;
 }
 
-/// Reads an interpolated input, a flat one, one that is per sample already and a built-in one. `modes`: more of them.
-std::string shader(const std::string& capabilities = "", const std::string& modes = "") {
+/// Reads an interpolated input, a flat one, one that is per sample already and a built-in one.
+std::string shader(const std::string& capabilities = "") {
     return "OpCapability Shader\n" + capabilities +
            "OpMemoryModel Logical GLSL450\n"
            "OpEntryPoint Fragment %main \"main\" %smooth %flat %each %place %out\n"
-           "OpExecutionMode %main OriginUpperLeft\n" +
-           modes +
+           "OpExecutionMode %main OriginUpperLeft\n"
            "OpDecorate %smooth Location 0\n"
            "OpDecorate %flat Location 1\n"
            "OpDecorate %flat Flat\n"
@@ -69,7 +67,7 @@ std::string shader(const std::string& capabilities = "", const std::string& mode
 constexpr const char* has_samples = "OpCapability SampleRateShading\n";
 
 TEST(SampleShading, OnceASampleDecoratesWhatIsInterpolatedAndNothingElse) {
-    const Code code = assembled(shader(has_samples)), made = with_sample_shading(code, SampleShading::sample);
+    const Code code = assembled(shader(has_samples)), made = gpu::with_sample_inputs(code);
     EXPECT_EQ(faults_of(code), "");
     EXPECT_EQ(faults_of(made), "");
     EXPECT_EQ(times(text_of(made), " Sample\n"), 2u) << text_of(made);
@@ -77,28 +75,10 @@ TEST(SampleShading, OnceASampleDecoratesWhatIsInterpolatedAndNothingElse) {
     EXPECT_EQ(made.size(), code.size() + 3);
     std::string plain = shader();
     plain.replace(plain.find("OpDecorate %each Sample\n"), 24, "");
-    const std::string text = text_of(with_sample_shading(assembled(plain), SampleShading::sample));
+    const std::string text = text_of(gpu::with_sample_inputs(assembled(plain)));
     EXPECT_EQ(times(text, " Sample\n"), 2u) << text;
     EXPECT_EQ(times(text, "OpCapability SampleRateShading\n"), 1u) << text;
     EXPECT_EQ(faults_of(assembled(text)), "");
-}
-
-TEST(SampleShading, OwnedFragmentsHaveTheirModesOnce) {
-    for (const char* modes : {"", "OpExecutionMode %main EarlyFragmentTests\n"}) {
-        const Code made = with_sample_shading(assembled(shader(has_samples, modes)), SampleShading::owned_fragment);
-        const std::string text = text_of(made);
-        EXPECT_EQ(faults_of(made), "") << text;
-        EXPECT_EQ(times(text, " EarlyFragmentTests\n"), 1u) << text;
-        EXPECT_EQ(times(text, " PostDepthCoverage\n"), 1u) << text;
-        EXPECT_EQ(times(text, "OpCapability SampleMaskPostDepthCoverage\n"), 1u) << text;
-        EXPECT_EQ(times(text, "OpExtension \"SPV_KHR_post_depth_coverage\"\n"), 1u) << text;
-        EXPECT_EQ(times(text, " Sample\n"), 1u) << text;
-    }
-}
-
-TEST(SampleShading, OnceAFragmentIsTheShaderAsItWas) {
-    const Code code = assembled(shader(has_samples));
-    EXPECT_EQ(with_sample_shading(code, SampleShading::fragment), code);
 }
 
 // All that draws objects, with the materials that are built in, as the build compiled it.
@@ -114,8 +94,7 @@ TEST(SampleShading, EveryShaderOfObjectsStaysValid) {
         if (key.variants.has(Variant::stencil_roughness) || key.variants.has(Variant::decals))
             continue; // fewer are enough
         ++seen;
-        for (const SampleShading shading : {SampleShading::sample, SampleShading::owned_fragment})
-            EXPECT_EQ(faults_of(with_sample_shading(gpu::find_shader(key), shading)), "") << key.text();
+        EXPECT_EQ(faults_of(gpu::with_sample_inputs(gpu::find_shader(key))), "") << key.text();
     }
     EXPECT_GT(seen, 20u);
 }
