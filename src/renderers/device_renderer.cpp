@@ -251,11 +251,11 @@ void DeviceRenderer::warm_up(const PlacedCamera& camera) {
 }
 
 void DeviceRenderer::render_frame(const PlacedCamera& camera) {
+    const CreatedObjects before = created_since(context_, {});
     if (std::exchange(outgrown_, false)) {
         build_again();
         warm_up(camera);
     }
-    const CreatedObjects before = created_since(context_, {});
     const gpu::FrameTurn turn = queue_->begin();
     outgrown_ = outgrown(turn.slot);
     view_->update(camera, turn.slot);

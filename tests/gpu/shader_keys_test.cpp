@@ -60,6 +60,14 @@ TEST(ShaderKeys, OfPassesThatEvaluateLights) {
                         expect_shader(passes::lighting_shader(inputs, "light_list.comp"));
                     if (!inputs.target.deferred())
                         expect_shader({"light_list_clear.comp", target});
+                    if (!stencil && !inputs.target.counts()) { // light of edge pixels' samples
+                        passes::LightingInputs samples = inputs;
+                        samples.edges.emplace();
+                        expect_shader(passes::lighting_shader(samples, "light_list.comp"));
+                        if (!added && !pair)
+                            for (const char* file : {"light_list.frag", "light_loop.frag"})
+                                expect_shader(passes::lighting_shader(samples, file));
+                    }
                     if (added || pair)
                         continue; // of the compute pass
                     expect_shader(passes::lighting_shader(inputs, "light.frag"));

@@ -2,6 +2,7 @@
 // lie in a buffer whose room is a guess until a frame has counted them.
 #include "every_way.hpp"
 #include "garden.hpp"
+#include "vulkan_calls.hpp"
 #include <fmt/format.h>
 #include <gpu/context.hpp>
 #include <numeric>
@@ -105,8 +106,10 @@ TEST(EdgeSamples, TakeNothingMoreOnceThereIsRoom) {
             for (int frame = 0; frame < 3; ++frame)
                 kept->render(shot.camera, 2);
             for (int frame = 0; frame < 3; ++frame) {
+                const VulkanCalls calls;
                 kept->render(shot.camera, 4);
                 EXPECT_EQ(kept->stats().created, CreatedObjects{}) << renderer << " " << when;
+                EXPECT_EQ(calls.pipelines + calls.images + calls.buffers, 0u) << renderer << " " << when;
             }
         };
         expect_steady("as made");
