@@ -28,6 +28,19 @@ std::vector<Shot> every_way(const Shot& shot) {
     return shots;
 }
 
+Shot with_samples(Shot shot, uint32_t width) {
+    shot.width = width;
+    shot.height = width * 9 / 16;
+    shot.samples = 4;
+    return shot;
+}
+
+Shot in_way(Shot shot, const Way& way) {
+    shot.renderer = way.renderer;
+    shot.settings.insert(way.settings.begin(), way.settings.end());
+    return shot;
+}
+
 std::string name_of(const Shot& shot) {
     std::string name = shot.renderer;
     for (const auto& [key, value] : shot.settings)

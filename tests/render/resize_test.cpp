@@ -11,13 +11,13 @@ class Resized : public testing::TestWithParam<Shot> {};
 
 INSTANTIATE_TEST_SUITE_P(All, Resized, testing::ValuesIn(every_way({.width = 96, .height = 54})), way_name);
 
-std::vector<Shot> with_samples() {
+std::vector<Shot> sampled_ways() {
     std::vector<Shot> shots;
     for (const std::string& renderer : device_renderers)
         shots.push_back({.width = 96, .height = 54, .renderer = renderer, .samples = 4});
     return shots;
 }
-INSTANTIATE_TEST_SUITE_P(Samples, Resized, testing::ValuesIn(with_samples()), way_name);
+INSTANTIATE_TEST_SUITE_P(Samples, Resized, testing::ValuesIn(sampled_ways()), way_name);
 
 Image fresh_picture(const Shot& shot) {
     const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
