@@ -99,15 +99,27 @@ Seen seen_of(Stored s, vec3 viewer) {
     return seen;
 }
 
-bool share_surface(Seen a, Seen b) {
-    bool alike_to_lights = a.there && b.there && abs(a.z - b.z) <= a.within && dot(a.normal, b.normal) >= least_cosine &&
-                           abs(a.roughness - b.roughness) <= most_roughness;
+bool share_surface(Seen a, Seen b, float cosine, float roughness) {
+    bool alike_to_lights = a.there && b.there && abs(a.z - b.z) <= a.within && dot(a.normal, b.normal) >= cosine &&
+                           abs(a.roughness - b.roughness) <= roughness;
 #ifdef DEFERRED_TARGET
     return alike_to_lights && alike(a.stored.albedo, b.stored.albedo) && alike(a.stored.light, b.stored.light) &&
            abs(a.stored.material.b - b.stored.material.b) <= 1.0 / 128.0;
 #else
     return alike_to_lights;
 #endif
+}
+
+// Whether the pixel is no edge, as far as these two can tell.
+bool are_one(Seen a, Seen b) { return share_surface(a, b, least_cosine, most_roughness); }
+// At an edge, only samples that are as good as of one fragment share their light: of a round object's outline each
+// triangle is another shade.
+bool share_light(Seen a, Seen b) {
+#ifdef DEFERRED_TARGET
+    if (a.stored.light != b.stored.light || a.stored.material != b.stored.material || a.stored.albedo != b.stored.albedo)
+        return false;
+#endif
+    return share_surface(a, b, 0.9995, 0.01);
 }
 
 // The next surface, unless the sample shares one.
@@ -136,10 +148,10 @@ void main() {
         Seen b = seen_of(q, viewer), c = seen_of(r, viewer), d = seen_of(s, viewer);
         uint surfaces = 0u;
         number(a, 3u, surfaces);
-        number(b, known(share_surface(a, b), a, 3u), surfaces);
-        number(c, known(share_surface(a, c), a, known(share_surface(b, c), b, 3u)), surfaces);
-        number(d, known(share_surface(a, d), a, known(share_surface(b, d), b, known(share_surface(c, d), c, 3u))), surfaces);
-        all_share = all_there && surfaces == 1u;
+        number(b, known(share_light(a, b), a, 3u), surfaces);
+        number(c, known(share_light(a, c), a, known(share_light(b, c), b, 3u)), surfaces);
+        number(d, known(share_light(a, d), a, known(share_light(b, d), b, known(share_light(c, d), c, 3u))), surfaces);
+        all_share = all_there && are_one(a, b) && (!four || (are_one(a, c) && are_one(a, d)));
         if (!a.there)
             own = b.there ? q : c.there ? r : s;
         edge = all_share ? 0u : a.number | b.number << 2 | c.number << 4 | d.number << 6 | surfaces << 8;

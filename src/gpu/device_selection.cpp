@@ -127,6 +127,8 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     candidate.optional.stencil_export = driver.driverID != VK_DRIVER_ID_GOOGLE_SWIFTSHADER &&
                                         has_extension(physical, VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
     (candidate.optional.stencil_export ? info.features : info.missing).push_back("stencil export");
+    // SwiftShader's gl_FragCoord.z is that of the first sample.
+    candidate.optional.centre_depth = driver.driverID != VK_DRIVER_ID_GOOGLE_SWIFTSHADER;
     const bool fragment_stores = features.features.fragmentStoresAndAtomics;
     const std::optional<uint32_t> family = graphics_queue_family(physical);
     if (!family)

@@ -149,7 +149,8 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
                                                           .constants = constants,
                                                           .sets = {view.layout(), interface.inputs}});
     });
-    pass.record([=, &view, warming = &counter.warming_, kept = std::pair(tiles, pixels)](const graph::PassContext& context) { // as long as the graph
+    pass.record([=, &view, warming = &counter.warming_,
+                 kept = std::pair(tiles, pixels)](const graph::PassContext& context) { // as long as the graph
         pipeline->bind(context.commands);
         pipeline->bind_set(context.commands, SET_FRAME, view.set());
         pipeline->bind_set(context.commands, SET_INPUTS, context.inputs);

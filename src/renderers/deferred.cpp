@@ -216,7 +216,7 @@ std::unique_ptr<Renderer> make_deferred(Device& device, const RenderOptions& opt
     Settings settings(deferred_info(), options);
     choose_shadow_memory(settings);
     choose_light_culling(settings, device);
-    resolve_sample_settings(settings, options.msaa);
+    resolve_sample_settings(settings, dynamic_cast<const gpu::Context&>(device), options.msaa);
     return std::make_unique<Deferred>(device, options, std::move(settings));
 }
 

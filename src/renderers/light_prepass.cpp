@@ -203,7 +203,7 @@ std::unique_ptr<Renderer> make_light_prepass(Device& device, const RenderOptions
     choose_light_culling(settings, device);
     choose_roughness(settings, device);
     const passes::LightModel model = light_model(settings, settings.shading());
-    resolve_sample_settings(settings, options.msaa);
+    resolve_sample_settings(settings, dynamic_cast<const gpu::Context&>(device), options.msaa);
     choose_shadow_memory(settings); // what the model is written by may have changed the way
     return std::make_unique<LightPrepass>(device, options, std::move(settings), model);
 }

@@ -35,7 +35,7 @@ void meet(const SettingNeed& need, RenderOptions& options) {
     if (need.key == "shading")
         options.shading = need.values[0] == "phong" ? Shading::phong : Shading::ggx;
     else if (need.key == "msaa")
-        options.msaa = static_cast<uint32_t>(std::stoul(need.values[0]));
+        options.msaa = static_cast<uint32_t>(std::stoul(need.values.back()));
     else
         options.settings[need.key] = need.values[0];
 }
@@ -54,7 +54,7 @@ TEST(Settings, WithoutEffectAreRefusedWithWhatTheyNeed) {
                 if (unmet.key == "shading") {
                     options.shading = unmet.values[0] == "ggx" ? Shading::phong : Shading::ggx;
                 } else if (unmet.key == "msaa") {
-                    options.msaa = 1;
+                    options.msaa = unmet.values.back() == "1" ? 4 : 1;
                 } else {
                     for (const SettingNeed& need : setting_of(info, unmet.key).needs)
                         meet(need, options);

@@ -27,7 +27,7 @@ SettingInfo msaa_light_setting(bool once) {
 
 SampleLight sample_light(const Settings& settings) { return settings.value(light_setting); }
 
-void resolve_sample_settings(Settings& settings, uint32_t samples) {
+void resolve_sample_settings(Settings& settings, const gpu::Context& context, uint32_t samples) {
     if (samples == 1)
         return;
     const auto give_way = [&](const char* key, const char* value, const char* why) {
@@ -40,6 +40,10 @@ void resolve_sample_settings(Settings& settings, uint32_t samples) {
         give_way("shadow-memory", "atlas", "edge samples are lit by all lights at once");
     give_way("g-buffer", "wide", "with several samples a pixel a G-buffer is wide");
     give_way("accumulation", "rgba16f", "with several samples a pixel light is added up in half floats");
+    if (settings.has(material_setting.key) && sample_light(settings) != SampleLight::pixel &&
+        !context.features().centre_depth)
+        give_way(material_setting.key, "sample",
+                 "the driver does not tell a fragment's depth under the pixel's centre");
     if (settings.has("g-buffer"))
         give_way("ssao", "off", "with several samples a pixel deferred shading has no occlusion of ambient light");
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "settings.hpp"
+#include <gpu/context.hpp>
 #include <gpu/sample_shading.hpp>
 #include <passes/sample_surfaces.hpp>
 
@@ -14,6 +15,6 @@ SettingInfo msaa_light_setting(bool once);
 passes::SampleLight sample_light(const Settings& settings);
 /// What several samples a pixel cannot go with gives way to what they can: depth in a colour target, roughness in
 /// stencil and shadow maps drawn light by light.
-void resolve_sample_settings(Settings& settings, uint32_t samples);
+void resolve_sample_settings(Settings& settings, const gpu::Context& context, uint32_t samples);
 
 } // namespace prelight
