@@ -73,6 +73,16 @@ convert "$work"/anti-aliasing-{none,edge-blur,smaa}.png -crop 100x100+250+90 +re
     -bordercolor white -border 4x0 +append "$work/anti-aliasing.png"
 keep anti-aliasing
 
+# A street as it comes, by SMAA, and with four samples a pixel.
+street() { "$prelight" render city --lights 256 --size 640x360 "$@"; }
+street -o "$work/street-one.png"
+street --set antialiasing=smaa -o "$work/street-smaa.png"
+street --msaa 4 --set msaa-light=pixel -o "$work/street-pixel.png"
+street --msaa 4 -o "$work/street-edges.png"
+convert "$work"/street-{one,smaa,pixel,edges}.png -crop 60x68+232+148 +repage -scale 400% \
+    -bordercolor white -border 3x0 +append "$work/samples.png"
+keep samples
+
 # What the forward renderers have: depth, and colour that lights are added to.
 for renderer in multipass z-prepass; do
     "$prelight" render lights --lights 64 --size 640x360 --renderer $renderer -o "$work/$renderer-final.png" \

@@ -142,11 +142,25 @@ struct PictureError {
 struct SceneBound {
     const char* name;
     uint32_t lights;
-    double blur, smaa; ///< by which they divide the error of edge pixels, at least
+    double blur, smaa, samples; ///< by which they divide the error of edge pixels, at least
 };
 
+/// Each pixel the mean of four, in linear light.
+Image halved(const Image& large) {
+    Image out(large.width / 2, large.height / 2);
+    for (uint32_t y = 0; y < out.height; ++y)
+        for (uint32_t x = 0; x < out.width; ++x) {
+            glm::vec3 sum(0);
+            for (uint32_t i = 0; i < 4; ++i)
+                sum += PictureError::linear(large.at(2 * x + i % 2, 2 * y + i / 2));
+            for (int c = 0; c < 3; ++c)
+                out.at(x, y)[c] = srgb_encode(sum[c] / 4);
+        }
+    return out;
+}
+
 TEST(Antialiasing, ComesCloserToAPictureOfManySamples) {
-    for (const SceneBound& bound : {SceneBound{"city", 32, 1.3, 1.15}, {"shadows", 4, 1.8, 1.45}}) {
+    for (const SceneBound& bound : {SceneBound{"city", 32, 1.3, 1.15, 1.5}, {"shadows", 4, 1.8, 1.45, 2}}) {
         const Scene scene = make_scene(bound.name, bound.lights, 1);
         const World world = resolve(scene);
         Shot shot{.world = &world, .camera = world.cameras.at(0), .width = 240, .height = 135};
@@ -154,16 +168,36 @@ TEST(Antialiasing, ComesCloserToAPictureOfManySamples) {
         Shot large = shot;
         large.width *= 8, large.height *= 8;
         const Image many = view_of(large, "final");
-        for (const char* word : {"none", "edge-blur", "smaa"}) {
-            shot.settings["antialiasing"] = word;
-            const PictureError error(view_of(shot, "final"), many);
-            std::printf("    %s, %s: RMS %.4f of %.1f %% edge pixels, %.4f of the others\n", bound.name, word,
+        const auto add = [&](const std::string& word, const Image& picture) {
+            const PictureError error(picture, many);
+            std::printf("    %s, %s: RMS %.4f of %.1f %% edge pixels, %.4f of the others\n", bound.name, word.c_str(),
                         error.edges, 100 * error.edge_share, error.others);
             errors.emplace(word, error);
+        };
+        for (const char* word : {"none", "edge-blur", "smaa"}) {
+            shot.settings["antialiasing"] = word;
+            add(word, view_of(shot, "final"));
         }
+        shot.settings.clear();
+        Shot sampled = shot;
+        sampled.samples = 4;
+        for (const char* word : {"edges", "samples", "pixel"}) {
+            sampled.settings["msaa-light"] = word;
+            add(word, view_of(sampled, "final"));
+        }
+        sampled.settings = {{"msaa-material", "sample"}};
+        add("material of samples", view_of(sampled, "final"));
+        sampled.settings.clear();
+        sampled.renderer = "z-prepass";
+        add("z-prepass", view_of(sampled, "final"));
+        Shot twice = shot;
+        twice.width *= 2, twice.height *= 2;
+        add("2x2 supersampled", halved(view_of(twice, "final")));
         const double without = errors.at("none").edges;
         EXPECT_GT(without, bound.blur * errors.at("edge-blur").edges) << bound.name;
         EXPECT_GT(without, bound.smaa * errors.at("smaa").edges) << bound.name;
+        EXPECT_GT(without, bound.samples * errors.at("edges").edges) << bound.name;
+        EXPECT_LT(errors.at("edges").edges, 1.05 * errors.at("samples").edges) << bound.name;
         // It finds edges, so that it leaves the rest alone; a blur by geometry takes what lies beside an edge along.
         EXPECT_LT(errors.at("smaa").others, 1.5 * errors.at("none").others) << bound.name;
     }
