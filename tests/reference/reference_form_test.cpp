@@ -83,10 +83,14 @@ TEST(ReferenceFormSamples, AreWhatARenderersSettingsSay) {
         return reference_form(Shading::ggx, settings, samples).samples;
     };
     const ReferenceSamples truth{.count = 4};
-    EXPECT_EQ(of({{"msaa-light", "samples"}}), truth);
-    EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "sample"}}), truth);
+    const ReferenceSamples on_a_device{.count = 4, .geometry = Rate::fragment}; // stores a normal once a fragment
+    EXPECT_EQ(of({{"msaa-light", "samples"}}), on_a_device);
+    EXPECT_EQ(of({{"msaa-light", "samples"}, {"msaa-geometry", "sample"}}), truth);
+    EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "sample"}}), on_a_device);
     EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "fragment"}}),
-              (ReferenceSamples{.count = 4, .material = Rate::fragment}));
+              (ReferenceSamples{.count = 4, .material = Rate::fragment, .geometry = Rate::fragment}));
+    EXPECT_EQ(of({{"msaa-light", "edges"}, {"g-buffer", "wide"}}),
+              (ReferenceSamples{.count = 4, .material = Rate::fragment, .geometry = Rate::fragment}));
     EXPECT_EQ(
         of({{"msaa-light", "pixel"}, {"msaa-geometry", "fragment"}, {"msaa-shadows", "pixel"}}, 2),
         (ReferenceSamples{.count = 2, .light = Light::pixel, .geometry = Rate::fragment, .shadows_per_pixel = true}));
