@@ -68,6 +68,7 @@ void BenchArguments::add(CLI::App& app) {
            "Tables: file or built-in scene (default spheres). Scene: which of the file's scenes, NAME|INDEX");
     option("--camera", camera_, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--size", size_, "WxH", "Picture size in pixels (default 1280x720; a table has its own)");
+    option("--msaa", msaa_, "N", "Scene: samples per pixel (default 1)");
     option("--lights", lights_, "N", "Light count of a built-in scene; adds N random point lights to any other");
     option("--seed", seed_, "S", "Seed of what is random (default 1)");
     option("--device", device_, "DEVICE", "auto (default), cpu, an index or a name");
@@ -91,6 +92,7 @@ void BenchArguments::check_kind(Kind kind) const {
                              {"--set", !settings_.empty(), scene},
                              {"--shading", !shading_.empty(), scene},
                              {"--time", !time_.empty(), scene},
+                             {"--msaa", !msaa_.empty(), scene},
                              {"--animation", !animation_.empty(), scene},
                              {"--environment", !environment_.file.empty(), scene},
                              {"--environment-intensity", !environment_.intensity.empty(), scene},
@@ -121,6 +123,8 @@ void BenchArguments::take_scene(BenchCommand& command) const {
     command.scene = what_;
     if (!size_.empty())
         std::tie(command.options.width, command.options.height) = parse_size("--size", size_);
+    if (!msaa_.empty())
+        command.options.msaa = parse_count("--msaa", msaa_, 1);
     if (!shading_.empty())
         command.options.shading = parse_shading(shading_);
     for (const std::string& setting : settings_) {

@@ -20,7 +20,7 @@ private:
     void take_scene(BenchCommand& command) const;
     void check_kind(BenchCommand::Kind kind) const;
 
-    std::string what_, table_scene_, camera_, size_, lights_, seed_ = "1", frames_, json_, device_ = "auto";
+    std::string what_, table_scene_, camera_, size_, msaa_, lights_, seed_ = "1", frames_, json_, device_ = "auto";
     std::string renderers_, light_counts_, shading_, time_, animation_, baseline_, output_;
     std::vector<std::string> settings_, files_;
     EnvironmentText environment_;

@@ -66,7 +66,7 @@ struct ViewerText {
 };
 
 struct CompareText {
-    std::string size = "960x540", shading, output, lights, time, seed = "1", frames = "5";
+    std::string size = "960x540", msaa = "1", shading, output, lights, time, seed = "1", frames = "5";
     std::string exposure = "0", renderers, light_counts = "1,4,16,64,256,1024,4096", frame_limit = "1";
     EnvironmentText environment;
     SceneReadingText reading;
@@ -137,6 +137,7 @@ void add_compare(CLI::App& app, CompareCommand& command, CompareText& text) {
     add_reading_options(sub, option, text.reading);
     add_view_options(option, text.view);
     option("--size", text.size, "WxH", "Picture size in pixels (default 960x540)");
+    option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
     option("--camera", command.camera, "NAME|INDEX", "Camera of the scene (default the first)");
     option("--time", text.time, "SECONDS", "Moment of the scene's animations (default: at rest)");
     option("--animation", command.animation, "NAME|INDEX",
@@ -197,6 +198,7 @@ void finish(ViewCommand& command, const ViewerText& text) {
 void finish(CompareCommand& command, const CompareText& text) {
     command.folder = text.output;
     std::tie(command.options.width, command.options.height) = parse_size("--size", text.size);
+    command.options.msaa = parse_count("--msaa", text.msaa, 1);
     if (!text.shading.empty())
         command.options.shading = parse_shading(text.shading);
     take_exposure(command, text.exposure);

@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"EnvironmentUnknown", "render city -o a.png --environment meadow", "none, studio"},
         Wrong{"TonemapUnknown", "render city -o a.png --tonemap filmic", "pbr-neutral, aces, none"},
         Wrong{"ShadingUnknown", "render city -o a.png --shading toon", "ggx, phong"},
-        Wrong{"MsaaNotYet", "render city -o a.png --size 64x36 --msaa 4", "msaa"},
+        Wrong{"MsaaSix", "render city -o a.png --size 64x36 --msaa 6", "--msaa 6: not one of 1, 2, 4"},
         Wrong{"MsaaThree", "render city -o a.png --size 64x36 --renderer reference --msaa 3",
               "--msaa 3: the reference takes one of 1, 2, 4"},
         Wrong{"MsaaEight", "render city -o a.png --size 64x36 --renderer reference --msaa 8", "one of 1, 2, 4"},

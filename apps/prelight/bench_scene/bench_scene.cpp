@@ -78,7 +78,7 @@ void bench_scene(const BenchCommand& given) {
             jobs.push_back(std::move(job));
 
     const auto device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
-                                    command.options.height);
+                                    command.options.height, command.options.msaa);
     const std::string type = type_of(*device);
     const bool software = type == "software";
     const SceneSeries scenes(command.scene, command.lights, command.seed,

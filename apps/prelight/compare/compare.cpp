@@ -99,7 +99,7 @@ void check_any(const Report& report) {
 KeptSteps make_report(Report& report, ReportFolder& folder) {
     const CompareCommand& command = report.command;
     const auto device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
-                                    command.options.height);
+                                    command.options.height, command.options.msaa);
     report.device = device->name();
     report.driver = device->driver();
     report.device_type = type_of(*device);
