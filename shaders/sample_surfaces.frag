@@ -101,7 +101,7 @@ Seen seen_of(Stored s, vec3 viewer) {
 
 bool share_surface(Seen a, Seen b, float cosine, float roughness) {
     bool alike_to_lights = a.there && b.there && abs(a.z - b.z) <= a.within && dot(a.normal, b.normal) >= cosine &&
-                           abs(a.roughness - b.roughness) <= roughness;
+                           abs(a.roughness - b.roughness) <= roughness * a.roughness; // smooth ones: sharp highlights
 #ifdef DEFERRED_TARGET
     return alike_to_lights && alike(a.stored.albedo, b.stored.albedo) && alike(a.stored.light, b.stored.light) &&
            abs(a.stored.material.b - b.stored.material.b) <= 1.0 / 128.0;

@@ -28,9 +28,9 @@ struct ReferenceSamples {
     bool shadows_per_pixel = false;
     // The one place of a pixel: where its samples share a surface, that under its centre; else the surface of the first
     // sample that has one, at that sample's depth under the centre. Samples share a surface where all have one whose
-    // normals meet at a cosine of 0.99 or more, whose roughness differs by at most 0.05, and whose view depth differs
-    // from the first one's by at most (1 + 2 tan) times the width of a pixel there; tan is that of the angle between
-    // the first one's normal and the view, at most 10.
+    // normals meet at a cosine of 0.99 or more, whose roughness differs by at most a twentieth, and whose view depth
+    // differs from the first one's by at most (1 + 2 tan) times the width of a pixel there; tan is that of the angle
+    // between the first one's normal and the view, at most 10.
     bool operator==(const ReferenceSamples&) const = default;
 };
 

@@ -74,7 +74,7 @@ LightTexels unpacked(StoredLight texels) {
 // The samples that the fragment covers and that nothing nearer covers: there its own plane has the depth that is stored.
 // gl_SampleMaskIn is what it covers before the depth test; what stands before it there would lend it its light.
 uint owned_samples(ivec2 pixel, vec2 slope) {
-    float most = 0.02 * (abs(slope.x) + abs(slope.y)) + 1e-6 * gl_FragCoord.z; // rounding
+    float most = 0.002 * (abs(slope.x) + abs(slope.y)) + 1e-6 * gl_FragCoord.z; // rounding
     uint covered = uint(gl_SampleMaskIn[0]), owned = 0u;
     for (int i = 0; i < samples; ++i) {
         float own = gl_FragCoord.z + dot(slope, place_of_sample(i) - 0.5);

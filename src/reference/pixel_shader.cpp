@@ -101,7 +101,7 @@ bool PixelShader::share_surface() const {
     return std::all_of(all.begin(), all.end(), [&](const Sample& one) {
         return one.found && std::abs(one.hit.distance - all[0].hit.distance) <= most &&
                glm::dot(one.surface.normal, first.normal) >= 0.99 &&
-               std::abs(one.surface.roughness - first.roughness) <= 0.05;
+               std::abs(one.surface.roughness - first.roughness) <= 0.05 * first.roughness;
     });
 }
 
