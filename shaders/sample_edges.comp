@@ -12,7 +12,7 @@ layout(set = SET_INPUTS, binding = INPUT_EDGES) uniform PIXEL_IMAGE_BITS edges;
 layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX, r32ui) uniform writeonly uimage2D edge_index;
 layout(set = SET_INPUTS, binding = INPUT_LIT_BLOCKS, std430) buffer TileBlock { LitBlocks tiles; uint tile_blocks[]; };
 layout(set = SET_INPUTS, binding = INPUT_EDGE_PIXELS, std430) writeonly buffer PixelBlock { uint edge_pixels[]; };
-layout(set = SET_INPUTS, binding = INPUT_EDGE_COUNTS, std430) buffer CountBlock { uint edge_counts[]; }; // pixels, tiles
+layout(set = SET_INPUTS, binding = INPUT_EDGE_COUNTS, std430) buffer CountBlock { uint tile_count; }; // needed, for the host
 
 ivec2 pixel_of(ivec2 low, uint i) { return low + ivec2(i % LIT_BLOCK, i / LIT_BLOCK); }
 
@@ -47,8 +47,7 @@ void main() {
     if (needed > 0u) {
         first = atomicAdd(tiles.dispatch.w, needed);
         atomicMax(tiles.dispatch.y, (min(first + needed, edge_tiles) + LIT_ROW - 1u) / LIT_ROW);
-        atomicAdd(edge_counts[0], uint(bitCount(found.x) + bitCount(found.y)));
-        atomicAdd(edge_counts[1], needed);
+        atomicAdd(tile_count, needed);
     }
     // What does not fit is lit once: its slots lie past the end.
     uint slot = first * TILE_SLOTS, end = edge_tiles * TILE_SLOTS;

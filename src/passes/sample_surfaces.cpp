@@ -59,10 +59,10 @@ gpu::Constants SampleEdges::constants() const {
 
 EdgeCounter::EdgeCounter(const gpu::Context& context) {
     for (gpu::Buffer& one : counts_) {
-        one = gpu::Buffer(context, "edge counts", 2 * sizeof(uint32_t),
+        one = gpu::Buffer(context, "edge tile count", sizeof(uint32_t),
                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                           gpu::BufferPlace::readback);
-        std::fill_n(one.mapped<uint32_t>(), 2, 0u);
+        *one.mapped<uint32_t>() = 0;
     }
 }
 
@@ -79,18 +79,15 @@ uint32_t EdgeCounter::room(uint32_t all) {
 bool EdgeCounter::take(uint32_t slot) {
     if (std::exchange(warming_, false))
         for (const gpu::Buffer& one : counts_)
-            std::fill_n(one.mapped<uint32_t>(), 2, 0u);
-    uint32_t* counts = counts_[slot].mapped<uint32_t>();
-    pixels_ = std::exchange(counts[0], 0u);
-    needed_ = std::max(needed_, counts[1]);
-    return std::exchange(counts[1], 0u) > room_;
+            *one.mapped<uint32_t>() = 0;
+    const uint32_t counted = std::exchange(*counts_[slot].mapped<uint32_t>(), 0u);
+    needed_ = std::max(needed_, counted);
+    return counted > room_;
 }
 
 SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
                                  SampleLight light, EdgeCounter& counter, GBufferColours* colours) {
     const uint32_t samples = graph.raster(surface.depth).samples;
-    if (samples == 1)
-        return {surface, surface, {}};
     const graph::ImageId flags = graph.image("edges", {VK_FORMAT_R16_UINT, view.raster()});
     SampledSurfaces out{
         surface, resolve_surfaces(graph, view, surface, flags, light == SampleLight::samples, colours), {}};
@@ -125,15 +122,15 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     const shared::LitBlocks none[2]{{{LIT_ROW, 0, 1, 0}}, {}};
     const auto empty = std::make_shared<gpu::Buffer>(gpu::make_device_buffer(
         view.context(), "no edge tiles", std::as_bytes(std::span(none)), VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
-    const graph::BufferId counts = graph.buffer("edge counts", counter.counts_);
+    const graph::BufferId counts = graph.buffer("edge tile count", counter.counts_);
     graph.pass("sample-edges none")
         .copy_to(edges.tiles)
         .copy_to(counts)
         .record([=, &counter](const graph::PassContext& context) {
             const VkBufferCopy whole{0, 0, sizeof(shared::LitBlocks)};
             vkCmdCopyBuffer(context.commands, empty->handle(), tiles->handle(), 1, &whole);
-            const VkBufferCopy zeros{sizeof(shared::LitBlocks), 0, 2 * sizeof(uint32_t)};
-            vkCmdCopyBuffer(context.commands, empty->handle(), counter.counts_[context.slot].handle(), 1, &zeros);
+            const VkBufferCopy zero{sizeof(shared::LitBlocks), 0, sizeof(uint32_t)};
+            vkCmdCopyBuffer(context.commands, empty->handle(), counter.counts_[context.slot].handle(), 1, &zero);
         });
     graph::Pass& pass = graph.pass("sample-edges");
     pass.raster(view.raster())

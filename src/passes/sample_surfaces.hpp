@@ -34,7 +34,6 @@ struct SampledSurfaces {
     SurfaceBuffers samples;
     SurfaceBuffers pixels;
     std::optional<SampleEdges> edges; ///< none: all of a pixel's samples are lit as one
-    uint32_t count() const { return edges ? edges->samples : 1; }
 };
 
 /// The rest of a G-buffer: RT0, RT2 and RT3.
@@ -51,21 +50,18 @@ public:
     /// Reads what a frame that is done has counted, before another takes the slot. True where there was too little
     /// room.
     bool take(uint32_t slot);
-    /// Edge pixels of the last frame taken.
-    uint32_t pixels() const { return pixels_; }
 
 private:
     friend SampledSurfaces sampled_surfaces(graph::FrameGraph&, const resident::View&, const SurfaceBuffers&,
                                             SampleLight, EdgeCounter&, GBufferColours*);
     gpu::PerFrame<gpu::Buffer> counts_;
-    uint32_t pixels_ = 0;
     uint32_t needed_ = 0, room_ = 0, all_ = 0; ///< tiles
     bool warming_ = false;                     ///< a warm-up has counted pixels that nobody drew
 };
 
-/// Passes "sample-surfaces", and "sample-edges" where edges are lit by themselves; nothing where surfaces have one
-/// sample a pixel. `surface` has depth in its attachment, and roughness in a colour target. `colours`: with
-/// several samples, and with one a pixel afterwards.
+/// Passes "sample-surfaces", and "sample-edges" where edges are lit by themselves. `surface` has several samples a
+/// pixel, depth in its attachment, and roughness in a colour target. `colours`: with several samples, and with one a
+/// pixel afterwards.
 SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
                                  SampleLight light, EdgeCounter& counter, GBufferColours* colours = nullptr);
 

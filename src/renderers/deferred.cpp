@@ -23,10 +23,7 @@ namespace {
 class Deferred final : public DeviceRenderer {
 public:
     Deferred(Device& device, const RenderOptions& options, Settings settings)
-        : DeviceRenderer(device, options, std::move(settings)), model_(material_light_model(this->settings())) {
-        if (options.msaa > 1)
-            edges_.emplace(dynamic_cast<gpu::Context&>(device));
-    }
+        : DeviceRenderer(device, options, std::move(settings)), model_(material_light_model(this->settings())) {}
 
 private:
     passes::GBufferFormat format() const {
@@ -40,8 +37,6 @@ private:
                 .ambient_apart = occlusion_options(settings()).on,
                 .samples = options().msaa};
     }
-
-    bool outgrown(uint32_t slot) override { return edges_ && edges_->take(slot); }
 
     uint32_t blended_adds(const resident::View& view) const override {
         return settings().is("accumulation", "rgba8") ? 0 : passes::light_adds(view, true);
@@ -95,17 +90,13 @@ private:
             find_light_scale(graph, view, maps);
         const auto drawn = passes::gbuffer_pass(graph, view, format());
         passes::decal_geometry_pass(graph, view, drawn, passes::decal_pass(graph, view, drawn.surface));
+        passes::GBufferColours colours{drawn.light, drawn.motion, drawn.albedo};
+        const passes::SampledSurfaces surfaces = sampled(graph, view, drawn.surface, &colours);
         passes::GBuffer gbuffer = drawn;
-        passes::SampledSurfaces surfaces{drawn.surface, drawn.surface, {}};
-        if (edges_) {
-            passes::GBufferColours colours{drawn.light, drawn.motion, drawn.albedo};
-            surfaces =
-                passes::sampled_surfaces(graph, view, drawn.surface, sample_light(settings()), *edges_, &colours);
-            gbuffer.surface = surfaces.pixels;
-            gbuffer.light = colours.light;
-            gbuffer.motion = colours.material;
-            gbuffer.albedo = colours.albedo;
-        }
+        gbuffer.surface = surfaces.pixels;
+        gbuffer.light = colours.light;
+        gbuffer.motion = colours.material;
+        gbuffer.albedo = colours.albedo;
         const passes::OcclusionOptions occlusion = occlusion_options(settings());
         std::optional<graph::ImageId> visibility;
         if (occlusion.on || wants("ambient-occlusion"))
@@ -170,8 +161,7 @@ private:
     }
 
     passes::LightModel model_;
-    std::optional<passes::EdgeCounter> edges_; ///< with several samples a pixel
-    std::optional<passes::LightScale> scale_;  ///< of RT0 in bytes
+    std::optional<passes::LightScale> scale_; ///< of RT0 in bytes
 };
 
 } // namespace

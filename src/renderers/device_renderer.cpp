@@ -1,6 +1,7 @@
 #include "device_renderer.hpp"
 #include "read_back.hpp"
 #include "settings/draw_settings.hpp"
+#include "settings/sample_settings.hpp"
 #include "settings/shadow_settings.hpp"
 #include "settings/texture_settings.hpp"
 #include <algorithm>
@@ -26,6 +27,8 @@ DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Set
     check_size(options.width, options.height);
     check_samples(options.msaa);
     pair_counters_.emplace(context_, options.height);
+    if (options.msaa > 1)
+        edges_.emplace(context_);
     queue_ = std::make_unique<FrameQueue>(context_);
 }
 
@@ -226,6 +229,14 @@ void DeviceRenderer::build_graph() {
         graph->keep(image);
     graph->compile();
     graph_ = std::move(graph); // none while one could not be made
+}
+
+passes::SampledSurfaces DeviceRenderer::sampled(graph::FrameGraph& graph, const resident::View& view,
+                                                const passes::SurfaceBuffers& surface,
+                                                passes::GBufferColours* colours) {
+    if (!edges_)
+        return {surface, surface, {}};
+    return passes::sampled_surfaces(graph, view, surface, sample_light(settings_), *edges_, colours);
 }
 
 void DeviceRenderer::build_again() {

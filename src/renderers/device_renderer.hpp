@@ -9,6 +9,7 @@
 #include <graph/frame_graph.hpp>
 #include <memory>
 #include <optional>
+#include <passes/sample_surfaces.hpp>
 #include <passes/shadow_maps.hpp>
 #include <passes/tonemap.hpp>
 #include <resident/view.hpp>
@@ -75,9 +76,9 @@ protected:
     passes::Shadows shadows(graph::FrameGraph& graph, const resident::View& view) {
         return passes::shadow_pass(graph, view, shadow_counts_);
     }
-    /// What an earlier frame in this slot, which is done, tells; true: the graph has too little room for something, and
-    /// its frame is not as it should be.
-    virtual bool outgrown(uint32_t /*slot*/) { return false; }
+    /// passes::sampled_surfaces() as `msaa-light` says; with one sample a pixel `surface` and `colours` as they are.
+    passes::SampledSurfaces sampled(graph::FrameGraph& graph, const resident::View& view,
+                                    const passes::SurfaceBuffers& surface, passes::GBufferColours* colours = nullptr);
     const gpu::Buffer& pair_counters() const { return pair_counters_->buffer(); }
 
 private:
@@ -97,6 +98,8 @@ private:
     /// One more frame, pass by pass: adds each pass's CPU time to costs_.
     void time_passes(const PlacedCamera& camera);
     void build_again();
+    /// Whether an earlier frame in this slot, which is done, had too little room for its edges.
+    bool outgrown(uint32_t slot) { return edges_ && edges_->take(slot); }
     void clear_counters(VkCommandBuffer commands) const;
     void tell_shadows(Stats& stats) const;
 
@@ -106,6 +109,7 @@ private:
     LightSums light_sums_;
     PostFilter post_filter_;
     std::optional<PairCounters> pair_counters_;
+    std::optional<passes::EdgeCounter> edges_; ///< with several samples a pixel
     const World* world_ = nullptr;
     std::unique_ptr<resident::GpuScene> scene_;
     std::unique_ptr<resident::LightSet> lights_;

@@ -49,14 +49,9 @@ void choose_roughness(Settings& settings, const Device& device) {
 class LightPrepass final : public DeviceRenderer {
 public:
     LightPrepass(Device& device, const RenderOptions& options, Settings settings, const passes::LightModel& model)
-        : DeviceRenderer(device, options, std::move(settings)), model_(model) {
-        if (options.msaa > 1)
-            edges_.emplace(dynamic_cast<gpu::Context&>(device));
-    }
+        : DeviceRenderer(device, options, std::move(settings)), model_(model) {}
 
 private:
-    bool outgrown(uint32_t slot) override { return edges_ && edges_->take(slot); }
-
     uint32_t blended_adds(const resident::View& view) const override {
         return model_.fixed_point() ? 0 : passes::light_adds(view, settings().is("light-writes", "blended"));
     }
@@ -76,9 +71,7 @@ private:
         const auto drawn = passes::depth_normal_pass(graph, view, surface_format(settings()));
         const auto decals = passes::decal_pass(graph, view, drawn);
         passes::decal_normal_pass(graph, view, drawn, decals);
-        const passes::SampledSurfaces surfaces =
-            edges_ ? passes::sampled_surfaces(graph, view, drawn, sample_light(settings()), *edges_)
-                   : passes::SampledSurfaces{drawn, drawn, {}};
+        const passes::SampledSurfaces surfaces = sampled(graph, view, drawn);
         const passes::SurfaceBuffers& surface = surfaces.pixels;
         passes::ScreenListOptions lists = screen_list_options(settings());
         if (surfaces.edges)
@@ -101,9 +94,11 @@ private:
         passes::light_pass(graph, view, "light", lighting);
         if (scale_)
             scale_->count_clipped(graph, view, light.diffuse, light.specular);
-        passes::MaterialInputs materials{.depth = drawn.depth, .light = light, .model = model_, .decals = decals};
-        if (edges_)
-            materials.sample_shading = material_shading(settings());
+        passes::MaterialInputs materials{.depth = drawn.depth,
+                                         .light = light,
+                                         .model = model_,
+                                         .decals = decals,
+                                         .sample_shading = material_shading(settings())};
         if (surfaces.edges) {
             materials.edges = surfaces.edges;
             materials.sample_light =
@@ -155,8 +150,7 @@ private:
     }
 
     passes::LightModel model_;
-    std::optional<passes::EdgeCounter> edges_; ///< with several samples a pixel
-    std::optional<passes::LightScale> scale_;  ///< of a light buffer in fixed point
+    std::optional<passes::LightScale> scale_; ///< of a light buffer in fixed point
 };
 
 } // namespace
