@@ -24,7 +24,7 @@ layout(location = 3) out vec4 out_material;
 layout(location = 4) out vec4 out_albedo;
 
 // Half a code of eight bits is not seen.
-bool alike(vec4 a, vec4 b) { return all(lessThanEqual(abs(a - b), max(abs(a), vec4(0.25)) / 128.0)); }
+bool alike(vec4 a, vec4 b) { return all(lessThanEqual(abs(a - b), max(abs(a), vec4(0.02)) / 128.0)); }
 #endif
 
 const float least_cosine = 0.99, most_roughness = 0.05, most_slope = 10.0; // as docs/anti-aliasing.md has them
