@@ -17,6 +17,7 @@ struct ReferenceSamples {
     enum class Light {
         sample,   ///< at each sample; where materials are evaluated once a fragment they meet the mean of its samples'
         pixel,    ///< once for all of the pixel's materials: see below
+        edges,    ///< likewise where a pixel's samples share a surface; else once for those that share light
         fragment, ///< once a fragment, as forward renderers do
     } light = Light::sample;
     enum class Rate { sample, fragment };
@@ -24,13 +25,17 @@ struct ReferenceSamples {
     /// What lights see of surfaces but for their position: normal and roughness. Of surfaces with an alpha mask always
     /// each sample's, as are alpha tests.
     Rate geometry = Rate::sample;
+    /// Samples share a surface only if it is of one colour, as far as a G-buffer tells.
+    bool colours_apart = false;
     /// A light's shadow is that at the pixel's one place, for all its samples.
     bool shadows_per_pixel = false;
-    // The one place of a pixel: where its samples share a surface, that under its centre; else the surface of the first
-    // sample that has one, at that sample's depth under the centre. Samples share a surface where all have one whose
-    // normals meet at a cosine of 0.99 or more, whose roughness differs by at most a twentieth, and whose view depth
-    // differs from the first one's by at most (1 + 2 tan) times the width of a pixel there; tan is that of the angle
-    // between the first one's normal and the view, at most 10.
+    // The one place of a pixel: where its samples share a surface, that under its centre, at the mean of their device
+    // depths if they hit several triangles; else the surface of the first sample that has one, at that sample's depth
+    // under the centre. Samples share a surface where all have one whose normals meet at a cosine of 0.99 or more,
+    // whose roughness differs by at most a twentieth, and whose view depth differs from the first one's by at most
+    // (1 + 2 tan) times the width of a pixel there; tan is that of the angle between the first one's normal and the
+    // view, at most 10. Of the others those share light that do so at a cosine of 0.9995 and a hundredth, at the mean
+    // of their places and device depths, with the first one's normal.
     bool operator==(const ReferenceSamples&) const = default;
 };
 
@@ -90,6 +95,7 @@ struct ReferencePicture {
         near_edge = 1,    ///< a ray 1/128 pixel beside a sample's, across or down, sees another surface
         shadow = 2,       ///< samples of one surface, here and in the pixels beside this one, differ in shadows
         mask = 4,         ///< samples, here and in the pixels beside this one, differ in alpha tests
+        sharing = 16,     ///< samples share a surface or light, or almost: see ReferenceSamples
         extrapolated = 8, ///< the pixel's centre is before no part of a fragment's plane; one of its samples serves
     };
     std::vector<uint8_t> doubts; ///< sums of Doubt
@@ -110,7 +116,7 @@ struct ReferencePicture {
 /// `specular-antialiasing`, `texture-filter` (trilinear as samplers say; anisotropy is not modelled). A key that a
 /// renderer lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
-/// `samples`: a pixel. With several: `msaa-light` (`pixel`: once a pixel; any other: at each sample), `msaa-material`
+/// `samples`: a pixel. With several: `msaa-light`, `msaa-material`
 /// and `msaa-shadows`, each per sample unless it says otherwise; `msaa-geometry`, which renderers on a device lack, for
 /// they store a normal once a fragment. A renderer without `msaa-light` is a forward one: all once a fragment, unless
 /// `msaa-material` says per sample.

@@ -43,6 +43,8 @@ SeenSample remember(const SeenWorld& world, uint32_t x, uint32_t y, const Sample
     seen.triangle = sample.hit.triangle;
     seen.lit = sample.lit;
     seen.runs_away = sample.runs_away;
+    seen.unclear = sample.unclear;
+    seen.shadow_unclear = sample.shadow_unclear;
     seen.position = glm::vec3(sample.hit.position);
     seen.normal = glm::vec3(sample.surface.normal);
     seen.geometric_normal = glm::vec3(sample.hit.geometric_normal);
@@ -59,7 +61,8 @@ void find_doubts(ReferencePicture& picture, std::span<const SeenSample> seen, ui
         const std::span<const SeenSample> own = of(x, row);
         uint8_t doubts = 0, edge = 0;
         for (const SeenSample& a : own) {
-            doubts |= (a.near_edge ? Picture::near_edge : 0) | (a.runs_away ? Picture::extrapolated : 0);
+            doubts |= (a.near_edge ? Picture::near_edge : 0) | (a.runs_away ? Picture::extrapolated : 0) |
+                      (a.unclear ? Picture::sharing : 0) | (a.shadow_unclear ? Picture::shadow : 0);
             for (const SeenSample& b : own)
                 edge |= continues(a, b) ? 0 : 1;
             for (uint32_t v = row - (row > 0); v <= std::min(row + 1, height - 1); ++v)

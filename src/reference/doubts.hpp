@@ -7,7 +7,7 @@ namespace prelight::reference {
 struct SeenSample {
     uint32_t draw = 0xffffffffu; ///< as it is: background
     uint32_t triangle = 0;
-    bool lit = false, near_edge = false, runs_away = false;
+    bool lit = false, near_edge = false, runs_away = false, unclear = false, shadow_unclear = false;
     glm::vec3 position{0}; ///< relative to the camera
     glm::vec3 normal{0}, geometric_normal{0};
     float depth = 0;

@@ -42,9 +42,9 @@ public:
     }
 
     /// Metres that a pixel covers across the view at this depth.
-    double pixel(double depth) const {
-        return 2 * half_height_ / height_ * (placed_.camera.kind == ProjectionKind::perspective ? depth : 1);
-    }
+    double pixel(double depth) const { return 2 * half_height_ / height_ * (perspective() ? depth : 1); }
+
+    bool perspective() const { return placed_.camera.kind == ProjectionKind::perspective; }
 
 private:
     const PlacedCamera& placed_;

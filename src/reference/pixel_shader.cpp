@@ -1,13 +1,26 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <reference/pixel_shader.hpp>
 #include <reference/visibility.hpp>
 
 namespace prelight::reference {
 namespace {
 
+constexpr double any_colour = std::numeric_limits<double>::infinity();
+
 using LightPlace = ReferenceSamples::Light;
+
+bool before_camera(const Hit& hit) {
+    return std::isfinite(glm::dot(hit.weights, hit.weights)) && std::isfinite(hit.distance) && hit.distance > 0;
+}
+
+/// Lights are evaluated there from now on.
+void light_at(Surface& surface, const Ray& ray, double depth) {
+    surface.position = ray.origin + ray.direction * depth;
+    surface.view = glm::normalize(-ray.direction);
+}
 
 /// A material where it is, under light that another point of its pixel gets.
 Surface lit_as(const Surface& material, const Surface& point) {
@@ -29,8 +42,13 @@ std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
     for (uint32_t i = 0; i < all.size(); ++i)
         if (all[i].found)
             take_surfaces(i);
-    if (form_.samples.light == LightPlace::pixel || form_.samples.shadows_per_pixel)
+    const bool edges = form_.samples.light == LightPlace::edges;
+    if (form_.samples.light == LightPlace::pixel || edges || form_.samples.shadows_per_pixel)
         choose_pixel();
+    if (edges && !one_surface_)
+        choose_edges();
+    if (form_.shadows && one_surface_)
+        doubt_shadows();
     const bool per_fragment = at_fragments(form_.samples.material);
     for (uint32_t i = 0; i < all.size(); ++i) {
         Sample* targets[most_samples] = {&all[i]};
@@ -92,43 +110,139 @@ void PixelShader::take_surfaces(uint32_t index) {
         occlude(sample);
 }
 
-bool PixelShader::share_surface() const {
-    const std::span<const Sample> all(samples_.data(), form_.samples.count);
-    const Surface& first = all[0].surface;
-    const double nv = std::max(std::abs(glm::dot(first.normal, first.view)), 1e-9);
-    const double slope = std::min(std::sqrt(std::max(1 - nv * nv, 0.0)) / nv, 10.0);
-    const double most = world_.lens().pixel(all[0].hit.distance) * (1 + 2 * slope);
-    return std::all_of(all.begin(), all.end(), [&](const Sample& one) {
-        return one.found && std::abs(one.hit.distance - all[0].hit.distance) <= most &&
-               glm::dot(one.surface.normal, first.normal) >= 0.99 &&
-               std::abs(one.surface.roughness - first.roughness) <= 0.05 * first.roughness;
-    });
+Shared PixelShader::share(const Sample& first, const Sample& other, const Likeness& likeness) const {
+    const auto looks = [&](const Sample& one) {
+        Looks looks{one.surface, one.hit.distance};
+        if (form_.samples.colours_apart)
+            looks.light = Lighting(form_, one.surface, factor_, world_.environment()).radiance(ambient_) * factor_;
+        return looks;
+    };
+    return share_surface(looks(first), looks(other), world_.lens().pixel(first.hit.distance), likeness);
+}
+
+bool PixelShader::are_one_surface() {
+    const Likeness likeness{0.99, 0.05, form_.samples.colours_apart ? 1.0 / 128 : any_colour};
+    const std::span<Sample> all = samples();
+    if (!std::all_of(all.begin(), all.end(), [](const Sample& one) { return one.found; }))
+        return false;
+    AllShared shared;
+    for (const Sample& sample : all.subspan(1))
+        shared.add(share(all[0], sample, likeness));
+    all[0].unclear = !shared.sum().clear;
+    return shared.sum().yes;
 }
 
 /// The pixel's one place (ReferenceSamples).
 void PixelShader::choose_pixel() {
     const std::span<Sample> all = samples();
+    one_surface_ = are_one_surface();
     const auto first = std::find_if(all.begin(), all.end(), [](const Sample& one) { return one.found; });
     if (first == all.end()) {
         pixel_ = all[0];
         return;
     }
-    if (share_surface())
+    if (one_surface_)
         pixel_ = centre_of(*first);
-    if (!share_surface() || pixel_.runs_away) {
+    if (!one_surface_ || pixel_.runs_away) {
         pixel_ = *first;
-        pixel_.hit.position = centre_ray_.origin + centre_ray_.direction * first->hit.distance;
-        pixel_.surface.position = pixel_.hit.position;
-        pixel_.surface.view = glm::normalize(-centre_ray_.direction);
+        light_at(pixel_.surface, centre_ray_, first->hit.distance);
+        pixel_.hit.position = pixel_.surface.position;
+    } else if (several_triangles()) {
+        light_at(pixel_.surface, centre_ray_, mean_depth([](const Sample&) { return true; }));
     }
     occlude(pixel_);
+}
+
+/// An edge pixel's surfaces, each at the mean place of its samples.
+void PixelShader::choose_edges() {
+    const Likeness likeness{0.9995, 0.01, form_.samples.colours_apart ? 0 : any_colour};
+    const std::span<Sample> all = samples();
+    for (uint32_t i = 0; i < all.size(); ++i) {
+        edge_[i] = i;
+        for (uint32_t before = 0; all[i].found && before < i && edge_[i] == i; ++before)
+            if (all[before].found) {
+                const Shared shared = share(all[before], all[i], likeness);
+                all[i].unclear = all[i].unclear || !shared.clear;
+                if (shared.yes)
+                    edge_[i] = edge_[before];
+            }
+    }
+    for (uint32_t i = 0; i < all.size(); ++i) {
+        if (edge_[i] != i || !all[i].found)
+            continue;
+        edges_[i] = all[i];
+        const auto here = [&](const Sample& one) { return edge_[static_cast<size_t>(&one - all.data())] == i; };
+        const auto count = static_cast<double>(std::count_if(all.begin(), all.end(), here));
+        glm::dvec2 place(0);
+        for (const Sample& one : all)
+            place += here(one) ? one.place / count : glm::dvec2(0);
+        if (count > 1) {
+            const Ray ray = world_.lens().ray(x_, y_, place);
+            if (const Hit hit = world_.rays().beside(all[i].hit, ray); before_camera(hit))
+                edges_[i].hit = hit; // shadow rays start on the surface: the mean may lie within it
+            light_at(edges_[i].surface, ray, mean_depth(here));
+        }
+        occlude(edges_[i]);
+    }
+}
+
+bool PixelShader::several_triangles() const {
+    return std::any_of(samples_.begin(), samples_.begin() + form_.samples.count,
+                       [](const Sample& one) { return one.owner != 0; });
+}
+
+/// Over a bent surface one shadow ray tells less of a pixel than one from each sample. And its place may lie within the
+/// body, deeper than shadow maps are moved.
+void PixelShader::doubt_shadows() {
+    if (!several_triangles())
+        return;
+    std::array<Hit, most_samples + 1> starts;
+    uint32_t count = 0;
+    for (const Sample& sample : samples())
+        starts[count++] = sample.hit;
+    const glm::dvec3 moved = pixel_.surface.position - pixel_.hit.position;
+    if (std::abs(glm::dot(moved, pixel_.hit.geometric_normal)) > world_.lens().pixel(pixel_.hit.distance) / 32) {
+        starts[count] = pixel_.hit;
+        starts[count++].position = pixel_.surface.position;
+    }
+    uint64_t first = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        Lighting lights(form_, pixel_.surface, factor_, world_.environment());
+        const uint64_t mask = world_.gather(lights, pixel_.surface, starts[i], &starts[i], reached_);
+        first = i == 0 ? mask : first;
+        samples_[0].shadow_unclear = samples_[0].shadow_unclear || mask != first;
+    }
+}
+
+/// View depth where the device depth is the mean of some samples'.
+template <class Which>
+double PixelShader::mean_depth(const Which& which) const {
+    const bool perspective = world_.lens().perspective();
+    double sum = 0, count = 0;
+    for (const Sample& one : std::span(samples_).first(form_.samples.count))
+        if (which(one)) {
+            sum += perspective ? 1 / one.hit.distance : one.hit.distance;
+            ++count;
+        }
+    return perspective ? count / sum : sum / count;
+}
+
+/// Where lights are evaluated for a sample.
+Sample& PixelShader::point_of(const Sample& sample) {
+    const auto index = static_cast<uint32_t>(&sample - samples_.data());
+    switch (form_.samples.light) {
+    case LightPlace::sample: return samples_[index];
+    case LightPlace::pixel: return pixel_;
+    case LightPlace::edges: return one_surface_ ? pixel_ : edges_[edge_[index]];
+    case LightPlace::fragment: break;
+    }
+    return centres_[sample.owner];
 }
 
 Sample PixelShader::centre_of(const Sample& owner) const {
     Sample centre = owner;
     centre.hit = world_.rays().beside(owner.hit, centre_ray_);
-    centre.runs_away = !std::isfinite(glm::dot(centre.hit.weights, centre.hit.weights)) ||
-                       !std::isfinite(centre.hit.distance) || centre.hit.distance <= 0;
+    centre.runs_away = !before_camera(centre.hit);
     if (centre.runs_away) {
         centre.hit = owner.hit;
     } else {
@@ -151,41 +265,45 @@ glm::vec3 PixelShader::behind(const Sample& sample) const {
 
 /// The colour of some samples from one evaluation of their material. `owner`: of their triangle.
 void PixelShader::shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets) {
-    Sample* const one = form_.samples.light == LightPlace::pixel ? &pixel_ : &centres_[owner];
-    const std::span<Sample* const> points =
-        form_.samples.light == LightPlace::sample ? std::span<Sample* const>(targets) : std::span(&one, 1);
-    const double share = 1.0 / static_cast<double>(points.size());
+    std::array<Sample*, most_samples> points{};
+    std::array<double, most_samples> shares{};
+    size_t count = 0;
+    for (const Sample* target : targets) {
+        Sample* const point = &point_of(*target);
+        const size_t at =
+            static_cast<size_t>(std::find(points.begin(), points.begin() + count, point) - points.begin());
+        count = std::max(count, at + 1);
+        points[at] = point;
+        shares[at] += 1.0 / static_cast<double>(targets.size());
+    }
     const bool dark = material.unlit || !points[0]->found;
 
     Surface seen = material;
     if (form_.occlusion_radius > 0 && !dark) {
         seen.visibility = 0;
-        for (const Sample* point : points)
-            seen.visibility += share * point->surface.visibility;
+        for (size_t i = 0; i < count; ++i)
+            seen.visibility += shares[i] * points[i]->surface.visibility;
     }
     Lighting lighting(form_, seen, factor_, world_.environment());
-    if (!dark)
-        for (Sample* point : points) {
-            const Surface lit = lit_as(seen, point->surface);
-            Lighting lights(form_, lit, factor_, world_.environment());
-            const Hit* shadows_at = !form_.samples.shadows_per_pixel ? &point->hit
-                                    : pixel_.found                   ? &pixel_.hit
-                                                                     : nullptr;
-            point->shadow_mask = world_.gather(lights, lit, point->hit, shadows_at, reached_);
-            point->lit = true;
-            lighting.take(lights, share);
-        }
+    for (size_t i = 0; i < count && !dark; ++i) {
+        Sample& point = *points[i];
+        const Surface lit = lit_as(seen, point.surface);
+        Lighting lights(form_, lit, factor_, world_.environment());
+        const Hit* shadows_at = !form_.samples.shadows_per_pixel ? &point.hit : pixel_.found ? &pixel_.hit : nullptr;
+        point.shadow_mask = world_.gather(lights, lit, point.hit, shadows_at, reached_);
+        point.lit = true;
+        lighting.take(lights, shares[i]);
+    }
     const LightSums sums = lighting.sums();
     const auto colour = glm::vec3(lighting.radiance(ambient_) * factor_);
     for (Sample* target : targets) {
+        const Sample& point = point_of(*target);
         target->colour = colour;
         target->base_colour = material.base_colour;
         target->sums = sums;
         target->runs_away = centres_[owner].runs_away;
-        if (form_.samples.light != LightPlace::sample) {
-            target->lit = one->lit;
-            target->shadow_mask = one->shadow_mask;
-        }
+        target->lit = point.lit;
+        target->shadow_mask = point.shadow_mask;
     }
 }
 

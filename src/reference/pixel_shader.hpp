@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <reference/seen_world.hpp>
+#include <reference/shared_surface.hpp>
 
 namespace prelight::reference {
 
@@ -16,10 +17,12 @@ struct Sample {
     Surface surface;    ///< as lights see it
     bool lit = false;   ///< lights were evaluated for it, at a place of its own
     uint64_t shadow_mask = 0;
-    bool runs_away = false;    ///< its triangle's plane does not lie before the camera under the pixel's centre
-    glm::vec3 colour{0};       ///< exposed scene-linear
-    glm::dvec3 base_colour{0}; ///< of the material that gave the colour
-    LightSums sums;            ///< which that material met
+    bool unclear = false;        ///< whether it shares a surface with others of the pixel: too close to a limit
+    bool shadow_unclear = false; ///< that of all the pixel's samples
+    bool runs_away = false;      ///< its triangle's plane does not lie before the camera under the pixel's centre
+    glm::vec3 colour{0};         ///< exposed scene-linear
+    glm::dvec3 base_colour{0};   ///< of the material that gave the colour
+    LightSums sums;              ///< which that material met
 };
 
 /// Casts a pixel's rays and shades what they hit, in the form's own way.
@@ -39,8 +42,15 @@ private:
     void look();
     void take_surfaces(uint32_t index);
     Sample centre_of(const Sample& owner) const;
-    bool share_surface() const;
+    Shared share(const Sample& first, const Sample& other, const Likeness& likeness) const;
+    bool are_one_surface();
     void choose_pixel();
+    void choose_edges();
+    bool several_triangles() const;
+    void doubt_shadows();
+    template <class Which>
+    double mean_depth(const Which& which) const;
+    Sample& point_of(const Sample& sample);
     void occlude(Sample& point) const;
     glm::vec3 behind(const Sample& sample) const;
     void shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets);
@@ -54,6 +64,9 @@ private:
     std::array<Sample, most_samples> samples_;
     std::array<Sample, most_samples> centres_; ///< of fragments, by owner: the place under the pixel's centre
     Sample pixel_;                             ///< the pixel's one place, for light or shadows once a pixel
+    bool one_surface_ = false;                 ///< all samples share one
+    std::array<Sample, most_samples> edges_;   ///< of an edge pixel's surfaces, by their first samples
+    std::array<uint32_t, most_samples> edge_;  ///< of each sample, which of them
     std::vector<uint32_t> reached_;
 };
 

@@ -24,6 +24,9 @@ ReferenceSamples samples_form(const InForce& settings, uint32_t count) {
         form.geometry = says(settings, "msaa-geometry", "sample") ? Rate::sample : Rate::fragment;
         if (says(settings, "msaa-light", "pixel"))
             form.light = ReferenceSamples::Light::pixel;
+        else if (!says(settings, "msaa-light", "samples"))
+            form.light = ReferenceSamples::Light::edges;
+        form.colours_apart = settings.contains("g-buffer") && form.light != ReferenceSamples::Light::sample;
         if (says(settings, "msaa-material", "fragment") || settings.contains("g-buffer"))
             form.material = Rate::fragment;
     }

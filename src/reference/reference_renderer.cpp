@@ -45,7 +45,7 @@ double radius_of(const Settings& settings) { return std::strtod(settings.at(radi
 ReferenceSamples samples_of(const Settings& settings, uint32_t count) {
     using Light = ReferenceSamples::Light;
     static const std::map<std::string, Light> lights{
-        {"samples", Light::sample}, {"pixel", Light::pixel}, {"fragment", Light::fragment}};
+        {"samples", Light::sample}, {"pixel", Light::pixel}, {"edges", Light::edges}, {"fragment", Light::fragment}};
     const auto rate = [&](const char* key) {
         return settings.at(key) == "fragment" ? ReferenceSamples::Rate::fragment : ReferenceSamples::Rate::sample;
     };
@@ -248,9 +248,10 @@ RendererInfo reference_info() {
                  "bilinear",
                  "always bilinear on level 0, or as samplers say, with mip maps (alpha masks stay on level 0)"},
                 {"msaa-light",
-                 {"samples", "pixel", "fragment"},
+                 {"samples", "edges", "pixel", "fragment"},
                  "samples",
-                 "light at each sample, at a pixel's sample 0, or at its centre once a triangle"},
+                 "light at each sample, once for those of a pixel that share a surface, once a pixel, or at its centre "
+                 "once a triangle"},
                 {"msaa-material",
                  {"sample", "fragment"},
                  "sample",
@@ -259,7 +260,7 @@ RendererInfo reference_info() {
                 {"msaa-shadows",
                  {"sample", "pixel"},
                  "sample",
-                 "shadows at each sample, or those of sample 0 for the whole pixel"},
+                 "shadows wherever lights are evaluated, or once for the whole pixel"},
             },
         .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light", "light-count",
                   "ambient-occlusion"},

@@ -86,10 +86,13 @@ TEST(ReferenceFormSamples, AreWhatARenderersSettingsSay) {
     const ReferenceSamples on_a_device{.count = 4, .geometry = Rate::fragment}; // stores a normal once a fragment
     EXPECT_EQ(of({{"msaa-light", "samples"}}), on_a_device);
     EXPECT_EQ(of({{"msaa-light", "samples"}, {"msaa-geometry", "sample"}}), truth);
-    EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "sample"}}), on_a_device);
-    EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "fragment"}}),
-              (ReferenceSamples{.count = 4, .material = Rate::fragment, .geometry = Rate::fragment}));
-    EXPECT_EQ(of({{"msaa-light", "edges"}, {"g-buffer", "wide"}}),
+    EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "sample"}}),
+              (ReferenceSamples{.count = 4, .light = Light::edges, .geometry = Rate::fragment}));
+    ReferenceSamples edges{.count = 4, .light = Light::edges, .material = Rate::fragment, .geometry = Rate::fragment};
+    EXPECT_EQ(of({{"msaa-light", "edges"}, {"msaa-material", "fragment"}}), edges);
+    edges.colours_apart = true;
+    EXPECT_EQ(of({{"msaa-light", "edges"}, {"g-buffer", "wide"}}), edges);
+    EXPECT_EQ(of({{"msaa-light", "samples"}, {"g-buffer", "wide"}}),
               (ReferenceSamples{.count = 4, .material = Rate::fragment, .geometry = Rate::fragment}));
     EXPECT_EQ(
         of({{"msaa-light", "pixel"}, {"msaa-geometry", "fragment"}, {"msaa-shadows", "pixel"}}, 2),

@@ -69,6 +69,36 @@ TEST(SampleDoubts, AreOfOtherInstancesNormalsAndPlanes) {
     }
 }
 
+TEST(SampleDoubts, SurfacesAreSharedOrNotButForWhatIsStored) {
+    const auto picture_of = [](double degrees, float roughness, const ReferenceSamples& samples) {
+        TestWorld test;
+        test.add_material({.metallic = 0, .roughness = 0.5f});
+        test.add(right_of(6.5));
+        Primitive left = triangle(at_pixel(6.5, -500), at_pixel(6.5, 500), at_pixel(-900, 0));
+        const double angle = degrees * 3.14159265358979 / 180;
+        left.normals.assign(3, glm::vec3(std::sin(angle), 0, std::cos(angle)));
+        test.add_material({.metallic = 0, .roughness = roughness});
+        test.add(left);
+        return sampled(test, metre_camera(ProjectionKind::orthographic), samples);
+    };
+    const ReferenceSamples pixel{.count = 4, .light = SampleLight::pixel};
+    const ReferenceSamples edges{.count = 4, .light = SampleLight::edges};
+    struct {
+        double degrees; // a pixel's samples share a surface up to 8.11, an edge's share light up to 1.81
+        float roughness;
+        bool pixel, edges;
+    } const cases[] = {{0, 0.5f, false, false},    {7.8, 0.5f, false, false}, {8.0, 0.5f, true, true},
+                       {8.25, 0.5f, true, true},   {8.5, 0.5f, false, false}, {0, 0.51f, false, false},
+                       {0, 0.523f, true, true},    {0, 0.54f, false, false},  {1.9, 0.54f, false, false},
+                       {1.9, 0.505f, false, false}};
+    for (const auto& one : cases) {
+        SCOPED_TRACE(testing::Message() << one.degrees << " degrees, roughness " << one.roughness);
+        EXPECT_EQ(with(picture_of(one.degrees, one.roughness, pixel), Picture::sharing), one.pixel ? rows : 0);
+        EXPECT_EQ(with(picture_of(one.degrees, one.roughness, edges), Picture::sharing), one.edges ? rows : 0);
+        EXPECT_EQ(with(picture_of(one.degrees, one.roughness, {.count = 4}), Picture::sharing), 0u);
+    }
+}
+
 TEST(SampleDoubts, AShadowsBorderIsLeftOutAndNoEdge) {
     TestWorld test;
     test.add_material({.metallic = 0});
@@ -82,7 +112,7 @@ TEST(SampleDoubts, AShadowsBorderIsLeftOutAndNoEdge) {
         const auto picture = sampled(test, camera, samples, shadows);
         EXPECT_EQ(sum(picture.edge), 0u);
         // The pixel that it crosses and those beside it; where a pixel has one outcome, the two at the border.
-        const bool once = samples.light != SampleLight::sample || samples.shadows_per_pixel;
+        const bool once = samples.light != SampleLight::sample || samples.shadows_per_pixel; // nothing is an edge
         EXPECT_EQ(with(picture, Picture::shadow), (once ? 2u : 3u) * rows);
         EXPECT_EQ(sum(picture.left_out()), (once ? 2u : 3u) * rows);
     }

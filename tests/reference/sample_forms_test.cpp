@@ -78,6 +78,51 @@ TEST(SampleForms, OnceAFragmentAWallIsAsWithOneSample) {
     }
 }
 
+/// Half a wall, and before it the other half, and a light near them.
+struct TwoWalls : TestWorld {
+    explicit TwoWalls(double edge, bool second = true) {
+        add_material({.base_colour = {0.8f, 0.5f, 0.2f, 1}, .metallic = 0.3f, .roughness = 0.4f});
+        add(triangle(at_pixel(edge, -500), at_pixel(edge, 500), at_pixel(-900, 0)));
+        if (second)
+            add(triangle(at_pixel(edge, -500), at_pixel(edge, 500), at_pixel(900, 0)),
+                glm::translate(glm::dmat4(1), {0, 0, 2}));
+        add_light({.intensity = 300}, {-4, 2, 4});
+    }
+};
+
+TEST(SampleForms, AnEdgesSurfacesAreLitAtTheMeanOfTheirSamples) {
+    // Of pixel 6's samples 0 and 2 lie left of its middle.
+    const TwoWalls walls(6.5), whole(12, false);
+    const PlacedCamera camera = metre_camera(ProjectionKind::orthographic);
+    for (const SampleRate material : {SampleRate::sample, SampleRate::fragment}) {
+        const auto picture = sampled(walls, camera, {.count = 4, .light = SampleLight::edges, .material = material});
+        const glm::dvec2 mean = (glm::dvec2(0.375, 0.125) + glm::dvec2(0.125, 0.625)) / 2.0;
+        PlacedCamera moved = camera;
+        moved.position += glm::dvec3(mean.x - 0.5, 0.5 - mean.y, 0);
+        const auto left = render_reference(whole.world, moved, columns, rows, 0, {}).linear;
+        const auto centre = render_reference(whole.world, camera, columns, rows, 0, {}).linear;
+        for (uint32_t y = 0; y < rows; ++y)
+            for (const uint32_t s : {0u, 2u}) {
+                EXPECT_NEAR(picture.sample_colours[4 * (y * columns + 6) + s].r, left.at(6, y).r, 1e-6);
+                EXPECT_GT(std::abs(left.at(6, y).r - centre.at(6, y).r), 1e-5);
+                EXPECT_NEAR(picture.sample_colours[4 * (y * columns + 5) + s].r, centre.at(5, y).r, 1e-6);
+            }
+    }
+}
+
+TEST(SampleForms, EdgesAreThePixelOrTheSampleWithTwoOfThem) {
+    for (const ProjectionKind kind : {ProjectionKind::perspective, ProjectionKind::orthographic}) {
+        const TwoWalls walls(kind == ProjectionKind::perspective ? 7.08 : 6.5); // the nearer one is seen from 6.5 on
+        const PlacedCamera camera = metre_camera(kind);
+        const auto edges = sampled(walls, camera, {.count = 2, .light = SampleLight::edges});
+        const auto pixel = sampled(walls, camera, {.count = 2, .light = SampleLight::pixel});
+        const auto truth = sampled(walls, camera, {.count = 2});
+        ASSERT_THAT(truth.edge, testing::Contains(1));
+        for (size_t i = 0; i < edges.sample_colours.size(); ++i)
+            EXPECT_EQ(edges.sample_colours[i], (truth.edge[i / 2] ? truth : pixel).sample_colours[i]) << i;
+    }
+}
+
 TEST(SampleForms, LightIsAveragedBeforeTheMaterialMeetsIt) {
     // [phong] without a bent exponent is linear in the sums: one colour on a wall makes no difference.
     TestWorld test;

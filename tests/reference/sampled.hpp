@@ -43,7 +43,9 @@ inline const std::vector<ReferenceSamples> every_form{
     {.count = 4, .light = SampleLight::pixel, .material = SampleRate::fragment},
     {.count = 4, .light = SampleLight::fragment},
     {.count = 4, .light = SampleLight::fragment, .material = SampleRate::fragment, .geometry = SampleRate::fragment},
-    {.count = 4, .shadows_per_pixel = true}};
+    {.count = 4, .shadows_per_pixel = true},
+    {.count = 4, .light = SampleLight::edges},
+    {.count = 4, .light = SampleLight::edges, .material = SampleRate::fragment}};
 
 /// What a forward renderer does.
 inline const ReferenceSamples forward_samples = every_form[7];

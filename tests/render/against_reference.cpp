@@ -80,6 +80,8 @@ ReferenceForm form_of(const Shot& shot) {
     std::map<std::string, std::string> in_force = shot.settings;
     if (shot.renderer == "light-prepass" || shot.renderer == "deferred")
         in_force.emplace("msaa-light", "edges");
+    if (shot.renderer == "deferred")
+        in_force.emplace("g-buffer", "wide");
     in_force.emplace("msaa-material", "fragment");
     form.samples = reference_form(shot.shading, in_force, shot.samples).samples;
     return form;

@@ -1,6 +1,7 @@
 // Several samples a pixel, against the reference in the renderer's own form: edge pixels are part of the bound.
 #include "garden.hpp"
 #include <prelight/error.hpp>
+#include <prelight/scene.hpp>
 
 namespace prelight {
 namespace {
@@ -92,6 +93,26 @@ TEST(SamplesOf, AWallAreTheOneSamplePictureBitForBit) {
                         EXPECT_EQ(view_of(shot, "linear").pixels, linear.pixels) << info.name << " " << value;
                     }
                 }
+    }
+    expect_validation_clean(test_device());
+}
+
+/// Light of headlamps ends within a pixel, on surfaces that are no edges: what is lit once there, and what is not.
+TEST(SamplesOf, ACityAreLitAsTheReferenceTellsItsSurfacesApart) {
+    const Scene scene = make_scene("city", 128, 1);
+    const World world = resolve(scene);
+    for (const char* renderer : {"light-prepass", "deferred"}) {
+        const Shot shot{.world = &world,
+                        .camera = world.cameras[0],
+                        .width = 240,
+                        .height = 136,
+                        .renderer = renderer,
+                        .samples = 4};
+        References references;
+        const Image picture = render_linear(test_device(), shot);
+        save_when_wanted(picture, references.of(shot));
+        // Much of a small picture is thinner than a pixel.
+        expect_within_on_edges(picture, references.of(shot), {.off_share = 0.002, .left_out = 0.4});
     }
     expect_validation_clean(test_device());
 }

@@ -7,7 +7,8 @@ std::string samples_name(const ReferenceSamples& samples) {
     using Light = ReferenceSamples::Light;
     using Rate = ReferenceSamples::Rate;
     std::string name = ", " + std::to_string(samples.count) + " samples a pixel";
-    name += samples.light == Light::pixel      ? ", light at sample 0"
+    name += samples.light == Light::pixel      ? ", light once a pixel"
+            : samples.light == Light::edges    ? ", light once a surface of a pixel"
             : samples.light == Light::fragment ? ", light once a fragment"
                                                : "";
     if (samples.material == Rate::fragment)
@@ -15,7 +16,7 @@ std::string samples_name(const ReferenceSamples& samples) {
     if (samples.geometry == Rate::fragment)
         name += ", normals once a fragment";
     if (samples.shadows_per_pixel)
-        name += ", shadows at sample 0";
+        name += ", shadows once a pixel";
     return name;
 }
 
