@@ -27,8 +27,10 @@ struct ReferenceSamples {
     Rate geometry = Rate::sample;
     /// Samples share a surface only if it is of one colour, as far as a G-buffer tells.
     bool colours_apart = false;
-    /// A light's shadow is that at the pixel's one place, for all its samples.
+    /// A light's shadow is that at the pixel's one place, for all its samples. Not on layers.
     bool shadows_per_pixel = false;
+    /// [Transparency::layers] Surfaces that are blended, all of them: colour, alpha, light.
+    Rate layers = Rate::sample;
     // The one place of a pixel: where its samples share a surface, that under its centre, at the mean of their device
     // depths if they hit several triangles; else the surface of the first sample that has one, at that sample's depth
     // under the centre. Samples share a surface where all have one whose normals meet at a cosine of 0.99 or more,
@@ -65,12 +67,25 @@ struct ReferenceForm {
     /// each by itself, as a forward draw of one light at a time; or, where a G-buffer knows no such shader,
     /// metallic-roughness, with the shader for what needs no light.
     enum class OwnShaders { sums, each_light, no_lights } own_shaders = OwnShaders::sums;
+    /// What surfaces with AlphaMode::blend are: opaque, or layers that let through 1 − α of what is behind them. Where
+    /// they are layers nothing but their own light knows of them; they occlude no ambient light.
+    enum class Transparency { opaque, layers } transparency = Transparency::opaque;
+    /// [Transparency::layers] Their shadows: as of what is opaque, less deep by 1 − α at each, or none.
+    enum class TransparentShadows { opaque, filtered, none } transparent_shadows = TransparentShadows::opaque;
     ReferenceSamples samples{};
     bool operator==(const ReferenceForm&) const = default;
 };
 
-/// What the reference knows of each pixel's first hit, of sample 0 where there are several; with the pixels that its
-/// pictures cannot judge (docs/measuring.md).
+/// A blended surface in front of what a pixel's ray hits.
+struct ReferenceLayer {
+    uint32_t instance = 0, primitive = 0; ///< as of ReferencePicture
+    double depth = 0, alpha = 0;
+    glm::dvec3 position{0}, normal{0, 0, 1}, geometric_normal{0, 0, 1}; ///< as of ReferencePicture
+    uint64_t shadow_mask = 0;
+};
+
+/// What the reference knows of each pixel's first opaque hit, of sample 0 where there are several; with the pixels that
+/// its pictures cannot judge (docs/measuring.md).
 struct ReferencePicture {
     Image linear;                     ///< exposed scene-linear; the mean of a pixel's samples
     std::vector<uint32_t> instance;   ///< index into World::instances; 0xffffffff: background
@@ -83,6 +98,8 @@ struct ReferencePicture {
     std::vector<double> depth;                ///< along the camera's axis, metres; infinity: background
     std::vector<uint64_t> shadow_mask;        ///< hash of the outcomes of all shadow rays; 0 when off
     std::vector<uint64_t> mask_outcome;       ///< hash of the alpha tests along the ray; 0: none
+    std::vector<uint32_t> layer_count;        ///< layers of each pixel; empty: there are none in the picture
+    std::vector<ReferenceLayer> layers;       ///< of all pixels in order, each pixel's nearest first
 
     uint32_t samples = 1; ///< a pixel; of one the vectors that follow are empty
     /// Exposed scene-linear, `samples` a pixel in Vulkan's order. Samples of a fragment share what is evaluated once.
@@ -107,7 +124,8 @@ struct ReferencePicture {
     /// With several samples a pixel: 1 where `doubts` has any; an edge by itself is none. With one sample:
     /// one byte per pixel: 1 where a pixel lies beside (8 neighbours) one of another instance,
     /// primitive's alpha mask or shadow outcome, with a normal more than 30° away, or lying off its
-    /// plane by more than 1 % of depth.
+    /// plane by more than 1 % of depth; or where that is so of their first layers, their second ones and so on, or one
+    /// has more of them.
     std::vector<uint8_t> left_out() const;
 };
 
@@ -116,6 +134,9 @@ struct ReferencePicture {
 /// `specular-antialiasing`, `texture-filter` (trilinear as samplers say; anisotropy is not modelled). A key that a
 /// renderer lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
+/// `transparency`: BLEND is opaque in a renderer that lacks it or says so, and layers with every other value, however
+/// they are drawn; `transparent-shadows`. Layers of several samples a pixel are evaluated once a fragment unless
+/// `msaa-layers` says otherwise.
 /// `samples`: a pixel. With several: `msaa-light`, `msaa-material`
 /// and `msaa-shadows`, each per sample unless it says otherwise; `msaa-geometry`, which renderers on a device lack, for
 /// they store a normal once a fragment. A renderer without `msaa-light` is a forward one: all once a fragment, unless

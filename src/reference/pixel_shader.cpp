@@ -66,6 +66,8 @@ std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
             shade_material(centres_[i].surface, i, {targets, owned});
         }
     }
+    for (uint32_t i = 0; i < all.size(); ++i)
+        lay_over(i);
     return all;
 }
 
@@ -77,7 +79,7 @@ void PixelShader::look() {
         centres_[i].runs_away = false;
         sample.place = places[i];
         sample.ray = world_.lens().ray(x_, y_, sample.place);
-        sample.found = world_.rays().closest(sample.ray, sample.hit);
+        sample.found = world_.rays().closest(sample.ray, sample.hit, &layers_[i]);
         sample.owner = i;
         for (uint32_t before = i; sample.found && before-- > 0;)
             if (samples_[before].found && samples_[before].hit.draw == sample.hit.draw &&
@@ -263,37 +265,42 @@ glm::vec3 PixelShader::behind(const Sample& sample) const {
     return glm::vec3(world_.background(at_fragments(form_.samples.material) ? centre_ray_ : sample.ray) * factor_);
 }
 
+/// Lights at some points of the pixel on one material there: their mean.
+Lighting PixelShader::shine(const Surface& material, std::span<const Point> points, bool shadows_at_pixel) {
+    Lighting lighting(form_, material, factor_, world_.environment());
+    for (const auto& [point, share] : points) {
+        const Surface lit = lit_as(material, point->surface);
+        Lighting lights(form_, lit, factor_, world_.environment());
+        const Hit* shadows_at = !shadows_at_pixel ? &point->hit : pixel_.found ? &pixel_.hit : nullptr;
+        point->shadow_mask = world_.gather(lights, lit, point->hit, shadows_at, reached_);
+        point->lit = true;
+        lighting.take(lights, share);
+    }
+    return lighting;
+}
+
 /// The colour of some samples from one evaluation of their material. `owner`: of their triangle.
 void PixelShader::shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets) {
-    std::array<Sample*, most_samples> points{};
-    std::array<double, most_samples> shares{};
+    std::array<Point, most_samples> all_points{};
     size_t count = 0;
     for (const Sample* target : targets) {
-        Sample* const point = &point_of(*target);
-        const size_t at =
-            static_cast<size_t>(std::find(points.begin(), points.begin() + count, point) - points.begin());
+        size_t at = 0;
+        while (at < count && all_points[at].sample != &point_of(*target))
+            ++at;
         count = std::max(count, at + 1);
-        points[at] = point;
-        shares[at] += 1.0 / static_cast<double>(targets.size());
+        all_points[at].sample = &point_of(*target);
+        all_points[at].share += 1.0 / static_cast<double>(targets.size());
     }
-    const bool dark = material.unlit || !points[0]->found;
+    const bool dark = material.unlit || !all_points[0].sample->found;
+    const auto points = std::span<const Point>(all_points).first(dark ? 0 : count);
 
     Surface seen = material;
     if (form_.occlusion_radius > 0 && !dark) {
         seen.visibility = 0;
-        for (size_t i = 0; i < count; ++i)
-            seen.visibility += shares[i] * points[i]->surface.visibility;
+        for (const auto& [point, share] : points)
+            seen.visibility += share * point->surface.visibility;
     }
-    Lighting lighting(form_, seen, factor_, world_.environment());
-    for (size_t i = 0; i < count && !dark; ++i) {
-        Sample& point = *points[i];
-        const Surface lit = lit_as(seen, point.surface);
-        Lighting lights(form_, lit, factor_, world_.environment());
-        const Hit* shadows_at = !form_.samples.shadows_per_pixel ? &point.hit : pixel_.found ? &pixel_.hit : nullptr;
-        point.shadow_mask = world_.gather(lights, lit, point.hit, shadows_at, reached_);
-        point.lit = true;
-        lighting.take(lights, shares[i]);
-    }
+    Lighting lighting = shine(seen, points, form_.samples.shadows_per_pixel);
     const LightSums sums = lighting.sums();
     const auto colour = glm::vec3(lighting.radiance(ambient_) * factor_);
     for (Sample* target : targets) {
@@ -305,6 +312,49 @@ void PixelShader::shade_material(const Surface& material, uint32_t owner, std::s
         target->lit = point.lit;
         target->shadow_mask = point.shadow_mask;
     }
+}
+
+/// Puts the blended surfaces in front of a sample over its colour.
+void PixelShader::lay_over(uint32_t index) {
+    if (layers_[index].empty())
+        return;
+    Sample& sample = samples_[index];
+    glm::dvec3 sum(0);
+    double through = 1;
+    for (const Hit& hit : layers_[index]) {
+        const Sample& layer = sample.layers.emplace_back(layer_at(index, hit));
+        sum += through * layer.surface.alpha * glm::dvec3(layer.colour);
+        through *= 1 - layer.surface.alpha;
+    }
+    sample.colour = glm::vec3(sum + through * glm::dvec3(sample.colour));
+}
+
+/// A blended surface in front of a sample, shaded.
+Sample PixelShader::layer_at(uint32_t index, const Hit& hit) {
+    const bool per_fragment = at_fragments(form_.samples.layers);
+    for (uint32_t before = 0; per_fragment && before < index; ++before)
+        for (const Sample& shaded : samples_[before].layers)
+            if (shaded.hit.draw == hit.draw && shaded.hit.triangle == hit.triangle) {
+                Sample layer = shaded;
+                layer.hit = hit;
+                return layer;
+            }
+    Sample layer;
+    layer.place = samples_[index].place;
+    layer.ray = samples_[index].ray;
+    layer.hit = hit;
+    layer.found = true;
+    if (per_fragment)
+        layer = centre_of(layer);
+    else
+        layer.surface = world_.surface(hit, x_, y_, layer.place);
+    occlude(layer);
+    const Surface seen = layer.surface; // shine() is told of it by itself
+    const Point lit{&layer, 1};
+    Lighting lighting = shine(seen, {&lit, seen.unlit ? size_t(0) : 1}, false);
+    layer.colour = glm::vec3(lighting.radiance(ambient_) * factor_);
+    layer.hit = hit;
+    return layer;
 }
 
 } // namespace prelight::reference

@@ -23,6 +23,7 @@ struct Sample {
     glm::vec3 colour{0};         ///< exposed scene-linear
     glm::dvec3 base_colour{0};   ///< of the material that gave the colour
     LightSums sums;              ///< which that material met
+    std::vector<Sample> layers;  ///< blended surfaces in front of it, nearest first; its colour shows them
 };
 
 /// Casts a pixel's rays and shades what they hit, in the form's own way.
@@ -53,7 +54,15 @@ private:
     Sample& point_of(const Sample& sample);
     void occlude(Sample& point) const;
     glm::vec3 behind(const Sample& sample) const;
+    /// Where lights are evaluated, and how much of the mean they are there.
+    struct Point {
+        Sample* sample;
+        double share;
+    };
+    Lighting shine(const Surface& material, std::span<const Point> points, bool shadows_at_pixel);
     void shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets);
+    void lay_over(uint32_t index);
+    Sample layer_at(uint32_t index, const Hit& hit);
 
     const SeenWorld& world_;
     const ReferenceForm& form_;
@@ -62,11 +71,12 @@ private:
     uint32_t x_ = 0, y_ = 0;
     Ray centre_ray_;
     std::array<Sample, most_samples> samples_;
-    std::array<Sample, most_samples> centres_; ///< of fragments, by owner: the place under the pixel's centre
-    Sample pixel_;                             ///< the pixel's one place, for light or shadows once a pixel
-    bool one_surface_ = false;                 ///< all samples share one
-    std::array<Sample, most_samples> edges_;   ///< of an edge pixel's surfaces, by their first samples
-    std::array<uint32_t, most_samples> edge_;  ///< of each sample, which of them
+    std::array<std::vector<Hit>, most_samples> layers_; ///< what their rays went through
+    std::array<Sample, most_samples> centres_;          ///< of fragments, by owner: the place under the pixel's centre
+    Sample pixel_;                                      ///< the pixel's one place, for light or shadows once a pixel
+    bool one_surface_ = false;                          ///< all samples share one
+    std::array<Sample, most_samples> edges_;            ///< of an edge pixel's surfaces, by their first samples
+    std::array<uint32_t, most_samples> edge_;           ///< of each sample, which of them
     std::vector<uint32_t> reached_;
 };
 

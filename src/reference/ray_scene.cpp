@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <prelight/error.hpp>
+#include <reference/passed_surfaces.hpp>
 #include <reference/ray_scene.hpp>
 
 namespace prelight::reference {
@@ -13,47 +14,21 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A masked surface that let the ray pass.
-struct Hole {
-    double distance;
-    uint32_t draw;
-};
-
 /// Embree hands this to the filter with every ray.
 struct Context {
     RTCIntersectContext embree; // first, so that the pointers are the same
     const RayScene* scene;
-    std::vector<Hole>* holes; ///< null for shadow rays
+    bool both_faces = false;                  ///< of single-sided materials too
+    bool meets_layers = false;                ///< as if they were opaque
+    bool meets_nothing = false;               ///< it goes through all, and `crossed` tells of layers
+    std::vector<Hole>* holes = nullptr;       ///< where what alpha tests let pass is told
+    std::vector<Crossing>* crossed = nullptr; ///< likewise layers
 };
-
-/// Finaliser of splitmix64 (Steele, Lea, Flood 2014): spreads a small number over 64 bits.
-uint64_t scattered(uint64_t x) {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
 
 /// Inverse transpose without dividing by the determinant, which a flat scale makes zero.
 glm::dmat3 normal_matrix(const glm::dmat3& m, bool mirrored) {
     const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     return mirrored ? -cofactors : cofactors;
-}
-
-/// Embree asks about triangles in any order: a hole beyond `limit`, the hit, tells nothing. A ray
-/// through an edge meets both triangles there, which is one hole.
-uint64_t hash_of(std::vector<Hole>& holes, double limit) {
-    std::sort(holes.begin(), holes.end(), [](const Hole& a, const Hole& b) {
-        return a.draw != b.draw ? a.draw < b.draw : a.distance < b.distance;
-    });
-    uint64_t hash = 0;
-    for (size_t i = 0; i < holes.size(); ++i) {
-        const bool again = i > 0 && holes[i].draw == holes[i - 1].draw &&
-                           holes[i].distance - holes[i - 1].distance < 1e-5 * holes[i].distance;
-        if (!again && holes[i].distance < limit)
-            hash += scattered(holes[i].draw * uint64_t(2));
-    }
-    return hash;
 }
 
 RTCRay to_embree(const Ray& ray) {
@@ -116,8 +91,10 @@ struct RayScene::Embree {
     }
 };
 
-RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textures)
-    : textures_(textures), embree_(std::make_unique<Embree>()) {
+RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textures, Transparency transparency,
+                   TransparentShadows transparent_shadows)
+    : textures_(textures), transparency_(transparency), transparent_shadows_(transparent_shadows),
+      embree_(std::make_unique<Embree>()) {
     const Scene& scene = *world.scene;
     rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
     for (uint32_t i = 0; i < world.instances.size(); ++i) {
@@ -137,8 +114,10 @@ RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textur
                               normal_matrix(linear, mirrored), mirrored});
         }
     }
-    for (const Draw& draw : draws_)
+    for (const Draw& draw : draws_) {
         add(draw, world);
+        has_layers_ = has_layers_ || is_layer(draw);
+    }
     rtcCommitScene(embree_->scene);
     embree_->check();
 }
@@ -178,7 +157,7 @@ void RayScene::add(const Draw& draw, const World& world) {
         }
         std::copy_n(primitive.indices.begin(), triangles * 3, indices);
         rtcSetGeometryIntersectFilterFunction(geometry, filter);
-        if (draw.material->alpha_mode == AlphaMode::mask)
+        if (draw.material->alpha_mode == AlphaMode::mask || is_layer(draw))
             rtcSetGeometryOccludedFilterFunction(geometry, filter);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(embree_->scene, geometry, static_cast<unsigned>(&draw - draws_.data()));
@@ -192,16 +171,21 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     const auto& ray = *reinterpret_cast<const RTCRay*>(arguments->ray);
     const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
     const Draw& draw = context.scene->draws_[hit.geomID];
-    const bool shadow = context.holes == nullptr;
+    const float against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
 
-    if (!shadow && !draw.material->double_sided) {
-        const float against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
-        if (draw.mirrored ? against <= 0 : against >= 0) {
-            arguments->valid[0] = 0;
-            return;
-        }
+    if (!context.both_faces && !draw.material->double_sided && (draw.mirrored ? against <= 0 : against >= 0)) {
+        arguments->valid[0] = 0;
+        return;
     }
-    if (draw.material->alpha_mode != AlphaMode::mask)
+    if (context.scene->is_layer(draw) && !context.meets_layers) {
+        arguments->valid[0] = 0;
+        if (context.crossed)
+            context.crossed->push_back({ray.tfar, hit.geomID, hit.primID, {hit.u, hit.v}, against > 0});
+        return;
+    }
+    if (context.meets_nothing)
+        arguments->valid[0] = 0;
+    if (context.meets_nothing || draw.material->alpha_mode != AlphaMode::mask)
         return;
     const glm::dvec2 place(hit.u, hit.v);
     Hit tested;
@@ -211,13 +195,13 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     if (context.scene->base_colour(tested).a >= static_cast<double>(draw.material->alpha_cutoff))
         return;
     arguments->valid[0] = 0;
-    if (!shadow)
+    if (context.holes)
         context.holes->push_back({ray.tfar, hit.geomID});
 }
 
-bool RayScene::closest(const Ray& ray, Hit& hit) const {
+bool RayScene::closest(const Ray& ray, Hit& hit, std::vector<Hit>* layers) const {
     std::vector<Hole> holes;
-    Context context{{}, this, &holes};
+    Context context{.embree = {}, .scene = this, .holes = &holes};
     rtcInitIntersectContext(&context.embree);
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -227,14 +211,42 @@ bool RayScene::closest(const Ray& ray, Hit& hit) const {
     const bool found = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     hit = {};
     hit.mask_outcome = hash_of(holes, found ? double(query.ray.tfar) : infinity);
-    if (!found)
+    if (!found) {
+        if (layers)
+            *layers = layers_until(ray, infinity);
         return false;
+    }
     hit.draw = query.hit.geomID;
     hit.triangle = query.hit.primID;
     if (draws_[hit.draw].material->alpha_mode == AlphaMode::mask)
         hit.mask_outcome += scattered(hit.draw * uint64_t(2) + 1);
     refine(ray, hit, {query.hit.u, query.hit.v}, query.ray.tfar);
+    if (layers)
+        *layers = layers_until(ray, hit.distance);
     return true;
+}
+
+std::vector<Hit> RayScene::layers_until(const Ray& ray, double limit) const {
+    std::vector<Hit> layers;
+    if (!has_layers_)
+        return layers;
+    // By itself, and somewhat farther: the search for the hit may have ended before a layer that lies on it.
+    std::vector<Crossing> crossed;
+    Context context{.embree = {}, .scene = this, .meets_nothing = true, .crossed = &crossed};
+    rtcInitIntersectContext(&context.embree);
+    RTCRayHit query{to_embree({ray.origin, ray.direction, ray.near, std::min(ray.far, limit * 1.00001)}), {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(embree_->scene, &context.embree, &query);
+    leave_one_each(crossed, draws_);
+    for (const Crossing& one : crossed) {
+        Hit& hit = layers.emplace_back();
+        hit.draw = one.draw;
+        hit.triangle = one.triangle;
+        refine(ray, hit, one.place, one.distance);
+    }
+    front_to_back(layers, limit);
+    return layers;
 }
 
 void RayScene::refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights, double embree_distance) const {
@@ -274,16 +286,33 @@ Hit RayScene::beside(const Hit& hit, const Ray& ray) const {
     return out;
 }
 
-bool RayScene::blocked(const Ray& ray) const {
-    Context context{{}, this, nullptr};
+Passage RayScene::passage(const Ray& ray) const {
+    std::vector<Crossing> crossed;
+    Context context{.embree = {},
+                    .scene = this,
+                    .both_faces = true,
+                    .meets_layers = transparent_shadows_ == TransparentShadows::opaque,
+                    .crossed = transparent_shadows_ == TransparentShadows::filtered ? &crossed : nullptr};
     rtcInitIntersectContext(&context.embree);
     RTCRay query = to_embree(ray);
     rtcOccluded1(embree_->scene, &context.embree, &query);
-    return query.tfar < 0; // Embree's sign for "something there"
+    if (query.tfar < 0) // Embree's sign for "something there"
+        return {.transmittance = 0};
+    Passage passage;
+    leave_one_each(crossed, draws_);
+    for (const Crossing& one : crossed) {
+        Hit hit;
+        hit.draw = one.draw;
+        hit.triangle = one.triangle;
+        hit.weights = {1 - one.place.x - one.place.y, one.place.x, one.place.y};
+        passage.transmittance *= 1 - std::clamp(base_colour(hit).a, 0.0, 1.0);
+        passage.crossed += scattered(one.draw + uint64_t(1));
+    }
+    return passage;
 }
 
 double RayScene::blocked_at(const Ray& ray) const {
-    Context context{{}, this, nullptr};
+    Context context{.embree = {}, .scene = this, .both_faces = true};
     rtcInitIntersectContext(&context.embree);
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -2,6 +2,7 @@
 #include <array>
 #include <glm/mat3x3.hpp>
 #include <memory>
+#include <prelight/reference.hpp>
 #include <prelight/scene.hpp>
 #include <reference/texture.hpp>
 #include <vector>
@@ -45,6 +46,12 @@ struct Beside {
     Hit across, down;
 };
 
+/// What comes through along a shadow ray.
+struct Passage {
+    double transmittance = 1; ///< Π(1 − α) over blended surfaces; 0 where anything opaque is in the way
+    uint64_t crossed = 0;     ///< hash of those blended surfaces; 0: none, or it makes no difference
+};
+
 /// Added to either texture-coordinate set.
 using TexcoordShift = std::array<glm::dvec2, 2>;
 
@@ -54,19 +61,26 @@ using TexcoordShift = std::array<glm::dvec2, 2>;
 /// Back faces of single-sided materials are not there, nor is a masked surface below its cutoff.
 class RayScene {
 public:
+    using Transparency = ReferenceForm::Transparency;
+    using TransparentShadows = ReferenceForm::TransparentShadows;
     /// Throws Error when an index is out of range or Embree fails.
-    RayScene(const World& world, glm::dvec3 origin, const Textures& textures);
+    RayScene(const World& world, glm::dvec3 origin, const Textures& textures,
+             Transparency transparency = Transparency::opaque,
+             TransparentShadows transparent_shadows = TransparentShadows::opaque);
     ~RayScene();
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;
 
-    /// The nearest hit within [near, far]. Returns false when there is none.
-    bool closest(const Ray& ray, Hit& hit) const;
+    /// The nearest hit within [near, far]. Returns false when there is none. Layers are not hit. `layers`: set to those
+    /// up to the hit, one that lies on it too, nearest first, at one distance by instance and primitive.
+    bool closest(const Ray& ray, Hit& hit, std::vector<Hit>* layers = nullptr) const;
     /// Where another ray meets the plane of the triangle that was hit, on the triangle or not.
     Hit beside(const Hit& hit, const Ray& ray) const;
-    /// Whether anything lies on the ray; here both faces of every triangle count.
-    bool blocked(const Ray& ray) const;
-    /// How far the nearest of what blocked() asks for lies, as a multiple of the direction; infinity: nothing.
+    /// What light comes through on the ray; here both faces of every triangle count.
+    Passage passage(const Ray& ray) const;
+    bool blocked(const Ray& ray) const { return passage(ray).transmittance == 0; }
+    /// How far the nearest surface lies, of both faces, as a multiple of the direction; infinity: nothing. Layers do
+    /// not count.
     double blocked_at(const Ray& ray) const;
     const Draw& draw(uint32_t index) const { return draws_[index]; }
     size_t draw_count() const { return draws_.size(); }
@@ -76,10 +90,18 @@ public:
 private:
     struct Embree;
     void add(const Draw& draw, const World& world);
+    /// Nearest first.
+    std::vector<Hit> layers_until(const Ray& ray, double limit) const;
     void refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights, double embree_distance) const;
     static void filter(const RTCFilterFunctionNArguments* arguments);
+    bool is_layer(const Draw& draw) const {
+        return transparency_ == Transparency::layers && draw.material->alpha_mode == AlphaMode::blend;
+    }
 
     const Textures& textures_;
+    Transparency transparency_;
+    TransparentShadows transparent_shadows_;
+    bool has_layers_ = false;
     std::vector<Draw> draws_;
     std::unique_ptr<Embree> embree_;
 };

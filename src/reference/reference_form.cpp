@@ -66,7 +66,15 @@ ReferenceForm reference_form(Shading shading, const InForce& settings, uint32_t 
                         : is("specular", "luminance")     ? Specular::luminance
                         : is("specular", "bent")          ? Specular::bent
                                                           : Specular::stored;
+    if (settings.contains("transparency") && !is("transparency", "opaque"))
+        form.transparency = ReferenceForm::Transparency::layers;
+    using Shadows = ReferenceForm::TransparentShadows;
+    form.transparent_shadows = is("transparent-shadows", "filtered") ? Shadows::filtered
+                               : is("transparent-shadows", "none")   ? Shadows::none
+                                                                     : Shadows::opaque;
     form.samples = samples_form(settings, samples);
+    if (samples > 1 && form.transparency == ReferenceForm::Transparency::layers && !is("msaa-layers", "sample"))
+        form.samples.layers = ReferenceSamples::Rate::fragment;
     return form;
 }
 

@@ -53,13 +53,17 @@ ReferenceSamples samples_of(const Settings& settings, uint32_t count) {
             .light = lights.at(settings.at("msaa-light")),
             .material = rate("msaa-material"),
             .geometry = rate("msaa-geometry"),
-            .shadows_per_pixel = settings.at("msaa-shadows") == "pixel"};
+            .shadows_per_pixel = settings.at("msaa-shadows") == "pixel",
+            .layers = rate("msaa-layers")};
 }
 
 ReferenceForm form_of(const Settings& settings, Shading shading, uint32_t samples) {
     using Fresnel = ReferenceForm::Fresnel;
     static const std::map<std::string, Fresnel> forms{
         {"weighted", Fresnel::weighted}, {"nv", Fresnel::nv}, {"mono", Fresnel::mono}, {"full", Fresnel::full}};
+    using Shadows = ReferenceForm::TransparentShadows;
+    static const std::map<std::string, Shadows> shadows{
+        {"opaque", Shadows::opaque}, {"filtered", Shadows::filtered}, {"none", Shadows::none}};
     using Specular = ReferenceForm::Specular;
     static const std::map<std::string, Specular> ways{{"stored", Specular::stored},
                                                       {"luv", Specular::luv},
@@ -79,6 +83,9 @@ ReferenceForm form_of(const Settings& settings, Shading shading, uint32_t sample
             .occlusion_radius = settings.at("ambient-occlusion") == "on" ? radius_of(settings) : 0,
             .bilinear_level0 = settings.at("texture-filter") == "bilinear",
             .specular = ways.at(settings.at("specular")),
+            .transparency = settings.at("transparency") == "layers" ? ReferenceForm::Transparency::layers
+                                                                    : ReferenceForm::Transparency::opaque,
+            .transparent_shadows = shadows.at(settings.at("transparent-shadows")),
             .samples = samples_of(settings, samples)};
 }
 
@@ -236,6 +243,14 @@ RendererInfo reference_info() {
                  "material",
                  "ambient as a term of the material, or as a light in the diffuse sum"},
                 {"shadows", {"off", "on"}, "off", "a shadow ray for every light that casts a shadow"},
+                {"transparency",
+                 {"layers", "opaque"},
+                 "layers",
+                 "materials that are blended: each layer of a pixel in its order, or drawn opaque"},
+                {"transparent-shadows",
+                 {"opaque", "filtered", "none"},
+                 "opaque",
+                 "shadows of blended materials: as of opaque ones, less deep by alpha, or none"},
                 {"specular-antialiasing",
                  {"off", "on"},
                  "on",
@@ -261,9 +276,13 @@ RendererInfo reference_info() {
                  {"sample", "pixel"},
                  "sample",
                  "shadows wherever lights are evaluated, or once for the whole pixel"},
+                {"msaa-layers",
+                 {"sample", "fragment"},
+                 "sample",
+                 "blended materials and their light at each sample, or at a pixel's centre once a triangle"},
             },
         .views = {"final", "linear", "depth", "normal", "albedo", "diffuse-light", "specular-light", "light-count",
-                  "ambient-occlusion"},
+                  "ambient-occlusion", "layers"},
         .presets = {},
         .needs_device = false,
     };

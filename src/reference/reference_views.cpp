@@ -33,7 +33,7 @@ Image draw_light(Image light, double factor) {
 }
 
 Image draw_counts(const Image& size, const std::vector<uint32_t>& counts) {
-    // Black, blue, cyan, green, yellow, red, white at 0, 1, 4, 16, 64, 256, 1,024 lights.
+    // Black, blue, cyan, green, yellow, red, white at 0, 1, 4, 16, 64, 256, 1,024.
     static constexpr std::array<glm::vec3, 7> ramp{
         {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {1, 1, 1}}};
     Image image(size.width, size.height);
@@ -63,6 +63,8 @@ Image draw_view(std::string_view view, const ReferencePicture& picture, const Re
         return draw_light(buffers.specular_light, exposure_factor);
     if (view == "light-count")
         return draw_counts(picture.linear, buffers.light_count);
+    if (view == "layers")
+        return draw_counts(picture.linear, picture.layer_count);
     if (view == "ambient-occlusion")
         return buffers.visibility;
     throw UsageError("reference: no view is named " + std::string(view));

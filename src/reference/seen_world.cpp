@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <reference/passed_surfaces.hpp>
 #include <reference/seen_world.hpp>
 
 namespace prelight::reference {
@@ -8,8 +9,8 @@ namespace prelight::reference {
 SeenWorld::SeenWorld(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
                      const ReferenceForm& form)
     : form_(form), world_(world), textures_(*world.scene, form.bilinear_level0),
-      rays_(world, camera.position, textures_), lights_(world, camera.position),
-      environment_(world.scene->environment.get()), lens_(camera, width, height) {
+      rays_(world, camera.position, textures_, form.transparency, form.transparent_shadows),
+      lights_(world, camera.position), environment_(world.scene->environment.get()), lens_(camera, width, height) {
     if (!world.decals.empty())
         decals_.emplace(world, camera.position, textures_);
 }
@@ -46,21 +47,27 @@ uint64_t SeenWorld::gather(Lighting& lighting, const Surface& surface, const Hit
     uint64_t shadow_mask = 0;
     lights_.reach(surface.position, reached);
     for (const uint32_t index : reached) {
-        const Incident light = lights_.incident(index, surface.position, pixel);
+        Incident light = lights_.incident(index, surface.position, pixel);
         if (lighting.cosine(light) <= 0 || light.radiance == glm::dvec3(0))
             continue;
-        if (form_.shadows && light.casts_shadow && shadows_at &&
-            shadowed(*shadows_at, shadows_at == &hit ? light : lights_.incident(index, shadows_at->position)))
-            shadow_mask += (index + uint64_t(1)) * 0x9e3779b97f4a7c15u;
-        else
-            lighting.add(light);
+        if (form_.shadows && light.casts_shadow && shadows_at) {
+            const Passage passage =
+                from_light(*shadows_at, shadows_at == &hit ? light : lights_.incident(index, shadows_at->position));
+            const uint64_t mark = (index + uint64_t(1)) * 0x9e3779b97f4a7c15u;
+            if (passage.crossed != 0) // which surfaces dim it: their alpha may well vary from pixel to pixel
+                shadow_mask += scattered(mark ^ passage.crossed);
+            else if (passage.transmittance == 0)
+                shadow_mask += mark;
+            light.radiance *= passage.transmittance;
+        }
+        lighting.add(light);
     }
     return shadow_mask;
 }
 
-bool SeenWorld::shadowed(const Hit& hit, const Incident& light) const {
+Passage SeenWorld::from_light(const Hit& hit, const Incident& light) const {
     const glm::dvec3 start = hit.position + hit.geometric_normal * hit.offset;
-    return rays_.blocked({start, light.to_light, 0, light.distance - hit.offset});
+    return rays_.passage({start, light.to_light, 0, light.distance - hit.offset});
 }
 
 } // namespace prelight::reference

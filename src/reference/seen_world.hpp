@@ -24,13 +24,14 @@ public:
     Surface surface(const Hit& hit, uint32_t x, uint32_t y, glm::dvec2 place) const;
     /// Its normal alone, without decals.
     glm::dvec3 normal(const Hit& hit, const Ray& ray) const;
-    /// Adds every light that reaches the surface and is not in shadow there. Returns a hash of those that are.
+    /// Adds every light that reaches the surface and is not in shadow there. Returns a hash of those that are, or in
+    /// part.
     /// `shadows_at`: where shadow rays start, `hit` as a rule; null: nothing is in shadow. `reached`: room to work in.
     uint64_t gather(Lighting& lighting, const Surface& surface, const Hit& hit, const Hit* shadows_at,
                     std::vector<uint32_t>& reached) const;
 
 private:
-    bool shadowed(const Hit& hit, const Incident& light) const;
+    Passage from_light(const Hit& hit, const Incident& light) const;
 
     const ReferenceForm& form_;
     const World& world_;

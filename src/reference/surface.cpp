@@ -316,7 +316,9 @@ Surface evaluate_surface(const RayScene& scene, const Textures& textures, const 
     surface.position = hit.position;
     surface.view = view;
     surface.normal = bent_normal(read, material, frame, hit.back);
-    surface.base_colour = glm::dvec3(scene.base_colour(hit, read.shift, beside));
+    const glm::dvec4 base = scene.base_colour(hit, read.shift, beside);
+    surface.base_colour = glm::dvec3(base);
+    surface.alpha = std::clamp(base.a, 0.0, 1.0);
     surface.unlit = material.unlit;
     surface.shaded = material.shader ? &material : nullptr;
 

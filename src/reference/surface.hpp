@@ -23,6 +23,7 @@ struct Surface {
     glm::dvec3 normal{0, 0, 1}; ///< shading normal, after the normal map
     glm::dvec3 view{0, 0, 1};   ///< towards the viewer
     glm::dvec3 base_colour{0};  ///< linear
+    double alpha = 1;           ///< factor × texture × vertex colour, 0 … 1; layers alone heed it
     glm::dvec3 emissive{0};     ///< linear radiance
     double metallic = 0;
     double roughness = 1;             ///< perceptual, ≥ 0.089

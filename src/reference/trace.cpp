@@ -49,6 +49,9 @@ public:
         picture.shadow_mask.assign(pixels, 0);
         picture.mask_outcome.assign(pixels, 0);
         picture.samples = form_.samples.count;
+        row_layers_.resize(form_.transparency == ReferenceForm::Transparency::layers ? height : 0);
+        if (!row_layers_.empty())
+            picture.layer_count.assign(pixels, 0);
         if (picture.samples > 1) {
             picture.sample_colours.assign(pixels * picture.samples, glm::vec3(0));
             picture.edge.assign(pixels, 0);
@@ -70,6 +73,10 @@ public:
             const std::span<const Sample> samples = shader.shade(x, y);
             const size_t at = size_t(y) * picture.linear.width + x;
             put_surface(at, samples[0]);
+            for (const Sample& layer : samples[0].layers)
+                row_layers_[y].push_back(layer_of(layer));
+            if (!row_layers_.empty())
+                picture.layer_count[at] = static_cast<uint32_t>(samples[0].layers.size());
             picture.linear.pixels[at] = samples[0].colour;
             if (samples.size() == 1)
                 continue;
@@ -83,6 +90,14 @@ public:
     }
 
     void compare_row(uint32_t y) { find_doubts(picture, seen_, y); }
+
+    /// Once all rows are there.
+    void gather_layers() {
+        for (const std::vector<ReferenceLayer>& row : row_layers_)
+            picture.layers.insert(picture.layers.end(), row.begin(), row.end());
+        if (picture.layers.empty())
+            picture.layer_count.clear();
+    }
 
     ReferencePicture picture;
 
@@ -115,11 +130,24 @@ private:
                               : ray_visibility(world_.rays(), hit, sample.surface.normal, radius));
     }
 
+    ReferenceLayer layer_of(const Sample& layer) const {
+        const Draw& draw = world_.rays().draw(layer.hit.draw);
+        return {.instance = draw.instance,
+                .primitive = draw.primitive_index,
+                .depth = layer.hit.distance,
+                .alpha = layer.surface.alpha,
+                .position = origin_ + layer.hit.position,
+                .normal = layer.surface.normal,
+                .geometric_normal = layer.hit.geometric_normal,
+                .shadow_mask = layer.shadow_mask};
+    }
+
     ReferenceForm form_;
     SeenWorld world_;
     glm::dvec3 origin_, ambient_;
     double factor_;
-    std::vector<SeenSample> seen_; ///< of several samples a pixel
+    std::vector<SeenSample> seen_;                        ///< of several samples a pixel
+    std::vector<std::vector<ReferenceLayer>> row_layers_; ///< empty: BLEND is opaque
     ReferenceBuffers* buffers_;
 };
 
@@ -131,6 +159,7 @@ ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t 
         throw Error(fmt::format("reference: a picture of {}x{} pixels is not rendered", width, height));
     Tracer tracer(world, camera, width, height, exposure, form, buffers);
     parallel_for(height, [&](uint32_t row) { tracer.trace_row(row); });
+    tracer.gather_layers();
     if (tracer.picture.samples > 1)
         parallel_for(height, [&](uint32_t row) { tracer.compare_row(row); });
     return std::move(tracer.picture);

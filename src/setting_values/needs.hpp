@@ -28,6 +28,8 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"spot-volume", {"light-culling", {"volumes", "stencil"}}},
         {"volume-depth-test", {"light-culling", {"volumes"}}},
         {"depth-bounds", {"light-culling", {"rectangles"}}},
+        {"transparent-shadows", {"shadows", {"on"}}},
+        {"transparent-shadows", {"transparency", {"layers"}}},
         {"shadow-filter", {"shadows", {"on"}}},
         {"shadow-budget", {"shadows", {"on"}}},
         {"shadow-detail", {"shadows", {"on"}}},
@@ -40,7 +42,9 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"msaa-material", {"msaa", {"2", "4"}}},
         {"msaa-geometry", {"msaa", {"2", "4"}}},
         {"msaa-shadows", {"msaa", {"2", "4"}}},
-        {"msaa-shadows", {"shadows", {"on"}}}};
+        {"msaa-shadows", {"shadows", {"on"}}},
+        {"msaa-layers", {"msaa", {"2", "4"}}},
+        {"msaa-layers", {"transparency", {"layers"}}}};
     std::vector<SettingNeed> found;
     for (auto [it, end] = needs.equal_range(key); it != end; ++it)
         found.push_back(it->second);
