@@ -58,11 +58,15 @@ void leave_one_each(std::vector<Crossing>& crossed, std::span<const Draw> draws)
     const auto key = [](const Crossing& one) { return std::tuple(one.draw, one.triangle); };
     std::sort(crossed.begin(), crossed.end(), [&](const Crossing& a, const Crossing& b) { return key(a) < key(b); });
     std::vector<Crossing> kept;
-    for (const Crossing& one : crossed)
-        if (std::none_of(kept.begin(), kept.end(), [&](const Crossing& other) {
+    size_t first = 0; // of the draw's
+    for (const Crossing& one : crossed) {
+        if (first < kept.size() && kept[first].draw != one.draw)
+            first = kept.size();
+        if (std::none_of(kept.begin() + first, kept.end(), [&](const Crossing& other) {
                 return key(other) == key(one) || meet_there(other, one, draws[one.draw]);
             }))
             kept.push_back(one);
+    }
     crossed = std::move(kept);
 }
 
