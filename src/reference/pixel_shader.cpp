@@ -32,6 +32,15 @@ Surface lit_as(const Surface& material, const Surface& point) {
     return lit;
 }
 
+/// What another point of its fragment was shaded as, or it itself, where the sample's ray meets it.
+Sample shown_by(const Sample& place, const Sample& shaded) {
+    Sample out = shaded;
+    out.place = place.place;
+    out.ray = place.ray;
+    out.hit = place.hit;
+    return out;
+}
+
 } // namespace
 
 std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
@@ -332,29 +341,23 @@ void PixelShader::lay_over(uint32_t index) {
 /// A blended surface in front of a sample, shaded.
 Sample PixelShader::layer_at(uint32_t index, const Hit& hit) {
     const bool per_fragment = at_fragments(form_.samples.layers);
-    for (uint32_t before = 0; per_fragment && before < index; ++before)
-        for (const Sample& shaded : samples_[before].layers)
-            if (shaded.hit.draw == hit.draw && shaded.hit.triangle == hit.triangle) {
-                Sample layer = shaded;
-                layer.hit = hit;
-                return layer;
-            }
     Sample layer;
     layer.place = samples_[index].place;
     layer.ray = samples_[index].ray;
     layer.hit = hit;
     layer.found = true;
-    if (per_fragment)
-        layer = centre_of(layer);
-    else
-        layer.surface = world_.surface(hit, x_, y_, layer.place);
-    occlude(layer);
-    const Surface seen = layer.surface; // shine() is told of it by itself
-    const Point lit{&layer, 1};
-    Lighting lighting = shine(seen, {&lit, seen.unlit ? size_t(0) : 1}, false);
-    layer.colour = glm::vec3(lighting.radiance(ambient_) * factor_);
-    layer.hit = hit;
-    return layer;
+    for (uint32_t before = 0; per_fragment && before < index; ++before)
+        for (const Sample& other : samples_[before].layers)
+            if (other.hit.draw == hit.draw && other.hit.triangle == hit.triangle)
+                return shown_by(layer, other);
+    Sample shaded = per_fragment ? centre_of(layer) : layer;
+    if (!per_fragment)
+        shaded.surface = world_.surface(hit, x_, y_, layer.place);
+    occlude(shaded);
+    const Point point{&shaded, 1};
+    Lighting lighting = shine(shaded.surface, {&point, shaded.surface.unlit ? size_t(0) : 1}, false);
+    shaded.colour = glm::vec3(lighting.radiance(ambient_) * factor_);
+    return shown_by(layer, shaded);
 }
 
 } // namespace prelight::reference

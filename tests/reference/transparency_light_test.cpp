@@ -30,6 +30,8 @@ struct Room : TestWorld {
         add_material(glass);
         if (pane)
             add(square(6), glm::rotate(at_height(1.5), 0.2, glm::dvec3(0, 1, 0)));
+        add_material({.base_colour = {0.9f, 0.1f, 0.1f, 0.8f}, .roughness = 0.2f});
+        world.decals.push_back({{.material = 2}, glm::scale(at_height(1.5), glm::dvec3(4, 4, 2))}); // on the pane alone
         add_light({.kind = LightKind::directional, .colour = {1, 0.9f, 0.8f}, .intensity = 1}, {}, {0.4, -0.3, -1});
         add_light({.colour = {1, 0.2f, 0.2f}, .intensity = 30, .range = 20}, {-3, 2, 4});
         add_light({.kind = LightKind::spot, .colour = {0.2f, 1, 0.2f}, .intensity = 60}, {4, 3, 4.5}, {-0.6, -0.5, -1});
