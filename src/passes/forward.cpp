@@ -1,6 +1,5 @@
 #include "forward.hpp"
 #include "resolve.hpp"
-#include "surface_draws.hpp"
 #include <algorithm>
 #include <array>
 #include <shared/bindings.h>
@@ -20,23 +19,11 @@ SurfaceDraws::Desc base_desc(uint32_t output, gpu::DepthTest depth, const DecalB
 }
 
 SurfaceDraws::Desc lights_desc(const resident::View& view, const ForwardInputs& inputs, StepKind kind) {
-    SurfaceDraws::Desc desc{.name = "forward " + inputs.name,
-                            .fragment = {"forward.frag", shadow_variant(inputs.shadows)},
-                            .constants = inputs.model.constants(),
-                            .depth = inputs.lights_test,
-                            .keeps_alpha_mask =
-                                inputs.lights_test != gpu::DepthTest::equal}; // holes let others through
-    desc.constants.insert(desc.constants.end(),
-                          {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
-                           {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
-                           {CONSTANT_LIGHT_KINDS, view.lights().kinds()},
-                           {CONSTANT_SPECULAR_ANTIALIASING, inputs.model.specular_antialiasing},
-                           {CONSTANT_FORWARD_BASE, kind == StepKind::base_and_lights}});
-    add_shadow_constants(desc.constants, view);
+    SurfaceDraws::Desc desc = forward_desc("forward.frag", view, inputs, kind == StepKind::base_and_lights);
+    desc.depth = inputs.lights_test;
+    desc.keeps_alpha_mask = inputs.lights_test != gpu::DepthTest::equal; // holes let others through
     desc.blend = kind == StepKind::lights ? gpu::Blend::add : gpu::Blend::none;
     desc.push_bytes = sizeof(shared::ForwardBatch);
-    desc.sample_shading = inputs.sample_shading;
-    desc.decals = decal_use(inputs.decals);
     return desc;
 }
 
@@ -75,6 +62,23 @@ private:
 };
 
 } // namespace
+
+SurfaceDraws::Desc forward_desc(const char* fragment, const resident::View& view, const ForwardInputs& inputs,
+                                bool with_base) {
+    SurfaceDraws::Desc desc{.name = "forward " + inputs.name,
+                            .fragment = {fragment, shadow_variant(inputs.shadows)},
+                            .constants = inputs.model.constants(),
+                            .sample_shading = inputs.sample_shading,
+                            .decals = decal_use(inputs.decals)};
+    desc.constants.insert(desc.constants.end(),
+                          {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
+                           {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
+                           {CONSTANT_LIGHT_KINDS, view.lights().kinds()},
+                           {CONSTANT_FORWARD_BASE, with_base},
+                           {CONSTANT_SPECULAR_ANTIALIASING, inputs.model.specular_antialiasing}});
+    add_shadow_constants(desc.constants, view);
+    return desc;
+}
 
 void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs) {
     graph::Pass& pass = graph.pass(inputs.name);

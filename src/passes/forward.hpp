@@ -4,6 +4,7 @@
 #include "light_lists.hpp"
 #include "light_model.hpp"
 #include "shadow_maps.hpp"
+#include "surface_draws.hpp"
 #include "tonemap.hpp"
 #include <functional>
 #include <graph/frame_graph.hpp>
@@ -32,6 +33,9 @@ struct ForwardInputs {
     bool counts_lights = false; ///< instead of light: 1 for each in R, and in G where it contributes
     uint64_t* draws = nullptr;  ///< gets the number of draws at each recording
 };
+/// What draws with forward.frag or forward_grid.frag have in common; `with_base`: ambient and emissive light too.
+SurfaceDraws::Desc forward_desc(const char* fragment, const resident::View& view, const ForwardInputs& inputs,
+                                bool with_base);
 void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs);
 
 /// Lists for the cells of a grid over the world's bounds.

@@ -1,5 +1,4 @@
 #include "forward.hpp"
-#include "surface_draws.hpp"
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -8,22 +7,11 @@ namespace {
 /// The lights of one round; each but the first adds.
 void forward_grid_round(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
                         const LightListRound& round, bool adds) {
-    SurfaceDraws::Desc desc{.name = "forward grid",
-                            .fragment = {"forward_grid.frag", shadow_variant(inputs.shadows)},
-                            .constants = inputs.model.constants(),
-                            .depth = gpu::DepthTest::equal, // exact: vertex_position() is invariant
-                            .keeps_alpha_mask = false,
-                            .blend = adds ? gpu::Blend::add : gpu::Blend::none,
-                            .push_bytes = sizeof(shared::LightListConstants),
-                            .sample_shading = inputs.sample_shading,
-                            .decals = decal_use(inputs.decals)};
-    desc.constants.insert(desc.constants.end(),
-                          {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
-                           {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
-                           {CONSTANT_LIGHT_KINDS, view.lights().kinds()},
-                           {CONSTANT_FORWARD_BASE, !adds},
-                           {CONSTANT_SPECULAR_ANTIALIASING, inputs.model.specular_antialiasing}});
-    add_shadow_constants(desc.constants, view);
+    SurfaceDraws::Desc desc = forward_desc("forward_grid.frag", view, inputs, !adds);
+    desc.depth = gpu::DepthTest::equal; // exact: vertex_position() is invariant
+    desc.keeps_alpha_mask = false;
+    desc.blend = adds ? gpu::Blend::add : gpu::Blend::none;
+    desc.push_bytes = sizeof(shared::LightListConstants);
     for (const auto& constant : display_constants(inputs.display, graph.desc(inputs.colour).format))
         desc.constants.push_back(constant);
     graph::Pass& pass = graph.pass(inputs.name + round.ending);
