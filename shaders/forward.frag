@@ -31,5 +31,6 @@ void main() {
         out_colour = vec4(float(batch.count), float(contributing), 0.0, 0.0);
         return;
     }
-    out_colour = vec4(forward_colour(s, sums, with_base, batch.limit), with_base ? 1.0 : 0.0);
+    float alpha = with_base || has(FEATURE_BLENDED) ? coverage(s) : 0.0;
+    out_colour = vec4(forward_colour(s, sums, with_base, batch.limit), alpha);
 }

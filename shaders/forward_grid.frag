@@ -4,7 +4,7 @@
 // only: SAMPLES with DECALS
 // materials: all with OWN_MATERIAL
 // Forward shading with the lights of the pixel's cell in a grid over the world. It needs nothing of
-// the screen, so that transparent surfaces can take the same path.
+// the screen, so that blended surfaces take the same path.
 #include "shared/display.glsl"
 #include "shared/forward_light.glsl"
 #include "shared/light_lists.glsl"
@@ -38,5 +38,5 @@ void main() {
         return;
     }
     // Each half of what a half float holds.
-    out_colour = stored_colour(forward_colour(s, sums, with_base, 32752.0));
+    out_colour = vec4(stored_colour(forward_colour(s, sums, with_base, 32752.0)).rgb, coverage(s));
 }

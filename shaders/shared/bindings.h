@@ -207,6 +207,7 @@
 #define FEATURE_ENVIRONMENT 128u
 #define FEATURE_OWN_TEXTURE 256u  // times 2 for each slot
 #define FEATURE_DECALS 65536u     // of an object, not of its material: decals reach it
+#define FEATURE_BLENDED 131072u   // of an object: drawn over what is behind it (alphaMode BLEND)
 
 // Kinds of lights that a frame may hold; shaders leave out what the others need.
 #define LIGHT_KIND_SPOT 1u

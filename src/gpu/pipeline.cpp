@@ -52,13 +52,19 @@ VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
 
 std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipelineDesc& desc) {
     VkPipelineColorBlendAttachmentState state{};
-    state.blendEnable = desc.blend == Blend::add || desc.blend == Blend::over;
+    state.blendEnable = desc.blend != Blend::none && desc.blend != Blend::alpha_only;
     state.srcColorBlendFactor = state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
     state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     if (desc.blend == Blend::over) {
         state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
         state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     }
+    if (desc.blend == Blend::by_alpha || desc.blend == Blend::add_by_alpha)
+        state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    if (desc.blend == Blend::by_alpha)
+        state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    if (desc.blend == Blend::add_by_alpha)
+        state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
     state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
     state.colorWriteMask = desc.fragment.empty() ? 0 : desc.blend == Blend::alpha_only ? VK_COLOR_COMPONENT_A_BIT : 0xf;
     return std::vector<VkPipelineColorBlendAttachmentState>(desc.attachments.colours.size(), state);

@@ -8,12 +8,14 @@ constexpr float largest_sum = 65504; ///< of a pixel, as a half float holds it
 
 ForwardStep base_of(size_t draw) { return {static_cast<uint32_t>(draw), StepKind::base, {}}; }
 
+shared::ForwardBatch batch_of(std::span<const uint32_t> lights) {
+    shared::ForwardBatch batch{.count = static_cast<uint32_t>(lights.size()), .limit = largest_sum, .lights = {}};
+    std::copy(lights.begin(), lights.end(), batch.lights);
+    return batch;
+}
+
 ForwardStep step_of(size_t draw, StepKind kind, std::span<const uint32_t> lights) {
-    ForwardStep step{static_cast<uint32_t>(draw), kind, {}};
-    step.batch.limit = largest_sum;
-    step.batch.count = static_cast<uint32_t>(lights.size());
-    std::copy(lights.begin(), lights.end(), step.batch.lights);
-    return step;
+    return {static_cast<uint32_t>(draw), kind, batch_of(lights)};
 }
 
 /// The first `per_pass` lights of `rest`, taken off it.
@@ -33,6 +35,17 @@ void limit_steps(ForwardPlan& plan, uint32_t most_adds) {
         batches[step.draw] += step.kind != StepKind::base;
     for (ForwardStep& step : plan)
         step.batch.limit = 32752.0f / static_cast<float>(std::max(std::min(batches[step.draw], most_adds), 1u));
+}
+
+std::vector<shared::ForwardBatch> batches_of(std::span<const uint32_t> lights, uint32_t per_pass) {
+    std::vector<shared::ForwardBatch> batches;
+    do
+        batches.push_back(batch_of(take(lights, per_pass)));
+    while (!lights.empty());
+    const float share = 32752.0f / static_cast<float>(batches.size()); // as limit_steps() has it
+    for (shared::ForwardBatch& batch : batches)
+        batch.limit = share;
+    return batches;
 }
 
 ForwardPlan plan_base(size_t draws) {

@@ -24,6 +24,9 @@ void limit_steps(ForwardPlan& plan, uint32_t most_adds);
 // All plans: no light that reaches nothing costs a step, and none that reaches an object is left out.
 // `per_pass` is 1 … FORWARD_MOST_LIGHTS.
 
+/// The draws of one object that is drawn with base and lights at once: the first has the base, and is there without any
+/// lights too.
+std::vector<shared::ForwardBatch> batches_of(std::span<const uint32_t> lights, uint32_t per_pass);
 /// The base of every object.
 ForwardPlan plan_base(size_t draws);
 /// Outer loop over objects (the XNA sample); each object's lights in batches. `with_base`: each

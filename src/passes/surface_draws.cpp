@@ -45,6 +45,14 @@ std::vector<gpu::VertexAttribute> surface_attributes(gpu::Variants variants) {
     return out;
 }
 
+VkCullModeFlags left_out_faces(const resident::Draw& draw, SurfaceDraws::Faces faces) {
+    if (!draw.double_sided)
+        return VK_CULL_MODE_BACK_BIT;
+    return faces == SurfaceDraws::Faces::all    ? VK_CULL_MODE_NONE
+           : faces == SurfaceDraws::Faces::back ? VK_CULL_MODE_FRONT_BIT
+                                                : VK_CULL_MODE_BACK_BIT;
+}
+
 bool has_textures(uint32_t features) {
     return (features & (FEATURE_BASE_COLOUR_TEXTURE | FEATURE_METALLIC_ROUGHNESS_TEXTURE | FEATURE_NORMAL_TEXTURE |
                         FEATURE_OCCLUSION_TEXTURE | FEATURE_EMISSIVE_TEXTURE)) != 0;
@@ -57,8 +65,9 @@ SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterfac
                                    : desc.keeps_alpha_mask ? ~0u
                                                            : ~FEATURE_ALPHA_MASK) &
                                   (desc.decals != Decals::none ? ~0u : ~FEATURE_DECALS)),
-      depth_only_(desc.depth_only), only_decals_(desc.decals == Decals::only), later_(is_later(desc.depth)),
-      counts_(view.visible_pixels() && !later_), skips_(view.visible_pixels() && later_) {
+      depth_only_(desc.depth_only), only_decals_(desc.decals == Decals::only), blended_(desc.blended),
+      later_(is_later(desc.depth) && !blended_), counts_(view.visible_pixels() && !later_ && !blended_),
+      skips_(view.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
                                sizeof(shared::ObjectData)};
@@ -117,7 +126,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
 }
 
 bool SurfaceDraws::left_out(const resident::Draw& draw) const {
-    return only_decals_ && !(draw.features & FEATURE_DECALS);
+    return draw.blended() != blended_ || (only_decals_ && !(draw.features & FEATURE_DECALS));
 }
 
 SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {
@@ -138,7 +147,7 @@ void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
 }
 
 void SurfaceDraws::bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw,
-                              VkBuffer indices) const {
+                              VkBuffer indices, Faces faces) const {
     const gpu::GraphicsPipeline& pipeline = pipelines_.at(key(draw));
     if (&pipeline != bound.pipeline) {
         pipeline.bind(pass.commands);
@@ -156,22 +165,22 @@ void SurfaceDraws::bind_state(const graph::PassContext& pass, Bound& bound, cons
         vkCmdBindIndexBuffer(pass.commands, indices, 0, VK_INDEX_TYPE_UINT32);
         bound.indices = indices;
     }
-    const std::pair faces(draw.double_sided, draw.mirrored);
-    if (faces == bound.faces)
+    const std::pair wanted(left_out_faces(draw, faces), draw.mirrored);
+    if (wanted == bound.faces)
         return;
-    vkCmdSetCullMode(pass.commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+    vkCmdSetCullMode(pass.commands, wanted.first);
     vkCmdSetFrontFace(pass.commands, draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    bound.faces = faces;
+    bound.faces = wanted;
 }
 
-bool SurfaceDraws::draw(const graph::PassContext& pass, Bound& bound, uint32_t index,
-                        std::span<const std::byte> push) const {
+bool SurfaceDraws::draw(const graph::PassContext& pass, Bound& bound, uint32_t index, std::span<const std::byte> push,
+                        Faces faces) const {
     const resident::VisibleDraw* visible = view_.visible().find(index);
-    if (!visible)
-        return false;
     const resident::Draw& draw = view_.scene().geometry().draws[index];
+    if (!visible || left_out(draw))
+        return false;
     const Source from = source(visible->trimmed, visible->device_trimmed);
-    bind_state(pass, bound, draw, from.indices);
+    bind_state(pass, bound, draw, from.indices, faces);
     if (!push.empty())
         bound.pipeline->push(pass.commands, push);
     if (skips_)

@@ -30,6 +30,7 @@ public:
         gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
         bool depth_only = false; ///< materials without mask get positions and no shader
         Decals decals = Decals::none;
+        bool blended = false; ///< draws that are resident::Draw::blended(), one by one with draw(); else the others
     };
     /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
     /// record into a pass in turn.
@@ -38,8 +39,10 @@ public:
         const gpu::GraphicsPipeline* pushed = nullptr; ///< that record() has pushed constants for
         uint32_t material = no_image;
         VkBuffer indices = VK_NULL_HANDLE;
-        std::optional<std::pair<bool, bool>> faces; ///< double-sided, mirrored
+        std::optional<std::pair<VkCullModeFlags, bool>> faces; ///< those left out; mirrored
     };
+    /// Which faces of an object, where its material shows both.
+    enum class Faces { all, back, front };
     /// Whether the pass comes after the frame's first one over the geometry: it may leave out what that one hid.
     static bool is_later(gpu::DepthTest depth) {
         return depth == gpu::DepthTest::equal || depth == gpu::DepthTest::behind_or_at;
@@ -49,8 +52,10 @@ public:
     void record(const graph::PassContext& pass, std::span<const std::byte> push = {}) const;
     /// Vertex buffers, before the first draw() of a pass.
     void bind_geometry(const graph::PassContext& pass) const;
-    /// One object of Geometry::draws by itself; false, and nothing, where the camera cannot see it.
-    bool draw(const graph::PassContext& pass, Bound& bound, uint32_t draw, std::span<const std::byte> push = {}) const;
+    /// One object of Geometry::draws by itself; false, and nothing, where the camera cannot see it, or where the pass
+    /// does not draw its kind.
+    bool draw(const graph::PassContext& pass, Bound& bound, uint32_t draw, std::span<const std::byte> push = {},
+              Faces faces = Faces::all) const;
 
 private:
     /// What chooses a pipeline: the material's shader, and its FEATURE_… bits.
@@ -66,13 +71,14 @@ private:
         bool operator==(const Source&) const = default;
     };
     Source source(bool trimmed, bool device_trimmed) const;
-    void bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw, VkBuffer indices) const;
+    void bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw, VkBuffer indices,
+                    Faces faces = Faces::all) const;
     void draw_indirect(const graph::PassContext& pass, VkBuffer commands, size_t first, size_t end) const;
     void draw_batch(const graph::PassContext& pass, const Source& source, size_t batch) const;
     const resident::View& view_;
     uint32_t features_kept_;
     bool depth_only_;
-    bool only_decals_;
+    bool only_decals_, blended_;
     bool later_, counts_, skips_; ///< the pass counts pixels, or leaves out what has none
     std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };

@@ -8,6 +8,7 @@
 #include "settings/sample_settings.hpp"
 #include "settings/shadow_settings.hpp"
 #include "settings/texture_settings.hpp"
+#include "settings/transparency_settings.hpp"
 #include <passes/decals.hpp>
 #include <passes/gbuffer.hpp>
 #include <passes/light_pass.hpp>
@@ -197,7 +198,7 @@ RendererInfo deferred_info() {
                              {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}},
         .preset_shading = {{"killzone2", Shading::phong}}};
     for (const auto& more : {light_culling_settings(), draw_settings(false), shadow_settings(true),
-                             occlusion_settings(), volume_settings()})
+                             occlusion_settings(), volume_settings(), transparency_settings()})
         info.settings.insert(info.settings.end(), more.begin(), more.end());
     return info;
 }

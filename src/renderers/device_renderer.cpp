@@ -8,10 +8,8 @@
 #include <cmath>
 #include <exception>
 #include <fmt/format.h>
-#include <passes/background.hpp>
 #include <passes/deformation.hpp>
 #include <passes/index_trimming.hpp>
-#include <passes/resolve.hpp>
 #include <prelight/error.hpp>
 #include <resident/texture_limit.hpp>
 #include <timing/clocks.hpp>
@@ -20,7 +18,7 @@ namespace prelight {
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
     : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)),
-      light_sums_(settings_), post_filter_(settings_, context_) {
+      light_sums_(settings_), blended_(settings_, context_), post_filter_(settings_, context_) {
     resolve_draw_settings(settings_, context_);
     resolve_texture_filter(settings_, context_);
     settings_.refuse_without_effect();
@@ -71,34 +69,8 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
     return {.texture_filter = texture_filter(settings_),
             .exposure = view.exposure,
             .trimmed = view.draws.trims_on_device(),
-            .casters = view.shadows.on};
-}
-
-DeviceRenderer::Outputs
-DeviceRenderer::linear_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId linear,
-                               const passes::SurfaceBuffers& surface,
-                               const std::function<graph::ImageId(graph::ImageId)>& filter) const {
-    passes::background_pass(graph, view, linear, surface.depth, {});
-    if (filter)
-        linear = filter(passes::resolve_pass(graph, view, linear));
-    const bool one = graph.raster(linear).samples == 1;
-    const graph::ImageId picture = one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
-                                       : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap);
-    Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
-    if (wants("linear"))
-        outputs["linear"] = passes::resolve_pass(graph, view, linear);
-    return outputs;
-}
-
-DeviceRenderer::Outputs
-DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& view,
-                                const passes::SurfaceBuffers& surface,
-                                const std::function<graph::ImageId(passes::Display)>& draw) const {
-    if (wants("linear"))
-        return linear_outputs(graph, view, draw({}), surface);
-    const graph::ImageId picture = draw(options_.tonemap);
-    passes::background_pass(graph, view, picture, surface.depth, options_.tonemap);
-    return Outputs{{"final", post_filter_.add(graph, view, surface, passes::resolve_pass(graph, view, picture))}};
+            .casters = view.shadows.on,
+            .blends = blended_.wanted()};
 }
 
 void DeviceRenderer::set_world(const World& world) {
@@ -110,7 +82,7 @@ void DeviceRenderer::set_world(const World& world) {
     world_ = nullptr; // until all of the new one is there
     scene_ = std::make_unique<resident::GpuScene>(context_, world, scene_settings());
     lights_ = std::make_unique<resident::LightSet>(*scene_);
-    view_ = std::make_unique<resident::View>(*scene_, *lights_, view_settings());
+    make_view();
     build_graph();
     world_ = &world;
     triangles_ = world.triangles;
@@ -187,6 +159,12 @@ void DeviceRenderer::resize(uint32_t width, uint32_t height) {
     }
 }
 
+void DeviceRenderer::make_view() {
+    resident::ViewSettings settings = view_settings();
+    blended_.adapt(settings_, settings, *scene_);
+    view_ = std::make_unique<resident::View>(*scene_, *lights_, settings);
+}
+
 void DeviceRenderer::remake_view(uint32_t width, uint32_t height) {
     PairCounters counters(context_, height);
     drop_graph();
@@ -196,7 +174,7 @@ void DeviceRenderer::remake_view(uint32_t width, uint32_t height) {
     if (!world_)
         return;
     view_.reset(); // its memory may be what the next one needs
-    view_ = std::make_unique<resident::View>(*scene_, *lights_, view_settings());
+    make_view();
     build_graph();
 }
 
@@ -222,6 +200,8 @@ void DeviceRenderer::build_graph() {
     for (const std::string& note : settings_.notes())
         graph->note(note);
     light_sums_.choose(settings_, *graph, context_, blended_adds(*view_));
+    blended_.choose(settings_, *graph, *view_);
+    shadows_.reset();
     passes::deformation_pass(*graph, *view_);
     passes::index_trimming_passes(*graph, *view_);
     outputs_ = build(*graph, *view_);
@@ -322,7 +302,7 @@ Stats DeviceRenderer::stats() const {
         stats.notes.push_back(std::move(note));
     stats.lights = lights_->placed().size();
     stats.triangles = triangles_;
-    stats.draws = draws(*view_);
+    stats.draws = draws(*view_) + blended_.draws();
     stats.triangles_drawn = view_->triangles_drawn();
     stats.draws_skipped = view_->draws_skipped();
     stats.triangles_skipped = view_->triangles_skipped();

@@ -1,4 +1,5 @@
 #pragma once
+#include "blended_surfaces.hpp"
 #include "frame_queue.hpp"
 #include "frame_stats.hpp"
 #include "light_sums.hpp"
@@ -51,15 +52,17 @@ protected:
     /// What that takes, for build().
     const LightSums& light_sums() const { return light_sums_; }
     /// The picture from `linear`, which is kept when it was asked for; where the depth of `surface` is empty, the
-    /// background. `filter` makes another scene-linear picture of the whole. `surface` without normals: they are its
-    /// depth.
+    /// background; over both, blended surfaces. `filter` makes another scene-linear picture of the whole. `surface`
+    /// without normals: they are its depth.
     Outputs linear_outputs(graph::FrameGraph& graph, const resident::View& view, graph::ImageId linear,
                            const passes::SurfaceBuffers& surface,
-                           const std::function<graph::ImageId(graph::ImageId)>& filter = {}) const;
+                           const std::function<graph::ImageId(graph::ImageId)>& filter = {});
     /// The picture from `draw`, which draws it finished or scene-linear: finished, unless "linear" was
-    /// asked for. That saves an image of 8 bytes a pixel and a pass.
+    /// asked for or something is blended. That saves an image of 8 bytes a pixel and a pass.
     Outputs picture_outputs(graph::FrameGraph& graph, const resident::View& view, const passes::SurfaceBuffers& surface,
-                            const std::function<graph::ImageId(passes::Display)>& draw) const;
+                            const std::function<graph::ImageId(passes::Display)>& draw);
+    /// The lists of a grid over the world, in an architecture that builds some for the graph that is built.
+    virtual const passes::LightLists* world_lists() const { return nullptr; }
     virtual resident::GpuSceneSettings scene_settings() const;
     virtual resident::ViewSettings view_settings() const;
     /// Stats::draws of the last frame.
@@ -72,9 +75,9 @@ protected:
     const RenderOptions& options() const { return options_; }
     const Settings& settings() const { return settings_; }
     bool wants(std::string_view view) const;
-    /// The pass of shadow maps, counted for stats(); call it before the passes that evaluate lights.
-    passes::Shadows shadows(graph::FrameGraph& graph, const resident::View& view) {
-        return passes::shadow_pass(graph, view, shadow_counts_);
+    /// The pass of shadow maps, counted for stats(); call it before the passes that evaluate lights. One for a graph.
+    const passes::Shadows& shadows(graph::FrameGraph& graph, const resident::View& view) {
+        return shadows_ ? *shadows_ : shadows_.emplace(passes::shadow_pass(graph, view, shadow_counts_));
     }
     /// passes::sampled_surfaces() as `msaa-light` says; with one sample a pixel `surface` and `colours` as they are.
     passes::SampledSurfaces sampled(graph::FrameGraph& graph, const resident::View& view,
@@ -88,6 +91,7 @@ private:
     void check_size(uint32_t width, uint32_t height) const;
     /// Of a pixel. Throws UsageError for a number that no renderer knows, Error for one that the device lacks.
     void check_samples(uint32_t samples) const;
+    void make_view();
     /// View, counters and graph for pictures of this size. Throws Error, and has taken down some of them.
     void remake_view(uint32_t width, uint32_t height);
     /// Waits for all frames and lets the graph go.
@@ -107,9 +111,11 @@ private:
     RenderOptions options_;
     Settings settings_;
     LightSums light_sums_;
+    BlendedSurfaces blended_;
     PostFilter post_filter_;
     std::optional<PairCounters> pair_counters_;
     std::optional<passes::EdgeCounter> edges_; ///< with several samples a pixel
+    std::optional<passes::Shadows> shadows_;   ///< of the graph that is built
     const World* world_ = nullptr;
     std::unique_ptr<resident::GpuScene> scene_;
     std::unique_ptr<resident::LightSet> lights_;

@@ -4,6 +4,7 @@
 #include "settings/sample_settings.hpp"
 #include "settings/shadow_settings.hpp"
 #include "settings/texture_settings.hpp"
+#include "settings/transparency_settings.hpp"
 #include <algorithm>
 #include <passes/depth_only.hpp>
 #include <passes/light_overlap.hpp>
@@ -90,10 +91,8 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twi
         light_sums_setting(),    specular_antialiasing_setting(), texture_filter_setting(),
         msaa_material_setting(), antialiasing_setting()};
     own.insert(own.end(), common.begin(), common.end());
-    for (SettingInfo& setting : draw_settings(twice))
-        own.push_back(std::move(setting));
-    for (SettingInfo& setting : shadow_settings())
-        own.push_back(std::move(setting));
+    for (const auto& more : {draw_settings(twice), shadow_settings(), transparency_settings()})
+        own.insert(own.end(), more.begin(), more.end());
     return own;
 }
 

@@ -9,6 +9,7 @@
 #include "settings/sample_settings.hpp"
 #include "settings/shadow_settings.hpp"
 #include "settings/texture_settings.hpp"
+#include "settings/transparency_settings.hpp"
 #include <fmt/format.h>
 #include <gpu/context.hpp>
 #include <passes/decals.hpp>
@@ -186,7 +187,7 @@ RendererInfo light_prepass_info() {
         .preset_settings = light_prepass_presets(),
         .preset_shading = {{"engel", Shading::phong}, {"round2", Shading::phong}, {"prelighting", Shading::phong}}};
     for (const auto& more : {light_culling_settings(), draw_settings(true), shadow_settings(true), occlusion_settings(),
-                             volume_settings(), light_model_settings()})
+                             volume_settings(), light_model_settings(), transparency_settings()})
         info.settings.insert(info.settings.end(), more.begin(), more.end());
     return info;
 }

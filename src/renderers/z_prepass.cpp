@@ -28,6 +28,8 @@ private:
         return grid_ ? passes::light_adds(view, false) : most_batches(view, FORWARD_MOST_LIGHTS);
     }
 
+    const passes::LightLists* world_lists() const override { return lists_ ? &*lists_ : nullptr; }
+
     void light_count_pass(graph::FrameGraph& graph, const resident::View& view,
                           const passes::ForwardInputs& counts) const override {
         if (grid_)

@@ -1,5 +1,6 @@
 #include "decals.hpp"
 #include "deformation.hpp"
+#include "gpu_scene.hpp"
 #include "objects.hpp"
 #include "scene.hpp"
 #include <algorithm>
@@ -140,9 +141,9 @@ void Draw::place(const Instance& instance) {
     visible = instance.visible;
 }
 
-Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
+Geometry upload_geometry(const gpu::Context& context, const World& world, const GpuSceneSettings& settings,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals) {
-    Vertices vertices(motion);
+    Vertices vertices(settings.motion);
     // Of the meshes that are shown; the device writes vertices of its own for each deformed one.
     std::map<std::pair<const Mesh*, std::optional<uint32_t>>, std::vector<Placement>> placements;
     const bool on_device = device_deforms(world);
@@ -179,6 +180,8 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
             draw.place(instance);
             if (instance.receives_decals && material.receives_decals && reaches_any(decals, draw.low, draw.high))
                 draw.features |= FEATURE_DECALS;
+            if (settings.blends && material.alpha_mode == AlphaMode::blend)
+                draw.features |= FEATURE_BLENDED;
         }
     }
     if (vertices.positions.size() > 0x7fffffffu || vertices.indices.size() > 0xffffffffu)
@@ -192,13 +195,13 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, bool m
     for (uint32_t d = 0; d < geometry.draws.size(); ++d)
         geometry.draws_of[geometry.draws[d].object].push_back(d);
     constexpr VkBufferUsageFlags vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
-    const VkBufferUsageFlags storage = trims ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0,
+    const VkBufferUsageFlags storage = settings.trimmed ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0,
                              deforms = on_device ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
     geometry.positions =
         gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex | storage | deforms);
     geometry.attributes =
         gpu::make_device_buffer(context, "vertex attributes", bytes(vertices.attributes), vertex | deforms);
-    if (motion && on_device && vertices.previous.empty())
+    if (settings.motion && on_device && vertices.previous.empty())
         vertices.previous = vertices.positions; // the device fills in what moves
     if (!vertices.previous.empty())
         geometry.previous_positions =

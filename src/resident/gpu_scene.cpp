@@ -1,4 +1,5 @@
 #include "gpu_scene.hpp"
+#include <algorithm>
 #include <array>
 #include <glm/matrix.hpp>
 
@@ -7,14 +8,15 @@ namespace prelight::resident {
 GpuScene::GpuScene(const gpu::Context& context, const World& world, const GpuSceneSettings& settings)
     : context_(context), world_(world), settings_(settings), updates_(context),
       materials_(upload_materials(context, *world.scene, settings.texture_filter, settings.exposure)),
-      decals_(decal_boxes(world)),
-      geometry_(upload_geometry(context, world, settings.motion, settings.trimmed, materials_.shaders, decals_)),
+      decals_(decal_boxes(world)), geometry_(upload_geometry(context, world, settings, materials_.shaders, decals_)),
       box_(box_around(geometry_.draws)) {
     for (uint32_t d = 0; d < world.deformed.size() && !deformation_; ++d)
         if (deforms_on_device(world, d) && !geometry_.deformed[d].empty())
             deformation_.emplace(context, world, geometry_);
     for (const Instance& instance : world.instances)
         shown_.emplace_back(instance.mesh, instance.deformed);
+    blends_ =
+        std::any_of(geometry_.draws.begin(), geometry_.draws.end(), [](const Draw& draw) { return draw.blended(); });
     if (settings.casters)
         upload_casters();
 }

@@ -15,6 +15,7 @@ struct GpuSceneSettings {
     bool motion = false;  ///< fill Geometry::previous_positions
     bool trimmed = false; ///< the device reads positions and indices to trim them
     bool casters = false; ///< fill caster_rows()
+    bool blends = false;  ///< draws of materials with alphaMode BLEND are Draw::blended(); else they are opaque
 };
 
 /// A world on the device: geometry, materials with their textures, environment. It knows no camera, no picture and no
@@ -40,6 +41,8 @@ public:
     const Environment* environment() const { return world_.scene->environment.get(); }
     const Geometry& geometry() const { return geometry_; }
     const Materials& materials() const { return materials_; }
+    /// Some draw is Draw::blended(), visible or not.
+    bool blends() const { return blends_; }
     /// Of the world's decals, in the order in which they lie over each other.
     std::span<const DecalBox> decals() const { return decals_; }
     /// Around all that is drawn.
@@ -69,6 +72,7 @@ private:
     Geometry geometry_;
     std::optional<DeviceDeformation> deformation_;
     WorldBox box_;
+    bool blends_ = false;
     gpu::Buffer caster_rows_;
     /// What instances show, as it was uploaded: mesh and deformed mesh.
     std::vector<std::pair<uint32_t, std::optional<uint32_t>>> shown_;

@@ -54,10 +54,10 @@ double strength(const PlacedLight& placed, const Draw& draw) {
 }
 
 LightReach find_reach(std::span<const Draw> draws, std::span<const PlacedLight> lights,
-                      std::span<const uint32_t> visible, ObjectLights order) {
+                      std::span<const uint32_t> visible, ObjectLights order, ObjectLights blended) {
     LightReach reach;
     reach.first.assign(draws.size() + 1, 0);
-    if (order == ObjectLights::none)
+    if (order == ObjectLights::none && blended == ObjectLights::none)
         return reach;
     std::vector<uint32_t> sorted(visible.begin(), visible.end());
     std::sort(sorted.begin(), sorted.end());
@@ -67,13 +67,13 @@ LightReach find_reach(std::span<const Draw> draws, std::span<const PlacedLight> 
     std::vector<std::pair<double, uint32_t>> strongest;
     for (size_t d = 0; d < draws.size(); ++d) {
         strongest.clear();
-        if (draws[d].visible && !(draws[d].features & FEATURE_UNLIT))
+        const ObjectLights own = order == ObjectLights::none && draws[d].blended() ? blended : order;
+        if (own != ObjectLights::none && draws[d].visible && !(draws[d].features & FEATURE_UNLIT))
             for (size_t i = 0; i < sorted.size(); ++i)
                 if (reaches(volumes[i], draws[d]))
                     strongest.emplace_back(
-                        order == ObjectLights::strongest_first ? -strength(lights[sorted[i]], draws[d]) : 0.0,
-                        sorted[i]);
-        if (order == ObjectLights::strongest_first)
+                        own == ObjectLights::strongest_first ? -strength(lights[sorted[i]], draws[d]) : 0.0, sorted[i]);
+        if (own == ObjectLights::strongest_first)
             std::sort(strongest.begin(), strongest.end());
         for (const auto& [_, light] : strongest)
             reach.lights.push_back(light);

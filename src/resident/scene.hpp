@@ -9,6 +9,7 @@
 #include <optional>
 #include <prelight/scene.hpp>
 #include <resident/material_shaders.hpp>
+#include <shared/bindings.h>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -23,7 +24,7 @@ struct Draw {
     int32_t vertex_offset = 0;
     uint32_t object = 0; ///< index into World::instances
     uint32_t material = 0;
-    uint32_t features = 0; ///< FEATURE_… bits of its material, and FEATURE_DECALS where decals reach it
+    uint32_t features = 0; ///< FEATURE_… bits of its material, and FEATURE_DECALS and FEATURE_BLENDED of its own
     uint32_t shader = 0;   ///< of its material: index into Materials::shaders
     bool mirrored = false;
     bool double_sided = false;
@@ -35,6 +36,8 @@ struct Draw {
     bool visible = true;
     uint32_t version = 0; ///< another one after each change of what the draw shows
 
+    /// Drawn after all that is opaque, over what is behind it.
+    bool blended() const { return (features & FEATURE_BLENDED) != 0; }
     /// After a change of `own_low` and `own_high`, or of the object's transform.
     void bound(const glm::dmat4& transform);
     /// All that follows from where the object is: also its record, and whether it shows.
@@ -128,9 +131,9 @@ struct DecalBox;
 /// FEATURE_… bits of a material.
 uint32_t features_of(const Scene& scene, const Material& material);
 
-/// `motion`: with previous positions; `trims`: the device reads positions and indices to trim them; `decals`: what may
-/// reach objects.
-Geometry upload_geometry(const gpu::Context& context, const World& world, bool motion, bool trims,
+struct GpuSceneSettings;
+/// `decals`: what may reach objects.
+Geometry upload_geometry(const gpu::Context& context, const World& world, const GpuSceneSettings& settings,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals);
 /// Writes the material's constants and parameters. Throws Error for values that it may not have.
 void update_material(const Materials& materials, const Scene& scene, uint32_t material, double exposure,

@@ -16,6 +16,10 @@ struct Key {
     }
 };
 
+double depth_of(const Draw& draw, const glm::dvec3& eye, const glm::dvec3& forward) {
+    return glm::dot(0.5 * (draw.low + draw.high) - eye, forward);
+}
+
 std::vector<Key> keys_of(const std::vector<VisibleDraw>& draws, const std::vector<Draw>& all, const glm::dvec3& eye,
                          const glm::dvec3& forward) {
     std::vector<Key> keys;
@@ -25,7 +29,7 @@ std::vector<Key> keys_of(const std::vector<VisibleDraw>& draws, const std::vecto
         size_t end = begin;
         for (; end < draws.size() && same_but_place(all[draws[begin].draw], all[draws[end].draw]); ++end) {
             const Draw& draw = all[draws[end].draw];
-            const double own = glm::dot(0.5 * (draw.low + draw.high) - eye, forward);
+            const double own = depth_of(draw, eye, forward);
             keys.push_back({0, own, static_cast<uint32_t>(end), draws[end].draw});
             nearest = std::min(nearest, own);
         }
@@ -83,6 +87,15 @@ void sort_by_distance(std::vector<VisibleDraw>& draws, const std::vector<Draw>& 
     sort_nearly_sorted(keys);
     for (size_t i = 0; i < keys.size(); ++i)
         draws[i] = {keys[i].draw, 0, all[keys[i].draw].first_index, all[keys[i].draw].index_count};
+}
+
+void sort_back_to_front(std::vector<VisibleDraw>& draws, const std::vector<Draw>& all, const glm::dvec3& eye,
+                        const glm::dvec3& forward) {
+    const auto key = [&](const VisibleDraw& one) {
+        const Draw& draw = all[one.draw];
+        return std::tuple(-depth_of(draw, eye, forward), draw.object, draw.part);
+    };
+    std::sort(draws.begin(), draws.end(), [&](const VisibleDraw& a, const VisibleDraw& b) { return key(a) < key(b); });
 }
 
 } // namespace prelight::resident

@@ -179,7 +179,8 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
     std::copy(groups_.bounds.begin(), groups_.bounds.end(), target.bounds.mapped<shared::LightScreenBounds>());
     if (shadows_)
         update_shadows(camera, next);
-    reach_ = find_reach(scene_.geometry().draws, lights_.placed(), groups_.order, settings_.object_lights);
+    reach_ = find_reach(scene_.geometry().draws, lights_.placed(), groups_.order, settings_.object_lights,
+                        finds_blended_lights_ ? ObjectLights::world_order : ObjectLights::none);
     *constants_[slot].mapped<shared::FrameConstants>() = next;
     const double culling_end = thread_ms();
     write_lights();

@@ -44,6 +44,8 @@ public:
     void update(const PlacedCamera& camera, uint32_t slot = 0);
     /// Of the last update().
     const UpdateTimes& update_times() const { return times_; }
+    /// Whether update() finds the lights of blended draws, where it finds none of other objects.
+    void find_blended_lights(bool finds) { finds_blended_lights_ = finds; }
     /// What it wrote for the device.
     uint64_t written_bytes() const { return written_; }
 
@@ -58,7 +60,7 @@ public:
 
     /// The lights that the camera of the last update() may see, by how they are drawn.
     const LightGroups& light_groups() const { return groups_; }
-    /// Lights of each object; empty lists with ObjectLights::none.
+    /// Lights of each object; empty lists of those whose lights nobody wanted found.
     const LightReach& reach() const { return reach_; }
     /// What the camera of the last update() may see.
     const VisibleDraws& visible() const { return visible_; }
@@ -100,6 +102,7 @@ private:
     const GpuScene& scene_;
     const LightSet& lights_;
     ViewSettings settings_;
+    bool finds_blended_lights_ = false;
     /// What the host writes for one frame.
     struct Slot {
         gpu::Buffer lights, order, bounds, shadows, distributions;

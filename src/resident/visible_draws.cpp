@@ -11,7 +11,7 @@ namespace {
 void make_batches(VisibleDraws& out, const std::vector<Draw>& all, const DrawOptions& options) {
     // What is known draw by draw is of one object.
     const bool together = options.instanced && !options.counts_pixels && !options.trims_on_device();
-    for (const VisibleDraw& one : out.draws) {
+    for (const VisibleDraw& one : std::span(out.draws).first(out.opaque)) {
         const Draw& draw = all[one.draw];
         DrawBatch* last = out.batches.empty() ? nullptr : &out.batches.back();
         if (together && last && !one.trimmed && !last->trimmed && same_but_place(all[last->draw], draw)) {
@@ -35,17 +35,23 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     out.batches.clear();
     out.triangles = 0;
     const Frustum frustum(constants.clip_from_world);
+    std::vector<VisibleDraw> blended;
     for (uint32_t d = 0; d < all.size(); ++d)
         if (all[d].visible && (!options.frustum_culling || frustum.may_show(all[d], eye)))
-            out.draws.push_back({d, 0, all[d].first_index, all[d].index_count});
+            (all[d].blended() ? blended : out.draws).push_back({d, 0, all[d].first_index, all[d].index_count});
     sort_by_distance(out.draws, all, eye, glm::dvec3(constants.forward), out.place);
+    sort_back_to_front(blended, all, eye, glm::dvec3(constants.forward));
+    const size_t solid = out.draws.size();
+    out.draws.insert(out.draws.end(), blended.begin(), blended.end());
     out.place.assign(all.size(), no_image);
 
     IndexTrimmer trimmer({constants.clip_from_world, static_cast<float>(raster.extent.width),
                           static_cast<float>(raster.extent.height), subpixel_bits, raster.samples});
     size_t used = 0, device_used = 0;
     uint32_t kept = 0;
-    for (VisibleDraw one : out.draws) {
+    out.opaque = 0;
+    for (size_t d = 0; d < out.draws.size(); ++d) {
+        VisibleDraw one = out.draws[d];
         const Draw& draw = all[one.draw];
         const shared::ObjectData object = object_data(world.instances[draw.object], draw.normal_row, eye);
         if (options.trimming == IndexTrimming::host && draw.primitive &&
@@ -58,7 +64,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         }
         if (one.index_count == 0)
             continue;
-        if (options.trims_on_device() && device_used + one.index_count <= buffers.device_indices &&
+        if (options.trims_on_device() && d < solid && device_used + one.index_count <= buffers.device_indices &&
             (options.trimming != IndexTrimming::host || one.trimmed)) {
             one.device_trimmed = true;
             device_used += one.index_count;
@@ -68,6 +74,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         out.place[one.draw] = kept;
         out.triangles += one.index_count / 3;
         out.draws[kept++] = one;
+        out.opaque += d < solid;
     }
     out.draws.resize(kept);
     out.trimmed = used;

@@ -37,6 +37,7 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"shadow-memory", {"shadows", {"on"}}},
         {"ssao-radius", {"ssao", {"half", "full"}, "ambient-occlusion"}},
         {"ambient-occlusion-radius", {"ambient-occlusion", {"on"}, "ambient-occlusion"}},
+        {"blended-lights", {"transparency", {"sorted"}}},
         {"antialiasing", {"msaa", {"1"}}},
         {"msaa-light", {"msaa", {"2", "4"}}},
         {"msaa-material", {"msaa", {"2", "4"}}},

@@ -1,9 +1,9 @@
 // What the device learns of where things were at the moment's previous state.
 #include "devices.hpp"
 #include <glm/ext/matrix_transform.hpp>
+#include <resident/gpu_scene.hpp>
 #include <resident/objects.hpp>
 #include <resident/projection.hpp>
-#include <resident/scene.hpp>
 
 namespace prelight {
 namespace {
@@ -81,7 +81,7 @@ TEST_F(Motion, PreviousVerticesAreThereOnlyWhenAskedForAndMoved) {
     world.instances[1].mesh = 2;
     world.instances[1].deformed = 0;
 
-    const resident::Geometry still = resident::upload_geometry(context(), world, true, false, {}, {});
+    const resident::Geometry still = resident::upload_geometry(context(), world, {.motion = true}, {}, {});
     EXPECT_EQ(still.positions.size(), 6 * sizeof(glm::vec3)) << "what no instance shows is not there";
     EXPECT_EQ(still.previous(), still.positions.handle());
     ASSERT_EQ(still.draws.size(), 2u);
@@ -89,13 +89,13 @@ TEST_F(Motion, PreviousVerticesAreThereOnlyWhenAskedForAndMoved) {
     EXPECT_EQ(still.draws[1].low.x, -4) << "the box is that of the deformed mesh";
 
     world.deformed[0].primitives[0].previous_positions = {{7, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const resident::Geometry unasked = resident::upload_geometry(context(), world, false, false, {}, {});
+    const resident::Geometry unasked = resident::upload_geometry(context(), world, {}, {}, {});
     EXPECT_EQ(unasked.previous(), unasked.positions.handle());
-    const resident::Geometry moved = resident::upload_geometry(context(), world, true, false, {}, {});
+    const resident::Geometry moved = resident::upload_geometry(context(), world, {.motion = true}, {}, {});
     EXPECT_NE(moved.previous(), moved.positions.handle());
     EXPECT_EQ(moved.previous_positions.size(), 6 * sizeof(glm::vec3));
     std::swap(world.instances[0], world.instances[1]); // what moves comes first
-    EXPECT_EQ(resident::upload_geometry(context(), world, true, false, {}, {}).previous_positions.size(),
+    EXPECT_EQ(resident::upload_geometry(context(), world, {.motion = true}, {}, {}).previous_positions.size(),
               6 * sizeof(glm::vec3));
 }
 

@@ -74,13 +74,12 @@ TEST(GltfMaterials, EveryProperty) {
     EXPECT_EQ(red(m.emissive_texture), 0);
 }
 
-TEST(GltfMaterials, BlendIsKeptWithAWarning) {
+TEST(GltfMaterials, BlendIsKept) {
     GltfBuilder b = GltfBuilder::textured_triangle();
     b.json["materials"][0]["alphaMode"] = "BLEND";
     const Scene scene = b.load();
     EXPECT_EQ(scene.materials[0].alpha_mode, AlphaMode::blend);
-    EXPECT_THAT(scene.warnings, ElementsAre("test.glb: material 0: alphaMode BLEND is drawn opaque "
-                                            "for now"));
+    EXPECT_THAT(scene.warnings, testing::IsEmpty());
 }
 
 TEST(GltfMaterials, SamplersOfEveryKind) {

@@ -18,6 +18,7 @@ constexpr std::array beginnings{
     Beginning{"light-bin", PassKind::lists},     Beginning{"light-cell", PassKind::lists},
     Beginning{"light-cluster", PassKind::lists}, Beginning{"light-tile", PassKind::lists},
     Beginning{"cluster", PassKind::lists},       Beginning{"tile", PassKind::lists},
+    Beginning{"blended-lists", PassKind::lists}, Beginning{"blended", PassKind::material},
     Beginning{"light-", PassKind::light},        Beginning{"light ", PassKind::light},
     Beginning{"depth", PassKind::geometry},      Beginning{"normal", PassKind::geometry},
     Beginning{"decal", PassKind::geometry}, // they make the surface what light meets

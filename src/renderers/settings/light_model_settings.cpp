@@ -161,6 +161,14 @@ passes::LightModel material_light_model(const Settings& settings) {
             .reflection_vector = settings.is("specular-vector", "reflection")};
 }
 
+passes::LightModel blended_light_model(const Settings& settings) {
+    return {.shading = settings.shading(),
+            .fresnel = settings.value(buffer_model_setting), // it has the words of the other table too
+            .step_gate = settings.is("specular-gate", "step"),
+            .reflection_vector = settings.is("specular-vector", "reflection"),
+            .specular_antialiasing = settings.is("specular-antialiasing", "on")};
+}
+
 passes::LightModel light_model(Settings& settings, Shading shading) {
     LightModel model{.shading = shading,
                      .buffer = settings.value(buffer_setting),

@@ -13,6 +13,8 @@ SettingInfo specular_vector_setting();
 SettingInfo model_setting();
 /// What those three say.
 passes::LightModel material_light_model(const Settings& settings);
+/// What blended surfaces are shaded with: they meet each light where they are drawn, and know no light buffer.
+passes::LightModel blended_light_model(const Settings& settings);
 /// The model that the settings ask for. What they leave open ("auto", defaults that do not go with
 /// what the user asked for) is resolved in `settings`. Throws UsageError for what does not go together.
 passes::LightModel light_model(Settings& settings, Shading shading);

@@ -42,8 +42,6 @@ void read_alpha(const Item& item, Material& material) {
         material.alpha_mode = AlphaMode::blend;
     else if (!mode.empty() && mode != "OPAQUE")
         item.warn("alphaMode \"{}\" is not known; OPAQUE is used", printable(mode));
-    if (material.alpha_mode == AlphaMode::blend)
-        item.warn("alphaMode BLEND is drawn opaque for now");
     material.alpha_cutoff = item.real_within("alphaCutoff", 0.5f, 0, std::numeric_limits<float>::max());
 }
 

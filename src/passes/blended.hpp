@@ -1,0 +1,20 @@
+#pragma once
+#include "forward.hpp"
+
+namespace prelight::passes {
+
+/// Where blended surfaces find their lights: the lists of a grid over the world, which knows places before opaque
+/// surfaces too; without lists, View::reach() of their object, `per_draw` lights (1 … FORWARD_MOST_LIGHTS) at a time.
+struct BlendedLights {
+    const LightLists* lists = nullptr; ///< of one round
+    uint32_t per_draw = 0;
+};
+
+/// A pass "blended": objects that are resident::Draw::blended(), back to front, over what `inputs.colour` holds, which
+/// is scene-linear. `inputs.depth` is tested and stays. Of a double-sided object back faces come before front ones. Its
+/// first draw carries the share of what is behind; further ones, for further lights, add. `kinds`, `plan`, `decals` and
+/// `lights_test` of the inputs are not used.
+void blended_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
+                  const BlendedLights& lights);
+
+} // namespace prelight::passes

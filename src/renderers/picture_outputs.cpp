@@ -1,0 +1,39 @@
+// From what an architecture has shaded to the picture: what lies behind it, what is blended over it, and the display.
+#include "device_renderer.hpp"
+#include <passes/background.hpp>
+#include <passes/resolve.hpp>
+
+namespace prelight {
+
+DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph, const resident::View& view,
+                                                       graph::ImageId linear, const passes::SurfaceBuffers& surface,
+                                                       const std::function<graph::ImageId(graph::ImageId)>& filter) {
+    passes::background_pass(graph, view, linear, surface.depth, {});
+    passes::ForwardInputs over{
+        .name = {}, .depth = surface.depth, .colour = linear, .kinds = {}, .plan = {}, .model = {}};
+    over.shadows = shadows(graph, view);
+    over.pair_counters = &pair_counters();
+    over.count_pairs = options_.count_pairs;
+    blended_.add(graph, view, std::move(over), world_lists());
+    if (filter)
+        linear = filter(passes::resolve_pass(graph, view, linear));
+    const bool one = graph.raster(linear).samples == 1;
+    const graph::ImageId picture = one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
+                                       : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap);
+    Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
+    if (wants("linear"))
+        outputs["linear"] = passes::resolve_pass(graph, view, linear);
+    return outputs;
+}
+
+DeviceRenderer::Outputs DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& view,
+                                                        const passes::SurfaceBuffers& surface,
+                                                        const std::function<graph::ImageId(passes::Display)>& draw) {
+    if (wants("linear") || view.scene().blends())
+        return linear_outputs(graph, view, draw({}), surface);
+    const graph::ImageId picture = draw(options_.tonemap);
+    passes::background_pass(graph, view, picture, surface.depth, options_.tonemap);
+    return Outputs{{"final", post_filter_.add(graph, view, surface, passes::resolve_pass(graph, view, picture))}};
+}
+
+} // namespace prelight

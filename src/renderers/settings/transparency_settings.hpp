@@ -1,0 +1,23 @@
+#pragma once
+#include "settings.hpp"
+#include <gpu/context.hpp>
+
+namespace prelight {
+
+/// How surfaces with alphaMode BLEND are drawn.
+enum class Transparency {
+    lists,  ///< back to front, each fragment with the lights of its place in the world
+    sorted, ///< back to front, each object with its own lights, a few a draw
+    opaque  ///< as if they were opaque
+};
+
+/// The settings of every architecture on a device that say how blended surfaces are drawn.
+std::vector<SettingInfo> transparency_settings();
+/// What the device cannot gives way to what it can, with a note.
+void resolve_transparency(Settings& settings, const gpu::Context& context);
+/// `opaque` where a renderer has no such setting.
+Transparency transparency(const Settings& settings);
+/// Of Transparency::sorted.
+uint32_t blended_lights(const Settings& settings);
+
+} // namespace prelight

@@ -1,0 +1,108 @@
+#pragma once
+#include "every_way.hpp"
+#include "garden.hpp"
+#include <cmath>
+
+namespace prelight {
+
+// Worlds with blended surfaces, and ways to draw them.
+
+inline glm::dmat4 moved(double x, double y, double z) { return glm::translate(glm::dmat4(1), {x, y, z}); }
+
+inline Material unlit(const char* name, glm::vec4 colour, AlphaMode mode = AlphaMode::blend) {
+    return {.name = name, .base_colour = colour, .alpha_mode = mode, .unlit = true};
+}
+
+/// What a pixel shows of `layers`, nearest last, over `behind`.
+inline glm::dvec3 composed(glm::dvec3 behind, const std::vector<glm::dvec4>& layers) {
+    for (const glm::dvec4& layer : layers)
+        behind = glm::mix(behind, glm::dvec3(layer), layer.a);
+    return behind;
+}
+
+/// Each blend may lose a step of a half float.
+inline void expect_colour(const glm::vec3& is, const glm::dvec3& should, size_t layers) {
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(is[c], should[c], (static_cast<double>(layers) + 2) / 1024 * std::max(should[c], 0.05)) << c;
+}
+
+inline glm::vec3 middle_of(const Image& image) {
+    return image.pixels[size_t(image.height / 2) * image.width + image.width / 2];
+}
+
+/// A wall behind a stack of panes, placed and made in another order than they lie.
+struct Panes : TestWorld {
+    std::vector<glm::dvec4> layers; ///< farthest first
+    explicit Panes(size_t count, bool lit = false) {
+        add_material(unlit("wall", {0.1f, 0.3f, 0.2f, 1}, AlphaMode::opaque));
+        add(square(20), moved(0, 0, -3));
+        layers.resize(count);
+        for (size_t i = 0; i < count; ++i) {
+            const size_t place = i * 7 % count; // 1, 4 and 15 have no factor 7
+            const auto t = static_cast<float>(place);
+            const glm::vec4 colour(0.5f + 0.45f * std::sin(t), 0.5f + 0.45f * std::sin(2 * t + 1),
+                                   0.5f + 0.45f * std::cos(3 * t), 0.2f + 0.04f * static_cast<float>(place % 5));
+            Material material = unlit("pane", colour);
+            material.unlit = !lit;
+            material.metallic = 0;
+            add_material(material);
+            add(square(3), moved(0, 0, -1 + 0.15 * static_cast<double>(place)));
+            layers[place] = colour;
+        }
+        world.ambient = glm::vec3(0.2f);
+    }
+    Shot shot() const { return {.world = &world, .camera = front_camera(5), .width = 64, .height = 36}; }
+};
+
+inline Shot with(Shot shot, const std::map<std::string, std::string>& settings) {
+    shot.settings.insert(settings.begin(), settings.end());
+    return shot;
+}
+
+/// A pane of every material property before the garden.
+struct LitPane : Garden {
+    explicit LitPane(std::shared_ptr<const MaterialShader> shader = nullptr) {
+        add_lights(12, 5, 5);
+        add_light(spot(0.7f, 9, 30), {1, 4, 3}, {0, -1, -0.2});
+        add_light({.kind = LightKind::directional, .colour = {0.9f, 0.8f, 1}, .intensity = 0.6f}, {}, {0.2, -1, -0.7});
+        add_light(point(3, 12), {0.5, 1.5, 3.2}); // reaches the pane and little more
+        Material material{.name = "pane", .metallic = 0.1f, .roughness = 0.4f, .emissive = {0.02f, 0.05f, 0}};
+        material.base_colour = {0.7f, 0.8f, 0.9f, alpha};
+        material.shader = std::move(shader);
+        material.double_sided = true;
+        add_material(material);
+        add(square(1.2f), glm::rotate(moved(0, 1, 2), -0.2, {1, 0, 0}));
+        world.ambient = glm::vec3(0.05f);
+    }
+    Material& pane() { return scene.materials.back(); }
+    static constexpr float alpha = 0.4f;
+};
+
+/// α of the picture with the pane opaque and 1 − α of the one without: what it is where the pane is in front.
+inline Image expected_of(LitPane& lit, const Shot& shot) {
+    lit.pane().alpha_mode = AlphaMode::opaque;
+    Image opaque = render_linear(test_device(), shot);
+    lit.world.instances.back().visible = false;
+    const Image without = render_linear(test_device(), shot);
+    lit.world.instances.back().visible = true;
+    for (size_t i = 0; i < opaque.pixels.size(); ++i)
+        opaque.pixels[i] = glm::mix(without.pixels[i], opaque.pixels[i], LitPane::alpha);
+    return opaque;
+}
+
+/// Every architecture with every way of finding lights, blended by lists and sorted.
+inline std::vector<Shot> every_blended_way() {
+    std::vector<Shot> shots;
+    for (const Shot& shot : every_way({.width = 160, .height = 90}))
+        for (const char* how : {"lists", "sorted"})
+            shots.push_back(with(shot, {{"transparency", how}}));
+    return shots;
+}
+
+/// The way of `way` with the picture of `shot`.
+inline Shot in_way(Shot shot, const Shot& way) {
+    shot.renderer = way.renderer;
+    return with(shot, way.settings);
+}
+
+} // namespace prelight

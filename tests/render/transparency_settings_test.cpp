@@ -1,0 +1,101 @@
+// Blended surfaces: ways to find their lights, and what gives way to them.
+#include "panes.hpp"
+#include <gpu/context.hpp>
+
+namespace prelight {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+// A material's own shader says alpha, and gets the same sums of light.
+TEST(TransparencyOfOwnMaterials, IsTheirOpaqueSelfByAlpha) {
+    for (const char* name : {"light-prepass", "z-prepass"}) {
+        SCOPED_TRACE(name);
+        LitPane lit(find_material_shader("minnaert"));
+        Shot shot = lit.shot();
+        shot.renderer = name;
+        if (shot.renderer == "z-prepass")
+            shot.settings = {{"lights", "grid"}};
+        const Image expected = expected_of(lit, shot);
+        lit.pane().alpha_mode = AlphaMode::blend;
+        expect_within(compare(render_linear(test_device(), shot), expected), half_float_bound);
+    }
+    expect_validation_clean(test_device());
+}
+
+// Lights of an object come a few a draw; the first draw alone covers what is behind.
+TEST(TransparencySorted, BatchesAddUp) {
+    LitPane lit;
+    Shot shot = lit.shot();
+    shot.settings = {{"model", "nv"}, {"transparency", "lists"}};
+    lit.pane().alpha_mode = AlphaMode::blend;
+    const Image lists = render_linear(test_device(), shot);
+    uint64_t draws = 0;
+    for (const char* lights : {"1", "3", "8"}) {
+        shot.settings["transparency"] = "sorted";
+        shot.settings["blended-lights"] = lights;
+        const Rendered sorted = render_with(lit.world, lit.camera, options_of(shot));
+        expect_within(compare(sorted.linear, lists), half_float_bound);
+        EXPECT_NE(sorted.stats.draws, draws) << "fewer draws where each has more lights";
+        draws = sorted.stats.draws;
+    }
+    expect_validation_clean(test_device());
+}
+
+TEST(TransparencyLists, GiveWayWhereTheyTakeSeveralRounds) {
+    const auto device = Device::create({.select = "cpu", .validate = true});
+    dynamic_cast<gpu::Context&>(*device).end_loops_after(24); // a light takes two turns
+    LitPane lit;
+    lit.pane().alpha_mode = AlphaMode::blend;
+    Shot shot = lit.shot();
+    const Image expected = render_linear(test_device(), with(shot, {{"light-culling", "volumes"}}));
+    const auto renderer =
+        create_renderer("light-prepass", device.get(), options_of(with(shot, {{"light-culling", "volumes"}})));
+    renderer->set_world(lit.world);
+    renderer->render(lit.camera);
+    EXPECT_EQ(renderer->stats().settings.at("transparency"), "sorted");
+    EXPECT_THAT(renderer->stats().notes, Contains(HasSubstr("rounds of lists")));
+    expect_within(compare(renderer->read("linear"), expected), half_float_bound);
+    expect_validation_clean(*device);
+}
+
+// Maps that are made light after light are gone when blended surfaces are lit.
+TEST(TransparencyShadows, AreReadFromTheMapsOfAllLights) {
+    LitPane lit;
+    lit.pane().alpha_mode = AlphaMode::blend;
+    Shot shot = lit.shot();
+    shot.settings = {{"shadows", "on"}, {"light-culling", "volumes"}};
+    const Image atlas = render_linear(test_device(), shot);
+    shot.settings["shadow-memory"] = "reuse";
+    const auto renderer = create_renderer("light-prepass", &test_device(), options_of(shot));
+    renderer->set_world(lit.world);
+    renderer->render(lit.camera);
+    EXPECT_EQ(renderer->read("linear").pixels, atlas.pixels);
+    EXPECT_EQ(renderer->stats().settings.at("shadow-memory"), "atlas");
+    EXPECT_THAT(renderer->stats().notes, Contains(HasSubstr("shadow-memory=reuse")));
+    lit.pane().alpha_mode = AlphaMode::opaque;
+    renderer->set_world(lit.world);
+    renderer->render(lit.camera);
+    EXPECT_EQ(renderer->stats().settings.at("shadow-memory"), "reuse");
+    expect_validation_clean(test_device());
+}
+
+TEST(TransparencyOnSwiftShader, LayersComposeBackToFront) {
+    const auto device = swiftshader_device();
+    if (!device)
+        GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
+    for (const char* how : {"lists", "sorted"})
+        for (const char* name : {"light-prepass", "deferred", "z-prepass", "multipass"}) {
+            SCOPED_TRACE(std::string(name) + " " + how);
+            Panes panes(4);
+            Shot shot = panes.shot();
+            shot.renderer = name;
+            shot.settings = {{"transparency", how}};
+            expect_colour(middle_of(render_linear(*device, shot)), composed({0.1, 0.3, 0.2}, panes.layers), 4);
+        }
+    expect_validation_clean(*device);
+}
+
+} // namespace
+} // namespace prelight
