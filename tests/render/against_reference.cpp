@@ -78,12 +78,15 @@ ReferenceForm form_of(const Shot& shot) {
                        : shot.renderer == "multipass" ? ReferenceForm::OwnShaders::each_light
                                                       : ReferenceForm::OwnShaders::sums;
     std::map<std::string, std::string> in_force = shot.settings;
+    in_force.emplace("transparency", "lists");
     if (shot.renderer == "light-prepass" || shot.renderer == "deferred")
         in_force.emplace("msaa-light", "edges");
     if (shot.renderer == "deferred")
         in_force.emplace("g-buffer", "wide");
     in_force.emplace("msaa-material", "fragment");
-    form.samples = reference_form(shot.shading, in_force, shot.samples).samples;
+    const ReferenceForm known = reference_form(shot.shading, in_force, shot.samples);
+    form.samples = known.samples;
+    form.transparency = known.transparency;
     return form;
 }
 

@@ -7,21 +7,21 @@ namespace prelight {
 
 // Worlds with blended surfaces, and ways to draw them.
 
-inline glm::dmat4 moved(double x, double y, double z) { return glm::translate(glm::dmat4(1), {x, y, z}); }
+inline glm::dmat4 placed_at(double x, double y, double z) { return glm::translate(glm::dmat4(1), {x, y, z}); }
 
-inline Material unlit(const char* name, glm::vec4 colour, AlphaMode mode = AlphaMode::blend) {
+inline Material unlit_material(const char* name, glm::vec4 colour, AlphaMode mode = AlphaMode::blend) {
     return {.name = name, .base_colour = colour, .alpha_mode = mode, .unlit = true};
 }
 
 /// What a pixel shows of `layers`, nearest last, over `behind`.
-inline glm::dvec3 composed(glm::dvec3 behind, const std::vector<glm::dvec4>& layers) {
+inline glm::dvec3 laid_over(glm::dvec3 behind, const std::vector<glm::dvec4>& layers) {
     for (const glm::dvec4& layer : layers)
         behind = glm::mix(behind, glm::dvec3(layer), layer.a);
     return behind;
 }
 
 /// Each blend may lose a step of a half float.
-inline void expect_colour(const glm::vec3& is, const glm::dvec3& should, size_t layers) {
+inline void expect_layers(const glm::vec3& is, const glm::dvec3& should, size_t layers) {
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(is[c], should[c], (static_cast<double>(layers) + 2) / 1024 * std::max(should[c], 0.05)) << c;
 }
@@ -34,19 +34,19 @@ inline glm::vec3 middle_of(const Image& image) {
 struct Panes : TestWorld {
     std::vector<glm::dvec4> layers; ///< farthest first
     explicit Panes(size_t count, bool lit = false) {
-        add_material(unlit("wall", {0.1f, 0.3f, 0.2f, 1}, AlphaMode::opaque));
-        add(square(20), moved(0, 0, -3));
+        add_material(unlit_material("wall", {0.1f, 0.3f, 0.2f, 1}, AlphaMode::opaque));
+        add(square(20), placed_at(0, 0, -3));
         layers.resize(count);
         for (size_t i = 0; i < count; ++i) {
             const size_t place = i * 7 % count; // 1, 4 and 15 have no factor 7
             const auto t = static_cast<float>(place);
             const glm::vec4 colour(0.5f + 0.45f * std::sin(t), 0.5f + 0.45f * std::sin(2 * t + 1),
                                    0.5f + 0.45f * std::cos(3 * t), 0.2f + 0.04f * static_cast<float>(place % 5));
-            Material material = unlit("pane", colour);
+            Material material = unlit_material("pane", colour);
             material.unlit = !lit;
             material.metallic = 0;
             add_material(material);
-            add(square(3), moved(0, 0, -1 + 0.15 * static_cast<double>(place)));
+            add(square(3), placed_at(0, 0, -1 + 0.15 * static_cast<double>(place)));
             layers[place] = colour;
         }
         world.ambient = glm::vec3(0.2f);
@@ -71,7 +71,7 @@ struct LitPane : Garden {
         material.shader = std::move(shader);
         material.double_sided = true;
         add_material(material);
-        add(square(1.2f), glm::rotate(moved(0, 1, 2), -0.2, {1, 0, 0}));
+        add(square(1.2f), glm::rotate(placed_at(0, 1, 2), -0.2, {1, 0, 0}));
         world.ambient = glm::vec3(0.05f);
     }
     Material& pane() { return scene.materials.back(); }

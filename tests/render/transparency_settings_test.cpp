@@ -92,7 +92,7 @@ TEST(TransparencyOnSwiftShader, LayersComposeBackToFront) {
             Shot shot = panes.shot();
             shot.renderer = name;
             shot.settings = {{"transparency", how}};
-            expect_colour(middle_of(render_linear(*device, shot)), composed({0.1, 0.3, 0.2}, panes.layers), 4);
+            expect_layers(middle_of(render_linear(*device, shot)), laid_over({0.1, 0.3, 0.2}, panes.layers), 4);
         }
     expect_validation_clean(*device);
 }

@@ -16,7 +16,7 @@ TEST_P(Transparency, LayersComposeBackToFront) {
     for (const size_t count : {1, 4, 15}) {
         const Panes panes(count);
         const glm::vec3 pixel = middle_of(render_linear(test_device(), in_way(panes.shot(), GetParam())));
-        expect_colour(pixel, composed({0.1, 0.3, 0.2}, panes.layers), count);
+        expect_layers(pixel, laid_over({0.1, 0.3, 0.2}, panes.layers), count);
     }
     expect_validation_clean(test_device());
 }
@@ -51,14 +51,14 @@ TEST_P(Transparency, ALightBeforeAllOpaqueSurfacesLightsThePane) {
 /// A closed ball before a wall: red in front, blue behind.
 struct Ball : TestWorld {
     explicit Ball(bool double_sided, bool mirrored) {
-        add_material(unlit("wall", {0.4f, 0.4f, 0.4f, 1}, AlphaMode::opaque));
-        add(square(20), moved(0, 0, -3));
-        Material& material = add_material(unlit("ball", {1, 1, 1, 0.5f}));
+        add_material(unlit_material("wall", {0.4f, 0.4f, 0.4f, 1}, AlphaMode::opaque));
+        add(square(20), placed_at(0, 0, -3));
+        Material& material = add_material(unlit_material("ball", {1, 1, 1, 0.5f}));
         material.double_sided = double_sided;
         Primitive ball = sphere();
         for (const glm::vec3& p : ball.positions)
             ball.colours.push_back(p.z > 0 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 0, 1, 0.5f));
-        add(ball, glm::scale(moved(0, 0, 0), {mirrored ? -1 : 1, 1, 1}));
+        add(ball, glm::scale(placed_at(0, 0, 0), {mirrored ? -1 : 1, 1, 1}));
     }
     Shot shot() const { return {.world = &world, .camera = front_camera(5), .width = 64, .height = 36}; }
 };
@@ -72,7 +72,7 @@ TEST_P(Transparency, BackFacesComeBeforeFrontOnes) {
             if (double_sided)
                 layers.insert(layers.begin(), {0, 0, 1, 0.25}); // factor times vertex colour
             const glm::vec3 pixel = middle_of(render_linear(test_device(), in_way(ball.shot(), GetParam())));
-            expect_colour(pixel, composed(glm::dvec3(0.4), layers), 2);
+            expect_layers(pixel, laid_over(glm::dvec3(0.4), layers), 2);
         }
 }
 
@@ -82,22 +82,22 @@ TEST_P(Transparency, CamerasAmongPanesAndHolesBeforeThem) {
     Shot shot = in_way(panes.shot(), GetParam());
     shot.camera = look_at({.yfov = 0.8, .znear = 0.01}, {0, 0, -0.77}, {0, 0, -3}); // of −1, −0.85, −0.7 and −0.55
     const std::vector<glm::dvec4> farther(panes.layers.begin(), panes.layers.begin() + 2);
-    expect_colour(middle_of(render_linear(test_device(), shot)), composed({0.1, 0.3, 0.2}, farther), 2);
+    expect_layers(middle_of(render_linear(test_device(), shot)), laid_over({0.1, 0.3, 0.2}, farther), 2);
 
     shot.camera =
         look_at({.kind = ProjectionKind::orthographic, .ymag = 1, .znear = 0, .zfar = 20}, {0, 0, 5}, {0, 0, 0});
-    expect_colour(middle_of(render_linear(test_device(), shot)), composed({0.1, 0.3, 0.2}, panes.layers), 4);
+    expect_layers(middle_of(render_linear(test_device(), shot)), laid_over({0.1, 0.3, 0.2}, panes.layers), 4);
 
     const uint32_t halves = panes.add_image(2, 1, {255, 255, 255, 255, 255, 255, 255, 0});
-    Material masked = unlit("masked", {0.8f, 0.1f, 0.1f, 1}, AlphaMode::mask);
+    Material masked = unlit_material("masked", {0.8f, 0.1f, 0.1f, 1}, AlphaMode::mask);
     masked.base_colour_texture = {.image = halves};
     panes.add_material(masked);
-    panes.add(square(2), moved(0, 0, -0.77));
+    panes.add(square(2), placed_at(0, 0, -0.77));
     const Image picture = render_linear(test_device(), shot);
     const std::vector<glm::dvec4> nearer(panes.layers.begin() + 2, panes.layers.end());
     const size_t row = size_t(picture.height / 2) * picture.width;
-    expect_colour(picture.pixels[row + 8], composed({0.8, 0.1, 0.1}, nearer), 2);
-    expect_colour(picture.pixels[row + 56], composed({0.1, 0.3, 0.2}, panes.layers), 4);
+    expect_layers(picture.pixels[row + 8], laid_over({0.8, 0.1, 0.1}, nearer), 2);
+    expect_layers(picture.pixels[row + 56], laid_over({0.1, 0.3, 0.2}, panes.layers), 4);
     expect_validation_clean(test_device());
 }
 
@@ -174,7 +174,7 @@ TEST_P(Transparency, SeveralSamplesAPixelAreBlendedEach) {
     Shot shot = in_way(panes.shot(), GetParam());
     shot.samples = 4;
     const Image picture = render_linear(test_device(), shot);
-    expect_colour(middle_of(picture), composed({0.1, 0.3, 0.2}, panes.layers), 4);
+    expect_layers(middle_of(picture), laid_over({0.1, 0.3, 0.2}, panes.layers), 4);
     expect_validation_clean(test_device());
 }
 } // namespace

@@ -1,0 +1,77 @@
+// Blended surfaces against the reference, which composes them hit by hit.
+#include "panes.hpp"
+
+namespace prelight {
+namespace {
+
+/// The garden behind glass of every kind, none of which meets another.
+struct Glasshouse : Garden {
+    Glasshouse() {
+        add_lights(14, 5, 4);
+        add_light(spot(0.7f, 9, 20), {1, 4, 3}, {0, -1, -0.2});
+        add_light(point(2.5f, 6), {-0.5, 1.2, 3.4}); // before all that is opaque
+        world.ambient = glm::vec3(0.05f);
+        const uint32_t spots = add_image(4, 4, dots());
+        Material glass{.name = "glass", .base_colour = {0.6f, 0.8f, 0.9f, 0.35f}, .metallic = 0, .roughness = 0.4f};
+        glass.alpha_mode = AlphaMode::blend;
+        glass.double_sided = true;
+        add_material(glass);
+        add(sphere(48), glm::scale(placed_at(-2.2, 1.5, 1.4), glm::dvec3(0.7)));
+        glass.name = "print", glass.base_colour = {0.9f, 0.5f, 0.3f, 0.8f}, glass.emissive = {0.03f, 0, 0.05f};
+        glass.base_colour_texture = {.image = spots};
+        add_material(glass);
+        Primitive tinted = square(0.9f);
+        tinted.colours = {{1, 1, 1, 1}, {0.5f, 1, 1, 0.4f}, {1, 0.6f, 1, 0.9f}, {1, 1, 0.3f, 0.6f}};
+        add(tinted, glm::rotate(placed_at(0.2, 1.1, 2), 0.3, glm::dvec3(0, 1, 0)));
+        add(tinted, glm::scale(placed_at(2.1, 1.2, 1.7), {-1, 1, 1})); // mirrored
+        add_material(unlit_material("film", {0.3f, 0.5f, 0.2f, 0.3f}));
+        add(square(0.8f), placed_at(0.9, 1.3, 2.9));
+        Material net{.name = "net", .metallic = 0, .roughness = 0.7f, .alpha_mode = AlphaMode::mask};
+        net.base_colour_texture = {.image = spots};
+        net.double_sided = true;
+        add_material(net);
+        add(square(0.7f), placed_at(-0.6, 1.4, 2.5));
+    }
+    static std::vector<uint8_t> dots() {
+        std::vector<uint8_t> rgba;
+        for (uint32_t i = 0; i < 16; ++i)
+            rgba.insert(rgba.end(), {255, static_cast<uint8_t>(140 + 7 * i), 200,
+                                     static_cast<uint8_t>((i / 4 + i) % 2 ? 230 : 60)});
+        return rgba;
+    }
+};
+
+class TransparencyOf : public testing::TestWithParam<Shot> {};
+
+INSTANTIATE_TEST_SUITE_P(All, TransparencyOf, testing::ValuesIn(every_blended_way()), way_name);
+
+TEST_P(TransparencyOf, AGlasshouseAgreesWithTheReference) {
+    static const Glasshouse house;
+    static References references;
+    const Shot shot = in_way(house.shot(), GetParam());
+    const ReferencePicture& reference = references.of(shot);
+    const Image picture = render_linear(test_device(), shot);
+    save_when_wanted(picture, reference);
+    expect_within(compare(picture, reference.linear, reference.left_out()), half_float_bound);
+    expect_validation_clean(test_device());
+}
+
+TEST(TransparencyForms, AgreeWithTheReference) {
+    Glasshouse house;
+    for (const std::string& name : device_renderers) {
+        SCOPED_TRACE(name);
+        Shot shot = house.shot();
+        shot.renderer = name;
+        expect_agrees(shot); // with the renderer's own form of Fresnel
+        shot.shading = Shading::phong;
+        shot.exposure = -2;
+        expect_agrees(shot);
+    }
+    house.camera.camera.kind = ProjectionKind::orthographic;
+    house.camera.camera.ymag = 3;
+    house.camera.camera.zfar = 30;
+    expect_agrees(house.shot());
+}
+
+} // namespace
+} // namespace prelight
