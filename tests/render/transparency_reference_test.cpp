@@ -73,5 +73,64 @@ TEST(TransparencyForms, AgreeWithTheReference) {
     expect_agrees(house.shot());
 }
 
+TEST(TransparencyForms, ShadowsAndSurroundingsLieOnGlass) {
+    Glasshouse house;
+    auto sky = std::make_shared<Environment>();
+    sky->name = "sky";
+    sky->image = Image(32, 16);
+    for (size_t i = 0; i < sky->image.pixels.size(); ++i) // smooth, and another colour in each direction
+        sky->image.pixels[i] = {0.3f + 0.2f * std::sin(static_cast<float>(i % 32) * 0.19635f),
+                                0.25f + 0.01f * static_cast<float>(i / 32), 0.4f};
+    house.scene.environment = sky;
+    for (PlacedLight& light : house.world.lights)
+        light.light.casts_shadow = &light == &house.world.lights[14]; // the spot
+    for (const char* how : {"lists", "sorted"}) {
+        SCOPED_TRACE(how);
+        Shot shot = house.shot();
+        shot.settings = {{"transparency", how}};
+        expect_agrees(shot);
+        shot.settings.insert(
+            {{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-budget", "67108864"}});
+        expect_agrees(shot, {.left_out = 0.15});
+    }
+}
+
+TEST(TransparencyForms, SamplesOfLayersAgree) {
+    const Glasshouse house;
+    References references;
+    for (const std::string& name : device_renderers)
+        for (const char* how : {"lists", "sorted"}) {
+            SCOPED_TRACE(name + " " + how);
+            Shot shot = with_samples(house.shot(), 640);
+            shot.renderer = name;
+            shot.settings = {{"transparency", how}};
+            const ReferencePicture& reference = references.of(shot);
+            const Image picture = render_linear(test_device(), shot);
+            save_when_wanted(picture, reference);
+            expect_within_on_edges(picture, reference);
+        }
+    expect_validation_clean(test_device());
+}
+
+// What finds out which triangles and objects show asks for opaque ones.
+TEST(TransparencyForms, LessGeometryMakesNoDifference) {
+    const Glasshouse house;
+    for (const char* name : {"light-prepass", "z-prepass"}) {
+        SCOPED_TRACE(name);
+        Shot shot = house.shot();
+        shot.renderer = name;
+        shot.settings = {{"index-trimming", "off"}, {"draws", "direct"}, {"frustum-culling", "off"}};
+        const Image all = render_linear(test_device(), shot);
+        for (const std::map<std::string, std::string>& less :
+             {std::map<std::string, std::string>{{"index-trimming", "host"}},
+              {{"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}},
+              {{"draws", "instanced"}, {"material-trimming", "depth"}}}) {
+            shot.settings = less;
+            EXPECT_EQ(render_linear(test_device(), shot).pixels, all.pixels) << less.begin()->second;
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
 } // namespace
 } // namespace prelight

@@ -60,6 +60,26 @@ TEST(TransparencyLists, GiveWayWhereTheyTakeSeveralRounds) {
     expect_validation_clean(*device);
 }
 
+TEST(TransparencySteadyFrame, MakesNothing) {
+    LitPane lit;
+    lit.pane().alpha_mode = AlphaMode::blend;
+    for (const char* how : {"lists", "sorted"}) {
+        SCOPED_TRACE(how);
+        Shot shot = lit.shot();
+        shot.settings = {{"transparency", how}};
+        const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+        renderer->set_world(lit.world);
+        for (int frame = 0; frame < 6; ++frame) {
+            shot.camera.position += glm::dvec3(0.05, 0.02, -0.05);
+            renderer->render(shot.camera);
+            if (frame >= 3) { // lists find out how much room they need
+                EXPECT_EQ(renderer->stats().created, CreatedObjects{}) << "frame " << frame;
+            }
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
 // Maps that are made light after light are gone when blended surfaces are lit.
 TEST(TransparencyShadows, AreReadFromTheMapsOfAllLights) {
     LitPane lit;
