@@ -80,6 +80,29 @@ TEST(TransparencySteadyFrame, MakesNothing) {
     expect_validation_clean(test_device());
 }
 
+// Two panes that cross: object by object the later one is over the other on both sides. The reference shows what of
+// that is wrong, and a way that sorts fragments will have to show the same.
+TEST(TransparencyOrder, IsOfObjectsAndNotOfFragments) {
+    TestWorld test;
+    const glm::dvec4 red(0.9, 0.1, 0.1, 0.5), blue(0.1, 0.1, 0.9, 0.5);
+    for (const glm::dvec4& colour : {red, blue}) {
+        test.add_material(unlit_material("pane", colour));
+        test.scene.materials.back().double_sided = true;
+        test.add(square(2), glm::rotate(placed_at(0, 0, 0), colour.r > 0.5 ? 0.5 : -0.5, glm::dvec3(0, 1, 0)));
+    }
+    const Shot shot{.world = &test.world, .camera = front_camera(5), .width = 64, .height = 36};
+    const Image picture = render_linear(test_device(), shot);
+    const Image right = render_reference(test.world, shot.camera, 64, 36, 0, form_of(shot)).linear;
+    const size_t row = 18 * 64, left = row + 24, middle_right = row + 40;
+    const glm::dvec3 blue_over = laid_over(glm::dvec3(0), {red, blue}),
+                     red_over = laid_over(glm::dvec3(0), {blue, red});
+    expect_layers(picture.pixels[left], blue_over, 2);
+    expect_layers(picture.pixels[middle_right], blue_over, 2);
+    expect_layers(right.pixels[left], red_over, 2);
+    expect_layers(right.pixels[middle_right], blue_over, 2);
+    expect_validation_clean(test_device());
+}
+
 // Maps that are made light after light are gone when blended surfaces are lit.
 TEST(TransparencyShadows, AreReadFromTheMapsOfAllLights) {
     LitPane lit;
