@@ -166,6 +166,8 @@ void finish(RenderCommand& command, const RenderText& text) {
     finish_picture(command, text);
     command.frames = parse_count("--frames", text.frames, 1);
     command.moment = parse_moment(text.time, command.animation);
+    command.smooth_edges =
+        text.msaa.empty() && command.options.preset.empty() && !command.options.settings.contains("antialiasing");
     check_outputs(command);
 }
 

@@ -23,7 +23,18 @@ uint64_t size_of(const std::vector<T>& values) {
     return values.size() * sizeof(T);
 }
 
+/// Beyond the largest a renderer says what its limit is.
+uint64_t image_bytes(uint32_t width, uint32_t height, uint32_t msaa) {
+    const uint64_t frame = uint64_t(width) * height;
+    constexpr uint64_t largest = uint64_t(1) << 32;
+    return frame <= largest ? frame * msaa * bytes_per_sample : 0;
+}
+
 } // namespace
+
+bool fits_frame(uint32_t width, uint32_t height, uint32_t msaa) {
+    return 2 * image_bytes(width, height, msaa) <= spare_memory();
+}
 
 void check_memory(const std::string& what, uint64_t bytes, uint64_t reserved) {
     for (const MemoryRoom& room : memory_rooms())
@@ -33,9 +44,7 @@ void check_memory(const std::string& what, uint64_t bytes, uint64_t reserved) {
 }
 
 std::unique_ptr<Device> open_device(const DeviceOptions& options, uint32_t width, uint32_t height, uint32_t msaa) {
-    const uint64_t frame = uint64_t(width) * height;
-    constexpr uint64_t largest = uint64_t(1) << 32; // beyond it the renderer says what its limit is
-    const uint64_t images = frame <= largest ? frame * msaa * bytes_per_sample : 0;
+    const uint64_t images = image_bytes(width, height, msaa);
     check_memory(fmt::format("a frame of {}x{}", width, height), driver_bytes + images, driver_reserves + images);
     start_watchdog();
     return Device::create(options);

@@ -19,7 +19,7 @@ void add_picture_options(CLI::App& sub, RenderCommand& command, RenderText& text
     add_environment_options(option, text.environment);
     add_reading_options(sub, option, text.reading);
     add_view_options(option, text.view);
-    option("--msaa", text.msaa, "N", "Samples per pixel (default 1)");
+    option("--msaa", text.msaa, "N", "Samples per pixel (default 1; render: what makes edges smooth)");
     option("--shading", text.shading, "MODEL", "ggx or phong (default: the preset's, else ggx)");
     option("--tonemap", text.tonemap, "CURVE", "pbr-neutral (default), aces or none");
     option("--exposure", text.exposure, "EV|auto",
@@ -54,7 +54,8 @@ void finish_picture(RenderCommand& command, const RenderText& text) {
         parse_word<Tonemap>("--tonemap", text.tonemap,
                             {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
     take_exposure(command, text.exposure);
-    command.options.msaa = parse_count("--msaa", text.msaa, 1);
+    if (!text.msaa.empty())
+        command.options.msaa = parse_count("--msaa", text.msaa, 1);
     command.seed = parse_seed("--seed", text.seed);
     if (!text.lights.empty())
         command.lights = parse_count("--lights", text.lights, 1);

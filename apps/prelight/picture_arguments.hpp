@@ -9,7 +9,7 @@ namespace prelight::app {
 /// Everything `render` is given as text, before it is checked.
 struct RenderText {
     std::string size = "1280x720", shading, tonemap = "pbr-neutral", output, stats;
-    std::string lights, seed = "1", frames = "1", msaa = "1", exposure = "0", time;
+    std::string lights, seed = "1", frames = "1", msaa, exposure = "0", time;
     std::vector<std::string> settings, views, materials;
     EnvironmentText environment;
     SceneReadingText reading;

@@ -13,8 +13,40 @@
 #include <prelight/error.hpp>
 
 namespace prelight::app {
+namespace {
 
-Session open_session(const RenderCommand& command, const RendererInfo& info) {
+/// Null: something was asked for that does not go with samples.
+std::unique_ptr<Renderer> sampled_renderer(const RenderCommand& command, Device* device, const RenderOptions& options) {
+    std::unique_ptr<Renderer> renderer;
+    try {
+        renderer = create_renderer(command.renderer, device, options);
+    } catch (const UsageError&) {
+        return nullptr; // if it is a mistake, that of one sample says so
+    }
+    const std::map<std::string, std::string> in_force = renderer->stats().settings;
+    for (const auto& [key, value] : command.options.settings)
+        if (value != "auto" && in_force.at(key) != value)
+            return nullptr;
+    return renderer;
+}
+
+std::unique_ptr<Renderer> smooth_renderer(RenderCommand& command, Device* device, const RendererInfo& info) {
+    constexpr uint32_t samples = 4;
+    RenderOptions options = command.options;
+    options.msaa = samples;
+    if (device->has_samples(samples) && fits_frame(options.width, options.height, samples))
+        if (auto renderer = sampled_renderer(command, device, options)) {
+            command.options.msaa = samples;
+            return renderer;
+        }
+    if (std::ranges::find(info.settings, "antialiasing", &SettingInfo::key) != info.settings.end())
+        command.options.settings["antialiasing"] = "smaa";
+    return create_renderer(command.renderer, device, command.options);
+}
+
+} // namespace
+
+Session open_session(RenderCommand& command, const RendererInfo& info) {
     if (!info.needs_device && (command.validate || command.device != "auto"))
         throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
                                      command.validate ? "--validate" : "--device", info.name));
@@ -22,7 +54,9 @@ Session open_session(const RenderCommand& command, const RendererInfo& info) {
     if (info.needs_device)
         session.device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
                                      command.options.height, command.options.msaa);
-    session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
+    session.renderer = command.smooth_edges && session.device
+                           ? smooth_renderer(command, session.device.get(), info)
+                           : create_renderer(command.renderer, session.device.get(), command.options);
     return session;
 }
 

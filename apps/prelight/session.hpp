@@ -12,8 +12,10 @@ struct Session {
     std::unique_ptr<Renderer> renderer;
 };
 
-/// The device and the renderer that the command asks for. Throws UsageError, Error.
-Session open_session(const RenderCommand& command, const RendererInfo& info);
+/// The device and the renderer that the command asks for. With `smooth_edges` options.msaa becomes 4 if the device has
+/// so many, there is memory for them, and no setting that was asked for gives way to them; else
+/// options.settings["antialiasing"] becomes smaa, where the renderer has it. Throws UsageError, Error.
+Session open_session(RenderCommand& command, const RendererInfo& info);
 
 /// Makes the renderer anew with the exposure that suits this picture: `--exposure auto`. Prints it.
 void meter(Session& session, RenderCommand& command, const World& world, const PlacedCamera& camera);

@@ -37,6 +37,8 @@ public:
     virtual ~Device() = default;
     virtual std::string name() const = 0;
     virtual std::string driver() const = 0;
+    /// Whether renderers on it can draw this many samples a pixel: RenderOptions::msaa.
+    virtual bool has_samples(uint32_t samples) const = 0;
     /// Messages that validation has given so far, one line each; empty is right.
     virtual std::vector<std::string> validation_messages() const = 0;
 };

@@ -136,6 +136,12 @@ void Context::load_functions() {
     end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(load("vkCmdEndDebugUtilsLabelEXT"));
 }
 
+bool Context::has_samples(uint32_t samples) const {
+    const VkSampleCountFlags known = limits().framebufferColorSampleCounts & limits().framebufferDepthSampleCounts &
+                                     limits().sampledImageColorSampleCounts & limits().sampledImageDepthSampleCounts;
+    return samples == 1 || ((samples == 2 || samples == 4) && (known & samples) && features().sample_rate_shading);
+}
+
 uint32_t Context::memory_type(uint32_t type_bits, VkMemoryPropertyFlags flags) const {
     for (const VkMemoryPropertyFlags wanted :
          {flags, flags & ~VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)})

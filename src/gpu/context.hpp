@@ -22,6 +22,7 @@ public:
 
     std::string name() const override { return chosen_.info.name; }
     std::string driver() const override { return chosen_.info.driver; }
+    bool has_samples(uint32_t samples) const override;
     std::vector<std::string> validation_messages() const override { return instance_.log().messages(); }
 
     VkInstance instance() const { return instance_.handle(); }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <reference/pixel_shader.hpp>
-#include <reference/visibility.hpp>
 
 namespace prelight::reference {
 namespace {

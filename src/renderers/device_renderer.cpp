@@ -44,13 +44,8 @@ void DeviceRenderer::check_size(uint32_t width, uint32_t height) const {
 void DeviceRenderer::check_samples(uint32_t samples) const {
     if (samples != 1 && samples != 2 && samples != 4)
         throw UsageError(fmt::format("--msaa {}: not one of 1, 2, 4", samples));
-    const VkPhysicalDeviceLimits& limits = context_.limits();
-    const VkSampleCountFlags known = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts &
-                                     limits.sampledImageColorSampleCounts & limits.sampledImageDepthSampleCounts;
-    if (!(known & samples))
-        throw Error(fmt::format("{}: --msaa {}: the device has no such images", context_.name(), samples));
-    if (samples > 1 && !context_.features().sample_rate_shading)
-        throw Error(fmt::format("{}: --msaa {}: the device shades no samples apart", context_.name(), samples));
+    if (!context_.has_samples(samples))
+        throw Error(fmt::format("{}: --msaa {}: the device does not have so many", context_.name(), samples));
 }
 
 bool DeviceRenderer::wants(std::string_view view) const {
@@ -288,15 +283,17 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
 }
 
 Stats DeviceRenderer::stats() const {
-    if (!drawn_ || stats_stay_)
-        return stats_;
-    queue_->drain();
     Stats stats;
     stats.device = context_.name();
     stats.driver = context_.driver();
     stats.settings = settings_.all();
     stats.choices = settings_.choices();
     stats.shading = settings_.shading();
+    if (!drawn_ && stats_.frames == 0)
+        return stats;
+    if (!drawn_ || stats_stay_)
+        return stats_;
+    queue_->drain();
     stats.notes = graph_->notes();
     for (std::string& note : resident::notes_on_large_textures(*world_->scene, context_.limits().maxImageDimension2D))
         stats.notes.push_back(std::move(note));

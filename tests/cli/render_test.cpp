@@ -70,6 +70,37 @@ TEST(Render, TheReferenceTakesSeveralSamplesAPixel) {
     EXPECT_EQ(stats.at("settings").at("msaa-light"), "samples");
 }
 
+TEST(Render, SmoothsEdgesUnlessToldOtherwise) {
+    const TemporaryFolder folder;
+    struct Case {
+        std::vector<std::string> said;
+        uint32_t samples;
+        const char* filter;
+    };
+    const Case cases[] = {{{}, 4, "none"},
+                          {{"--renderer", "z-prepass"}, 4, "none"},
+                          {{"--set", "light-culling=volumes"}, 4, "none"},
+                          {{"--msaa", "1"}, 1, "none"},
+                          {{"--msaa", "4"}, 4, "none"},
+                          {{"--set", "antialiasing=none"}, 1, "none"},
+                          {{"--set", "antialiasing=edge-blur"}, 1, "edge-blur"},
+                          // These would give way to samples.
+                          {{"--set", "depth=r32f"}, 1, "smaa"},
+                          {{"--renderer", "deferred", "--set", "ssao=half"}, 1, "smaa"},
+                          // A source text's own way.
+                          {{"--preset", "engel"}, 1, "none"}};
+    for (const Case& one : cases) {
+        SCOPED_TRACE(testing::PrintToString(one.said));
+        ASSERT_TRUE(succeeded(run(joined(small_render({"-o", "a.png", "--stats", "a.json"}), one.said), folder.path)));
+        const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
+        EXPECT_EQ(stats.at("msaa"), one.samples);
+        EXPECT_EQ(stats.at("settings").at("antialiasing"), one.filter);
+    }
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "a.png"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(small_render({"-o", "b.png", "--msaa", "4"}), folder.path)));
+    EXPECT_TRUE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png"));
+}
+
 TEST(Render, TimeAndAnimationPickThePose) {
     const TemporaryFolder folder;
     const auto picture = [&](const std::vector<std::string>& more) {
@@ -134,7 +165,7 @@ TEST(Render, WritesEveryBufferOfOneFrame) {
 TEST(Render, StatsHoldWhatTheContractNames) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run({"render", "lights", "--lights", "16", "--size", "64x36", "-o", "a.png", "--frames", "3",
-                               "--stats", "a.json", "--count-pairs"},
+                               "--stats", "a.json", "--count-pairs", "--msaa", "1"},
                               folder.path)));
     const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
     EXPECT_NE(stats.at("device").get<std::string>(), "");

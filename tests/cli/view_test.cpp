@@ -36,7 +36,7 @@ std::string played(const std::filesystem::path& folder, const std::string& event
 
 std::string rendered(const std::filesystem::path& folder, const std::vector<std::string>& more,
                      const std::string& scene = "spheres") {
-    const Result result = run(joined({"render", scene, "--size", "96x54", "-o", "q.png"}, more), folder);
+    const Result result = run(joined({"render", scene, "--size", "96x54", "--msaa", "1", "-o", "q.png"}, more), folder);
     EXPECT_TRUE(succeeded(result));
     return bytes_of(folder / "q.png");
 }

@@ -238,7 +238,7 @@ TEST(SamplesOf, AsManyAsTheDeviceHas) {
         } catch (const UsageError&) {
             FAIL() << renderer << ": it is not the user's fault";
         } catch (const Error& error) {
-            EXPECT_EQ(std::string(error.what()), context.name() + ": --msaa 2: the device has no such images");
+            EXPECT_EQ(std::string(error.what()), context.name() + ": --msaa 2: the device does not have so many");
         }
 }
 
