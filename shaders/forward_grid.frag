@@ -1,10 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES
+// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES, WEIGHTED
 // only: SAMPLES with DECALS
+// never: WEIGHTED DECALS
 // materials: all with OWN_MATERIAL
 // Forward shading with the lights of the pixel's cell in a grid over the world. It needs nothing of
-// the screen, so that blended surfaces take the same path.
+// the screen, so that blended surfaces take the same path; with WEIGHTED they leave sums of colour and weight.
+#include "shared/blended_weight.h"
 #include "shared/display.glsl"
 #include "shared/forward_light.glsl"
 #include "shared/light_lists.glsl"
@@ -13,6 +15,9 @@ layout(constant_id = CONSTANT_FORWARD_BASE) const bool with_base = true; // ambi
 
 layout(early_fragment_tests) in;
 layout(location = 0) out vec4 out_colour;
+#ifdef WEIGHTED
+layout(location = 1) out float out_weight;
+#endif
 
 uint cell_of(vec3 world) {
     vec3 cell = (world - lists.grid_origin.xyz) / lists.grid_cell.xyz;
@@ -39,4 +44,9 @@ void main() {
     }
     // Each half of what a half float holds.
     out_colour = vec4(stored_colour(forward_colour(s, sums, with_base, 32752.0)).rgb, coverage(s));
+#ifdef WEIGHTED
+    vec3 size = abs(out_colour.rgb);
+    out_weight = blended_weight(dot(in_world, frame.forward.xyz), out_colour.a, max(size.r, max(size.g, size.b)));
+    out_colour.rgb *= out_weight;
+#endif
 }

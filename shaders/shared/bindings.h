@@ -29,6 +29,9 @@
 #define INPUT_SPECULAR_LIGHT 1
 // tone mapping
 #define INPUT_COLOUR 0
+// weighted blended surfaces
+#define INPUT_BLENDED_SUM 0
+#define INPUT_BLENDED_WEIGHT 1
 // several samples a pixel: which pixels are edges, where their samples' light lies, and that light
 #define INPUT_EDGES 0
 #define INPUT_SAMPLE_DEPTH 46

@@ -55,10 +55,12 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
     state.blendEnable = desc.blend != Blend::none && desc.blend != Blend::alpha_only;
     state.srcColorBlendFactor = state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
     state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-    if (desc.blend == Blend::over) {
+    if (desc.blend == Blend::over || desc.blend == Blend::add_and_cover) {
         state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
-        state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+        state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     }
+    if (desc.blend == Blend::over)
+        state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     if (desc.blend == Blend::by_alpha || desc.blend == Blend::add_by_alpha)
         state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
     if (desc.blend == Blend::by_alpha)

@@ -20,9 +20,10 @@ enum class Blend {
     none,
     add,
     over, ///< colour that is multiplied by its alpha, over what is there; the target's alpha is multiplied by 1 − alpha
-    by_alpha,     ///< glTF's BLEND: colour by its alpha, what is there by 1 − alpha
-    add_by_alpha, ///< colour by its alpha is added; the target's alpha stays
-    alpha_only,   ///< nothing blends: the target's alpha is replaced, its colour stays
+    by_alpha,      ///< glTF's BLEND: colour by its alpha, what is there by 1 − alpha
+    add_by_alpha,  ///< colour by its alpha is added; the target's alpha stays
+    add_and_cover, ///< colour is added; the target's alpha is multiplied by 1 − alpha
+    alpha_only,    ///< nothing blends: the target's alpha is replaced, its colour stays
 };
 enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only, overwrite };
 

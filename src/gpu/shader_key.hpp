@@ -36,6 +36,7 @@ namespace prelight::gpu {
     X(motion, "MOTION")                                                                                                \
     X(shadow_tile, "SHADOW_TILE") /* a caster, as a light sees it */                                                   \
     X(no_world, "NO_WORLD")       /* no point, no normal, no texture coordinates from the vertex shader */             \
+    X(weighted, "WEIGHTED")       /* sums for weighted blended transparency */                                         \
     X(no_normal, "NO_NORMAL")                                                                                          \
     X(no_textures, "NO_TEXTURES")
 

@@ -2,9 +2,7 @@
 #include <shared/bindings.h>
 
 namespace prelight::passes {
-namespace {
 
-/// `more`: of draws that add further lights.
 SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs, bool lists, bool more) {
     const char* const fragment = lists ? "forward_grid.frag" : "forward.frag";
     // Weighted Fresnel needs the sums of all lights, which materials with a shader of their own get.
@@ -23,6 +21,20 @@ SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs
     desc.blended = true;
     return desc;
 }
+
+std::shared_ptr<const shared::LightListConstants>
+declare_blended(graph::FrameGraph& graph, graph::Pass& pass, const ForwardInputs& inputs, const LightLists* lists) {
+    pass.blends()
+        .depth_test(inputs.depth)
+        .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    declare_shadows(pass, inputs.shadows);
+    if (!lists)
+        return nullptr;
+    declare_light_lists(pass, lists->rounds.at(0));
+    return lists->rounds[0].constants;
+}
+
+namespace {
 
 /// An object's draws, in one way to find lights.
 class BlendedDraws {
@@ -73,16 +85,8 @@ private:
 void blended_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
                   const BlendedLights& lights) {
     graph::Pass& pass = graph.pass(inputs.name);
-    pass.colour(inputs.colour, graph::Load::keep)
-        .blends()
-        .depth_test(inputs.depth)
-        .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
-    std::shared_ptr<const shared::LightListConstants> lists;
-    if (lights.lists) {
-        declare_light_lists(pass, lights.lists->rounds.at(0));
-        lists = lights.lists->rounds[0].constants;
-    }
-    declare_shadows(pass, inputs.shadows);
+    pass.colour(inputs.colour, graph::Load::keep);
+    const auto lists = declare_blended(graph, pass, inputs, lights.lists);
     auto draws = std::make_shared<std::optional<BlendedDraws>>();
     pass.prepare([=, &view, per_draw = lights.per_draw](const graph::PassInterface& interface) {
         draws->emplace(view, interface, inputs, per_draw, lists);

@@ -10,6 +10,13 @@ struct BlendedLights {
     uint32_t per_draw = 0;
 };
 
+/// What draws blended objects has in common, whatever becomes of their light and alpha. `more`: of draws that add
+/// further lights to those of a first one.
+SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs, bool lists, bool more);
+/// What such draws read beside attachments; with `lists`, returns their constants.
+std::shared_ptr<const shared::LightListConstants> declare_blended(graph::FrameGraph& graph, graph::Pass& pass,
+                                                                  const ForwardInputs& inputs, const LightLists* lists);
+
 /// A pass "blended": objects that are resident::Draw::blended(), back to front, over what `inputs.colour` holds, which
 /// is scene-linear. `inputs.depth` is tested and stays. Of a double-sided object back faces come before front ones. Its
 /// first draw carries the share of what is behind; further ones, for further lights, add. `kinds`, `plan`, `decals` and

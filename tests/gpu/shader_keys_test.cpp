@@ -91,6 +91,8 @@ TEST(ShaderKeys, OfPassesThatDrawObjectsWithEachMaterial) {
         const auto own = [&](const char* file, gpu::Variants variants) {
             expect_shader({file, variants | Variant::own_material, material});
         };
+        for (const gpu::Variants shadows : {gpu::Variants(), gpu::Variants(Variant::shadows)})
+            own("forward_grid.frag", shadows | Variant::weighted);
         for (const bool decals : {false, true}) {
             const gpu::Variants with = gpu::when(decals, Variant::decals);
             for (const gpu::Variants shadows : {gpu::Variants(), gpu::Variants(Variant::shadows)}) {
