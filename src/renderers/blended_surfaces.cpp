@@ -3,6 +3,7 @@
 #include "settings/sample_settings.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <passes/weighted_blended.hpp>
 
 namespace prelight {
 
@@ -41,15 +42,16 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
     if (!scene.blends())
         return;
     const uint32_t rounds = passes::light_rounds(view, passes::LightWalk::fragment).count;
-    by_lists_ = transparency_ == Transparency::lists && rounds == 1;
+    by_lists_ = takes_lists(transparency_) && rounds == 1;
     if (reused_shadows_ && view.shadows())
         graph.note("shadow-memory=reuse: blended surfaces are lit by all lights at once, atlas is taken");
-    if (transparency_ == Transparency::lists) {
+    if (takes_lists(transparency_)) {
+        const std::string word = transparency_word(transparency_);
         const std::string why =
             fmt::format("{} lights take {} rounds of lists, which cannot be blended", view.lights().capacity(), rounds);
         if (!by_lists_)
-            graph.note(fmt::format("transparency=lists: {}, sorted is taken", why));
-        settings.resolve("transparency", by_lists_ ? "lists" : "sorted", why);
+            graph.note(fmt::format("transparency={}: {}, sorted is taken", word, why));
+        settings.resolve("transparency", by_lists_ ? word : "sorted", why);
     }
     view.find_blended_lights(!by_lists_);
 }
@@ -65,7 +67,17 @@ void BlendedSurfaces::add(graph::FrameGraph& graph, const resident::View& view, 
     std::optional<passes::LightLists> own;
     if (by_lists_ && !lists)
         lists = &own.emplace(passes::grid_light_lists(graph, view, "blended"));
-    passes::blended_pass(graph, view, inputs, {.lists = by_lists_ ? lists : nullptr, .per_draw = per_draw_});
+    if (by_lists_ && transparency_ == Transparency::weighted)
+        passes::weighted_blended_pass(graph, view, inputs, *lists);
+    else
+        passes::blended_pass(graph, view, inputs, {.lists = by_lists_ ? lists : nullptr, .per_draw = per_draw_});
+}
+
+void BlendedSurfaces::tell(Stats& stats) const {
+    stats.draws += draws_;
+    if (transparency_ == Transparency::weighted && by_lists_ && draws_ > 0)
+        stats.notes.push_back(fmt::format(
+            "transparency=weighted: {} draws of blended surfaces are composed without order, approximately", draws_));
 }
 
 } // namespace prelight

@@ -19,8 +19,8 @@ public:
     /// for what all architectures have alike. `lists`: of a grid over the world, where there are any.
     void add(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
              const passes::LightLists* lists);
-    /// Of the last recording.
-    uint64_t draws() const { return draws_; }
+    /// Of the last recording: draws, and in a note what of them is not exact.
+    void tell(Stats& stats) const;
 
 private:
     Transparency transparency_;

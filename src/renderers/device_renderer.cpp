@@ -299,7 +299,8 @@ Stats DeviceRenderer::stats() const {
         stats.notes.push_back(std::move(note));
     stats.lights = lights_->placed().size();
     stats.triangles = triangles_;
-    stats.draws = draws(*view_) + blended_.draws();
+    stats.draws = draws(*view_);
+    blended_.tell(stats);
     stats.triangles_drawn = view_->triangles_drawn();
     stats.draws_skipped = view_->draws_skipped();
     stats.triangles_skipped = view_->triangles_skipped();
