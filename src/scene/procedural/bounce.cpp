@@ -67,11 +67,7 @@ Found first_block(const glm::dvec3& from, const glm::dvec3& along) {
 
 Node& add_shining(Scene& scene, const Light& light, const glm::dvec3& from, const glm::dvec3& along) {
     const glm::dvec3 up = std::abs(along.y) > 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
-    const PlacedCamera placed = look_at({}, from, from + along, up);
-    Node& node = add_light(scene, light, from);
-    node.local = glm::dmat4(placed.axes);
-    node.local[3] = {from, 1};
-    return node;
+    return add_light_towards(scene, light, from, from + along, up);
 }
 
 /// Place `i` of an even sequence over the unit square (Roberts' R2, from the plastic number).

@@ -38,6 +38,16 @@ inline Node& add_light(Scene& scene, Light light, const glm::dvec3& position) {
     return node;
 }
 
+/// A node with a light at `from` that shines towards `to`.
+inline Node& add_light_towards(Scene& scene, Light light, const glm::dvec3& from, const glm::dvec3& to,
+                               const glm::dvec3& up = {0, 1, 0}) {
+    const PlacedCamera placed = look_at({}, from, to, up);
+    Node& node = add_light(scene, std::move(light), from);
+    node.local = glm::dmat4(placed.axes);
+    node.local[3] = {from, 1};
+    return node;
+}
+
 /// A node with a camera at `eye` looking at `target`, +Y up.
 inline Node& add_camera(Scene& scene, const Camera& camera, const glm::dvec3& eye, const glm::dvec3& target) {
     const PlacedCamera placed = look_at(camera, eye, target);

@@ -75,18 +75,10 @@ void add_things(Scene& scene) {
                    {i % 2 ? 4.5 : -5.5, 0, -6.0 - 6.0 * i});
 }
 
-Node& add_shadowing(Scene& scene, const Light& light, glm::dvec3 from, glm::dvec3 to) {
-    const PlacedCamera placed = look_at({}, from, to);
-    Node& node = add_light(scene, light, from);
-    node.local = glm::dmat4(placed.axes);
-    node.local[3] = {from, 1};
-    return node;
-}
-
 void add_shadowed_lights(Scene& scene, uint32_t lights, uint64_t seed) {
-    add_shadowing(scene,
-                  {.name = "sun", .kind = LightKind::directional, .colour = {1, 0.93f, 0.82f}, .intensity = 1.2f},
-                  {6, 7, 9}, {0, 0, 0});
+    add_light_towards(scene,
+                      {.name = "sun", .kind = LightKind::directional, .colour = {1, 0.93f, 0.82f}, .intensity = 1.2f},
+                      {6, 7, 9}, {0, 0, 0});
     const Light kinds[] = {
         {.name = "lamp", .kind = LightKind::point, .colour = {1, 0.6f, 0.3f}, .intensity = 9, .range = 9},
         {.name = "spot",
@@ -112,7 +104,7 @@ void add_shadowed_lights(Scene& scene, uint32_t lights, uint64_t seed) {
             from = {random.uniform(-7, 7), random.uniform(1, 4), random.uniform(-20, 4)};
             to = from + glm::dvec3(random.uniform(-1, 1), -1, random.uniform(-1, 1));
         }
-        add_shadowing(scene, kinds[i % 3], from, to);
+        add_light_towards(scene, kinds[i % 3], from, to);
     }
 }
 
