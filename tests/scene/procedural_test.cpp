@@ -235,6 +235,19 @@ TEST(Procedural, ShapesFaceOutward) {
     EXPECT_EQ(ground.positions.front(), glm::vec3(-5, 0, -10));
     EXPECT_EQ(ground.positions.back(), glm::vec3(5, 0, 10));
     expect_outward(ground, {0, -1, 0});
+
+    const std::vector<glm::dvec2> roof_and_wall{{0, 3}, {1, 2}, {1, 1}, {0.9, 0}, {0, 0}};
+    const Primitive turned = make_turned(roof_and_wall, 40);
+    EXPECT_EQ(turned.indices.size(), 3u * 2 * 40 * 4);
+    expect_unit_normals(turned);
+    expect_outward(turned, {0, 1, 0});
+    // The wall bends smoothly, the roof's edge is one.
+    for (size_t i = 0; i < turned.positions.size(); ++i)
+        if (turned.positions[i].y == 1) {
+            EXPECT_NEAR(turned.normals[i].y, -0.0499, 1e-3);
+        } else if (turned.positions[i].y == 2) {
+            EXPECT_TRUE(turned.normals[i].y == 0 || turned.normals[i].y > 0.7f);
+        }
 }
 
 } // namespace

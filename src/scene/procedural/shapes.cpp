@@ -8,12 +8,12 @@
 namespace prelight {
 namespace {
 
-/// Two triangles for each cell of a (columns + 1) × (rows + 1) grid of vertices stored row by row;
+/// Two triangles for each cell of a (columns + 1) × (rows + 1) grid of vertices stored row by row from `first` on;
 /// counter-clockwise where the columns run to the right and the rows run down.
-void add_grid_indices(Primitive& primitive, uint32_t columns, uint32_t rows) {
+void add_grid_indices(Primitive& primitive, uint32_t columns, uint32_t rows, uint32_t first = 0) {
     for (uint32_t row = 0; row < rows; ++row)
         for (uint32_t column = 0; column < columns; ++column) {
-            const uint32_t a = row * (columns + 1) + column;
+            const uint32_t a = first + row * (columns + 1) + column;
             const uint32_t b = a + columns + 1;
             primitive.indices.insert(primitive.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
         }
@@ -73,6 +73,34 @@ Primitive make_knot(float size, float tube, uint32_t along, uint32_t around) {
         }
     add_grid_indices(knot, along, around);
     return knot;
+}
+
+Primitive make_turned(std::span<const glm::dvec2> profile, uint32_t slices) {
+    const size_t pieces = profile.size() - 1;
+    std::vector<glm::dvec2> normals; // of each piece: radius, height
+    for (size_t i = 0; i < pieces; ++i) {
+        const glm::dvec2 along = profile[i + 1] - profile[i];
+        normals.push_back(glm::normalize(glm::dvec2(-along.y, along.x)));
+    }
+    // A bend of more than a third of a right angle is an edge.
+    const auto shared = [&](size_t piece, size_t neighbour) {
+        const bool round = neighbour < pieces && glm::dot(normals[piece], normals[neighbour]) > 0.866;
+        return round ? glm::normalize(normals[piece] + normals[neighbour]) : normals[piece];
+    };
+    Primitive turned;
+    for (size_t i = 0; i < pieces; ++i) {
+        const auto first = static_cast<uint32_t>(turned.positions.size());
+        for (const size_t end : {i, i + 1}) {
+            const glm::dvec2 at = profile[end], normal = shared(i, end == i ? i - 1 : i + 1);
+            for (uint32_t column = 0; column <= slices; ++column) {
+                const glm::dvec2 around = cos_sin(column, slices);
+                turned.positions.emplace_back(at.x * around.x, at.y, -at.x * around.y);
+                turned.normals.emplace_back(normal.x * around.x, normal.y, -normal.x * around.y);
+            }
+        }
+        add_grid_indices(turned, slices, 1, first);
+    }
+    return turned;
 }
 
 Primitive make_box(glm::vec3 low, glm::vec3 high) {

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <prelight/scene.hpp>
+#include <span>
 
 namespace prelight {
 
@@ -27,5 +28,9 @@ Primitive make_ground(glm::vec2 size, uint32_t quads);
 /// `size` in the xy plane, and again `size` / 2 about that; `tube` is its own radius. Metres. Normals point out of the
 /// tube; texture coordinates repeat without a seam: u 16 times along it, v once around.
 Primitive make_knot(float size, float tube, uint32_t along, uint32_t around);
+
+/// What turns about the y axis: `profile` holds radius and height, at least two, from the top down along the outside;
+/// radius 0 closes it. Bends of less than 30° are smooth. Metres; no texture coordinates.
+Primitive make_turned(std::span<const glm::dvec2> profile, uint32_t slices);
 
 } // namespace prelight
