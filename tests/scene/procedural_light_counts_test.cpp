@@ -7,7 +7,7 @@ namespace prelight {
 namespace {
 
 TEST(BuiltinScenes, GeometryDoesNotDependOnTheNumberOfLights) {
-    for (const char* name : {"city", "lights", "spheres"}) {
+    for (const char* name : {"city", "lights", "spheres", "glass"}) {
         SCOPED_TRACE(name);
         const Scene few = make_scene(name, 5, 1), many = make_scene(name, 700, 1);
         ASSERT_EQ(few.meshes.size(), many.meshes.size());

@@ -7,6 +7,7 @@
 #include <scene/procedural/city.hpp>
 #include <scene/procedural/cookies.hpp>
 #include <scene/procedural/decals.hpp>
+#include <scene/procedural/glass.hpp>
 #include <scene/procedural/lights.hpp>
 #include <scene/procedural/materials.hpp>
 #include <scene/procedural/motion.hpp>
@@ -41,6 +42,8 @@ constexpr auto entries = std::to_array<Entry>({
     {{"materials", "every built-in material on the same sphere, lights that go round", 9}, make_materials_scene},
     {{"decals", "cracks, paint, bolts, a puddle and a burn on brick walls and a floor, lights that go round", 8},
      make_decals_scene},
+    {{"glass", "blended surfaces: crossing panes, bottles, a lamp in its shade, a lantern in smoke, a dark floor", 16},
+     make_glass_scene},
     {{"round2", "one textured model under six directional lights, as in the Round 2 sample", 6}, make_round2_scene},
     {{"multipass", "a few meshes and materials to turn, lights to add and remove, as in the multipass sample", 6},
      make_multipass_scene},
