@@ -123,6 +123,14 @@ for name in cookies cookies-reference cookies-shadows cookies-wall; do
     keep $name
 done
 
+# Blended surfaces; where panes cross, object by object beside the reference.
+"$prelight" render glass --size 960x540 -o "$work/glass.png"
+"$prelight" render glass --camera panes --size 640x360 -o "$work/panes-sorted.png"
+"$prelight" render glass --camera panes --size 640x360 --renderer reference -o "$work/panes-layers.png"
+convert "$work"/panes-{sorted,layers}.png -crop 320x360+160+0 +repage -bordercolor white -border 2x0 +append "$work/glass-order.png"
+keep glass
+keep glass-order
+
 # Every built-in material on the same sphere; deferred shading knows one. And a user's own.
 for renderer in light-prepass deferred; do
     "$prelight" render materials --size 960x540 --renderer $renderer -o "$work/materials-$renderer.png"
