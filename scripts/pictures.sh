@@ -75,7 +75,7 @@ keep anti-aliasing
 
 # A street as it comes, by SMAA, and with four samples a pixel.
 street() { "$prelight" render city --lights 256 --size 640x360 "$@"; }
-street -o "$work/street-one.png"
+street --msaa 1 -o "$work/street-one.png"
 street --set antialiasing=smaa -o "$work/street-smaa.png"
 street --msaa 4 --set msaa-light=pixel -o "$work/street-pixel.png"
 street --msaa 4 -o "$work/street-edges.png"
