@@ -45,7 +45,7 @@ struct RenderCommand {
     SceneReading reading;
     std::optional<Framing> framing; ///< absent: the scene's camera
     bool auto_exposure = false;     ///< options.exposure comes from the picture
-    bool smooth_edges = false;      ///< nothing was said of samples or anti-aliasing: see smooth_renderer()
+    bool smooth_edges = false;      ///< nothing was said of samples or anti-aliasing: see open_session()
 };
 
 /// `prelight sequence`: what `render` makes of each of many moments.

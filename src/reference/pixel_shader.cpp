@@ -129,11 +129,12 @@ void PixelShader::shade_material(const Surface& material, uint32_t owner, std::s
     std::array<Point, most_samples> all_points{};
     size_t count = 0;
     for (const Sample* target : targets) {
+        Sample* const point = &point_of(*target);
         size_t at = 0;
-        while (at < count && all_points[at].sample != &point_of(*target))
+        while (at < count && all_points[at].sample != point)
             ++at;
         count = std::max(count, at + 1);
-        all_points[at].sample = &point_of(*target);
+        all_points[at].sample = point;
         all_points[at].share += 1.0 / static_cast<double>(targets.size());
     }
     const bool dark = material.unlit || !all_points[0].sample->found;

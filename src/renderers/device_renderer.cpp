@@ -283,16 +283,16 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
 }
 
 Stats DeviceRenderer::stats() const {
+    if (drawn_ ? stats_stay_ : stats_.frames > 0)
+        return stats_;
     Stats stats;
     stats.device = context_.name();
     stats.driver = context_.driver();
     stats.settings = settings_.all();
     stats.choices = settings_.choices();
     stats.shading = settings_.shading();
-    if (!drawn_ && stats_.frames == 0)
+    if (!drawn_)
         return stats;
-    if (!drawn_ || stats_stay_)
-        return stats_;
     queue_->drain();
     stats.notes = graph_->notes();
     for (std::string& note : resident::notes_on_large_textures(*world_->scene, context_.limits().maxImageDimension2D))

@@ -30,7 +30,7 @@ TEST_P(Transparency, ALitPaneIsItsOpaqueSelfByAlpha) {
     expect_validation_clean(test_device());
 }
 
-// [T5] Tiles and clusters look for lights no nearer than the nearest opaque surface.
+// Tiles and clusters look for lights no nearer than the nearest opaque surface.
 TEST_P(Transparency, ALightBeforeAllOpaqueSurfacesLightsThePane) {
     Panes panes(1, true);
     panes.world.ambient = glm::vec3(0);
