@@ -23,7 +23,7 @@ void main() {
     uint contributing = 0u;
     for (uint i = 0u; i < batch.count; ++i) {
         bool contributes;
-        add_light_source(sums, s, lights[batch.lights[i]], contributes);
+        add_light_source(sums, s, light_at(batch.lights[i]), contributes);
         contributing += contributes ? 1u : 0u;
     }
     count_lights(batch.count, contributing);

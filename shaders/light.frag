@@ -11,7 +11,7 @@ layout(location = 0) flat in uint in_light;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     LightSums sums = no_light();
-    bool contributes = add_light(sums, read_pixel(pixel), light_source(lights[in_light]));
+    bool contributes = add_light(sums, read_pixel(pixel), light_source(light_at(in_light)));
     count_lights(pixel, 1u, contributes ? 1u : 0u);
     write_sums(pixel, sums);
 }

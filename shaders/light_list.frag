@@ -32,7 +32,7 @@ void main() {
 #endif
     uint contributing = 0u;
     for (uint i = 0u; i < list.count; ++i)
-        contributing += add_light(sums, p, light_source(lights[listed_light(list, i)])) ? 1u : 0u;
+        contributing += add_light(sums, p, light_source(light_at(listed_light(list, i)))) ? 1u : 0u;
     count_lights(pixel, list.count, contributing);
     write_sums(pixel, sums);
 }

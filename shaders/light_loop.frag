@@ -30,7 +30,7 @@ void main() {
     LitPixel p = read_pixel(pixel);
     uint contributing = 0u;
     for (uint i = loop.first; i < loop.end; ++i)
-        contributing += add_light(sums, p, light_source(lights[light_order[i]])) ? 1u : 0u;
+        contributing += add_light(sums, p, light_source(light_at(light_order[i]))) ? 1u : 0u;
     count_lights(pixel, loop.end - loop.first, contributing);
     write_sums(pixel, sums);
 }

@@ -9,6 +9,24 @@ layout(set = SET_FRAME, binding = FRAME_LIGHTS, std430) readonly buffer LightBlo
 layout(set = SET_FRAME, binding = FRAME_LIGHT_ORDER, std430) readonly buffer OrderBlock { uint light_order[]; };
 layout(set = SET_FRAME, binding = FRAME_LIGHT_BOUNDS, std430) readonly buffer BoundsBlock { LightScreenBounds light_bounds[]; };
 
+// The same as `lights`, four texels a light: a software device fetches a texel for all lanes at once, and loads from a
+// storage buffer lane by lane.
+layout(set = SET_FRAME, binding = FRAME_LIGHT_TEXELS) uniform samplerBuffer light_texels;
+layout(constant_id = CONSTANT_LIGHTS_AS_TEXELS) const bool lights_as_texels = false;
+
+// xyz: LightData's position; w: its inverse_range.
+vec4 fetched_sphere(uint light) { return texelFetch(light_texels, int(4u * light)); }
+
+LightData light_at(uint light) {
+    if (!lights_as_texels)
+        return lights[light];
+    int at = int(4u * light);
+    vec4 sphere = fetched_sphere(light), colour = texelFetch(light_texels, at + 1), axis = texelFetch(light_texels, at + 2),
+         cone = texelFetch(light_texels, at + 3);
+    return LightData(sphere.xyz, sphere.w, colour.rgb, floatBitsToUint(colour.w), axis.xyz, axis.w, cone.xy, cone.z,
+                     floatBitsToUint(cone.w));
+}
+
 float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }
 
 // Unit vector from a world position to the viewer; all parallel for an orthographic camera.

@@ -26,10 +26,10 @@ struct FrameConstants {
 // One light; directional ones are point lights whose vector to the light is constant.
 struct LightData {
     vec3 position;        // world position, or the unit vector to a directional light
+    float inverse_range;  // 0 when infinite
+    vec3 colour;          // colour · intensity · exposure
     uint kind;            // LIGHT_FALLOFF_… | LIGHT_DIRECTIONAL | number of its DistributionData, counted from 1,
                           // << LIGHT_DISTRIBUTION_SHIFT
-    vec3 colour;          // colour · intensity · exposure
-    float inverse_range;  // 0 when infinite
     vec3 axis;            // unit vector the light shines along (spot)
     float shininess;
     vec2 cone;            // scale and offset of the cone's falloff; scale 0 where there is no cone

@@ -27,6 +27,18 @@ Buffer::Buffer(const Context& context, std::string_view name, uint64_t size, VkB
     check(vkBindBufferMemory(context.device(), handle, allocation_.memory(), 0), name);
 }
 
+UniqueBufferView make_texel_view(const Context& context, std::string_view name, const Buffer& buffer) {
+    constexpr uint64_t texel = 4 * sizeof(float);
+    VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
+    info.buffer = buffer.handle();
+    info.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    info.range = std::min<uint64_t>(buffer.size() / texel, context.limits().maxTexelBufferElements) * texel;
+    VkBufferView handle = VK_NULL_HANDLE;
+    check(vkCreateBufferView(context.device(), &info, nullptr, &handle), name);
+    context.set_name(VK_OBJECT_TYPE_BUFFER_VIEW, reinterpret_cast<uint64_t>(handle), name);
+    return {context.device(), handle};
+}
+
 Buffer make_device_buffer(const Context& context, std::string_view name, std::span<const std::byte> bytes,
                           VkBufferUsageFlags usage) {
     const uint64_t size = std::max<uint64_t>(bytes.size(), 4);

@@ -30,6 +30,10 @@ private:
     uint64_t size_ = 0;
 };
 
+/// The buffer's bytes as RGBA32F texels, for shaders to fetch: as many as the device has in a texel buffer. The buffer
+/// has the usage for it and outlives the view. Throws Error.
+UniqueBufferView make_texel_view(const Context& context, std::string_view name, const Buffer& buffer);
+
 /// A device buffer holding `bytes` (one zero byte when empty), copied through staging; waits.
 Buffer make_device_buffer(const Context& context, std::string_view name, std::span<const std::byte> bytes,
                           VkBufferUsageFlags usage);

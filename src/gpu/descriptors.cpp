@@ -17,6 +17,7 @@ void write(const Context& context, VkDescriptorSet set, std::span<const Binding>
         info.descriptorType = b.type;
         info.pBufferInfo = b.buffer ? &buffer : nullptr;
         info.pImageInfo = b.view || b.sampler ? &image : nullptr;
+        info.pTexelBufferView = b.texels ? &b.texels : nullptr;
         vkUpdateDescriptorSets(context.device(), 1, &info, 0, nullptr);
     }
 }
@@ -37,6 +38,12 @@ Binding Binding::uniform(uint32_t index, VkBuffer buffer, uint64_t offset, uint6
 
 Binding Binding::storage(uint32_t index, VkBuffer buffer, uint64_t offset, uint64_t range) {
     return of_buffer(index, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffer, offset, range);
+}
+
+Binding Binding::texel_buffer(uint32_t index, VkBufferView texels) {
+    Binding b{index, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER};
+    b.texels = texels;
+    return b;
 }
 
 Binding Binding::sampled(uint32_t index, VkImageView view, VkImageLayout layout) {

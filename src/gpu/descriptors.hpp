@@ -16,9 +16,11 @@ struct Binding {
     VkImageView view = VK_NULL_HANDLE;
     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     VkSampler sampler = VK_NULL_HANDLE;
+    VkBufferView texels = VK_NULL_HANDLE;
 
     static Binding uniform(uint32_t index, VkBuffer buffer, uint64_t offset = 0, uint64_t range = VK_WHOLE_SIZE);
     static Binding storage(uint32_t index, VkBuffer buffer, uint64_t offset = 0, uint64_t range = VK_WHOLE_SIZE);
+    static Binding texel_buffer(uint32_t index, VkBufferView texels);
     static Binding sampled(uint32_t index, VkImageView view, VkImageLayout layout);
     static Binding storage_image(uint32_t index, VkImageView view);
     static Binding sampler_only(uint32_t index, VkSampler sampler);

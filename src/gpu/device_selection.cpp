@@ -129,6 +129,10 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     (candidate.optional.stencil_export ? info.features : info.missing).push_back("stencil export");
     // SwiftShader's gl_FragCoord.z is that of the first sample.
     candidate.optional.centre_depth = driver.driverID != VK_DRIVER_ID_GOOGLE_SWIFTSHADER;
+    // lavapipe loads from a storage buffer lane by lane, and fetches a texel for all lanes at once.
+    candidate.optional.fast_texel_buffers =
+        driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE &&
+        properties.properties.limits.maxTexelBufferElements >= properties.properties.limits.maxStorageBufferRange / 16;
     const bool fragment_stores = features.features.fragmentStoresAndAtomics;
     const std::optional<uint32_t> family = graphics_queue_family(physical);
     if (!family)

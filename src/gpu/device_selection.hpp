@@ -17,8 +17,10 @@ struct OptionalFeatures {
     bool store_without_format = false;  ///< shaders write storage images of any format
     bool stencil_export = false;        ///< VK_EXT_shader_stencil_export
     bool centre_depth = false;          ///< a fragment's depth is that under the pixel's centre, however many samples
-    uint32_t shuffle_lanes = 0;         ///< size of a subgroup whose compute shaders can shuffle; 0: they cannot
-    uint32_t loop_turns = 0; ///< after so many, of all its loops together, an invocation leaves them; 0: never
+    /// Shaders read texel buffers of any size faster than storage buffers.
+    bool fast_texel_buffers = false;
+    uint32_t shuffle_lanes = 0; ///< size of a subgroup whose compute shaders can shuffle; 0: they cannot
+    uint32_t loop_turns = 0;    ///< after so many, of all its loops together, an invocation leaves them; 0: never
 };
 
 struct Candidate {

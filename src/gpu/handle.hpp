@@ -32,6 +32,7 @@ private:
 };
 
 using UniqueBuffer = Unique<VkBuffer, vkDestroyBuffer>;
+using UniqueBufferView = Unique<VkBufferView, vkDestroyBufferView>;
 using UniqueImage = Unique<VkImage, vkDestroyImage>;
 using UniqueImageView = Unique<VkImageView, vkDestroyImageView>;
 using UniqueSampler = Unique<VkSampler, vkDestroySampler>;

@@ -129,8 +129,9 @@ gpu::Constants lighting_constants(const resident::View& view, const LightingInpu
     gpu::Constants constants = inputs.surface.format.constants();
     for (const gpu::Constants& more : {inputs.model.constants(), inputs.target.constants})
         constants.insert(constants.end(), more.begin(), more.end());
-    constants.insert(constants.end(),
-                     {{CONSTANT_COUNT_PAIRS, inputs.count_pairs}, {CONSTANT_LIGHT_KINDS, view.lights().kinds()}});
+    constants.insert(constants.end(), {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
+                                       {CONSTANT_LIGHT_KINDS, view.lights().kinds()},
+                                       {CONSTANT_LIGHTS_AS_TEXELS, view.context().features().fast_texel_buffers}});
     add_shadow_constants(constants, view);
     if (inputs.edges)
         for (const auto& constant : inputs.edges->constants())

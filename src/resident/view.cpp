@@ -105,7 +105,9 @@ void View::make_light_buffers(const LightSet& lights) {
     const size_t room = lights.capacity(), bounded = culling() == LightCulling::rectangles ? room : 1;
     gpu::PerFrame<Slot> made;
     for (Slot& slot : made) { // all of it before anything is replaced
-        slot.lights = make_upload(context(), "lights", room, sizeof(shared::LightData), storage);
+        slot.lights = make_upload(context(), "lights", room, sizeof(shared::LightData),
+                                  storage | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+        slot.light_texels = gpu::make_texel_view(context(), "lights as texels", slot.lights);
         slot.order = make_upload(context(), "light order", room, sizeof(uint32_t), storage);
         slot.bounds = make_upload(context(), "light bounds", bounded, sizeof(shared::LightScreenBounds), storage);
         if (lights.distribution_picture())
@@ -119,7 +121,8 @@ void View::make_light_buffers(const LightSet& lights) {
         sets.push_back({gpu::Binding::uniform(FRAME_CONSTANTS, constants_[s].handle()),
                         gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
-                        gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle())});
+                        gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle()),
+                        gpu::Binding::texel_buffer(FRAME_LIGHT_TEXELS, made[s].light_texels)});
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s) {
         // Every binding is written, with whatever is there where no shader looks.
         const gpu::Texture* picture = lights.distribution_picture();
@@ -141,6 +144,7 @@ void View::make_light_buffers(const LightSet& lights) {
     sets_ = gpu::DescriptorSets(context(), "frame", layout_, sets);
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s) {
         slots_[s].lights = std::move(made[s].lights);
+        slots_[s].light_texels = std::move(made[s].light_texels);
         slots_[s].order = std::move(made[s].order);
         slots_[s].bounds = std::move(made[s].bounds);
         slots_[s].shadows = std::move(made[s].shadows);
