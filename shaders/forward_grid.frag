@@ -9,7 +9,7 @@
 #include "shared/blended_weight.h"
 #include "shared/display.glsl"
 #include "shared/forward_light.glsl"
-#include "shared/light_lists.glsl"
+#include "shared/reaching_lights.glsl"
 
 layout(constant_id = CONSTANT_FORWARD_BASE) const bool with_base = true; // ambient and emissive too
 
@@ -25,18 +25,45 @@ uint cell_of(vec3 world) {
     return (at.z * lists.cells.y + at.y) * lists.cells.x + at.x;
 }
 
-void main() {
-    ForwardSurface s = forward_surface();
-    LightList list = list_of(cell_of(in_world), 0u);
-    if (has(FEATURE_UNLIT))
-        list.count = 0u;
-    ForwardSums sums = no_lights();
-    uint contributing = 0u;
+// The outer loop is left at its end: a software device runs a body once more for no invocation when the condition
+// stands before it.
+void add_reaching_lights(inout ForwardSums sums, ForwardSurface s, LightList list, inout uint contributing) {
+    EntryRange range = EntryRange(0u, list.everywhere), own = EntryRange(list.first + list.everywhere, list.first + list.count);
+    do {
+        if (is_empty(range)) {
+            range = own;
+            own.next = own.end;
+        }
+        uint first, reaching = reaching_lights(range, first, s.point);
+        while (reaching != 0u) {
+            uint light = light_entries[first + uint(findLSB(reaching))];
+            reaching &= reaching - 1u;
+            bool contributes;
+            add_light_source(sums, s, light_at(light), contributes);
+            contributing += contributes ? 1u : 0u;
+        }
+    } while (!is_empty(range) || !is_empty(own));
+}
+
+void add_all_lights(inout ForwardSums sums, ForwardSurface s, LightList list, inout uint contributing) {
     for (uint i = 0u; i < list.count; ++i) {
         bool contributes;
         add_light_source(sums, s, lights[listed_light(list, i)], contributes);
         contributing += contributes ? 1u : 0u;
     }
+}
+
+void main() {
+    ForwardSurface s = forward_surface();
+    LightList list = list_of(cell_of(in_world), 0u);
+    if (has(FEATURE_UNLIT) || coverage(s) == 0.0) // nothing of it shows
+        list.count = list.everywhere = 0u;
+    ForwardSums sums = no_lights();
+    uint contributing = 0u;
+    if (lights_as_texels)
+        add_reaching_lights(sums, s, list, contributing);
+    else
+        add_all_lights(sums, s, list, contributing);
     count_lights(list.count, contributing);
     if (light_output == LIGHT_OUTPUT_COUNT) {
         out_colour = vec4(float(list.count), float(contributing), 0.0, 0.0);

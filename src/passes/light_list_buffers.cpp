@@ -67,7 +67,8 @@ uint64_t ListBuffers::first_guess() const {
 
 void ListBuffers::make_entries(uint64_t count) {
     const uint64_t size = std::clamp<uint64_t>(count, all_lights() + 1, std::max(most_entries(), all_lights() + 1));
-    entries = make_storage(view_, "light lists", size * sizeof(uint32_t));
+    const uint64_t vectors = (size + 3) / 4; // reaching_lights.glsl reads four at once
+    entries = make_storage(view_, "light lists", vectors * 4 * sizeof(uint32_t));
     constants_->lights.z = static_cast<uint32_t>(std::min<uint64_t>(size, 0xffffffffu));
 }
 
