@@ -1,6 +1,7 @@
 // Light pre-pass (Engel, ShaderX7 8.5; Lee's prelighting; Quandt's Round 2): depth and normals, then
 // all lights into the light buffer, then every object once more with its own material.
 #include "light_prepass.hpp"
+#include "light_buffer_renderer.hpp"
 #include "settings/draw_settings.hpp"
 #include "settings/light_culling_settings.hpp"
 #include "settings/light_model_settings.hpp"
@@ -13,9 +14,6 @@
 #include <fmt/format.h>
 #include <gpu/context.hpp>
 #include <passes/decals.hpp>
-#include <passes/light_pass.hpp>
-#include <passes/light_scale.hpp>
-#include <passes/materials.hpp>
 #include <passes/view.hpp>
 #include <prelight/error.hpp>
 
@@ -47,24 +45,14 @@ void choose_roughness(Settings& settings, const Device& device) {
                        device.name() + " has no VK_EXT_shader_stencil_export that can be relied on");
 }
 
-class LightPrepass final : public DeviceRenderer {
+class LightPrepass final : public LightBufferRenderer {
 public:
-    LightPrepass(Device& device, const RenderOptions& options, Settings settings, const passes::LightModel& model)
-        : DeviceRenderer(device, options, std::move(settings)), model_(model) {}
+    using LightBufferRenderer::LightBufferRenderer;
 
 private:
-    uint32_t blended_adds(const resident::View& view) const override {
-        return model_.fixed_point() ? 0 : passes::light_adds(view, settings().is("light-writes", "blended"));
-    }
-
     resident::ViewSettings view_settings() const override {
         resident::ViewSettings view = DeviceRenderer::view_settings();
-        if (model_.fixed_point()) {
-            view.measures_light = settings().is("light-scale", "auto");
-            view.light_scale = view.measures_light ? 1 : settings().number("light-scale");
-        }
-        view.culling = light_culling(settings());
-        view.volumes = volume_options(settings());
+        add_light_settings(view);
         return view;
     }
 
@@ -73,85 +61,26 @@ private:
         const auto decals = passes::decal_pass(graph, view, drawn);
         passes::decal_normal_pass(graph, view, drawn, decals);
         const passes::SampledSurfaces surfaces = sampled(graph, view, drawn);
-        const passes::SurfaceBuffers& surface = surfaces.pixels;
-        passes::ScreenListOptions lists = screen_list_options(settings());
-        if (surfaces.edges)
-            lists.samples = &surfaces.samples;
-        const bool pair =
-            passes::is_pair_of_halves(model_) && !light_sums().wide() && passes::compute_walks(view, lists.shading);
-        const auto light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide());
-        passes::LightingInputs lighting{.surface = surface,
-                                        .model = model_,
-                                        .target = light.target,
-                                        .shadows = shadows(graph, view),
-                                        .pair_counters = &pair_counters(),
-                                        .count_pairs = options().count_pairs,
-                                        .write_once = settings().is("light-writes", "once")};
-        scale_.reset();
-        if (model_.fixed_point())
-            scale_.emplace(view, passes::fixed_point(model_), settings().is("light-scale", "auto"))
-                .measure(graph, view, lighting);
-        lighting.lists = passes::screen_light_lists(graph, view, "light", lighting, lists);
-        passes::light_pass(graph, view, "light", lighting);
-        if (scale_)
-            scale_->count_clipped(graph, view, light.diffuse, light.specular);
+        const LightStage stage = light_stage(graph, view, surfaces);
         passes::MaterialInputs materials{.depth = drawn.depth,
-                                         .light = light,
-                                         .model = model_,
+                                         .light = stage.light,
+                                         .model = model(),
                                          .decals = decals,
-                                         .sample_shading = material_shading(settings())};
-        if (surfaces.edges) {
-            materials.edges = surfaces.edges;
-            materials.sample_light =
-                passes::make_light_buffer(graph, view, model_, pair, light_sums().wide(), &*surfaces.edges);
-            passes::sample_light_pass(graph, view, "light samples", lighting, surfaces, materials.sample_light.target);
-        }
-        const passes::OcclusionOptions occlusion = occlusion_options(settings());
-        std::optional<graph::ImageId> visibility;
-        if (occlusion.on || wants("ambient-occlusion"))
-            visibility = passes::ambient_occlusion_passes(graph, view, surface, occlusion);
-        if (occlusion.on)
+                                         .sample_shading = material_shading(settings()),
+                                         .edges = surfaces.edges,
+                                         .sample_light = stage.sample_light};
+        const auto visibility = this->visibility(graph, view, surfaces.pixels);
+        if (occludes())
             materials.visibility = visibility;
         Outputs outputs = picture_outputs(graph, view, drawn, [&](passes::Display display) {
             return passes::material_pass(graph, view, materials, display);
         });
-        using passes::ViewKind;
-        const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
-            if (wants(name))
-                outputs[name] = passes::view_pass(graph, view, name, kind, surface, buffer);
-        };
-        show("depth", ViewKind::depth, surface.depth_source);
-        show("normal", ViewKind::normal, surface.normal);
-        show("roughness", ViewKind::roughness, surface.normal);
-        const bool luv = model_.specular == passes::SpecularWay::luv;
-        show("diffuse-light", luv ? ViewKind::light_luv : ViewKind::light, light.diffuse);
-        if (model_.packed())
-            show("specular-light", ViewKind::light_alpha, light.diffuse);
-        else
-            show("specular-light",
-                 passes::is_light_pair(graph, light.specular) ? ViewKind::second_light : ViewKind::specular_light,
-                 light.specular);
-        for (const bool specular : {false, true})
-            if (const char* name = specular ? "specular-sum" : "diffuse-sum"; wants(name))
-                outputs[name] = passes::light_sum_pass(graph, view, materials, specular);
-        if (wants("albedo"))
-            show("albedo", ViewKind::colour, passes::albedo_pass(graph, view, materials));
+        add_light_views(outputs, graph, view, stage, visibility);
+        add_material_views(outputs, graph, view, surfaces.pixels, materials);
         if (wants("edges"))
             outputs["edges"] = passes::edges_view_pass(graph, view, surfaces);
-        if (visibility)
-            show("ambient-occlusion", ViewKind::occlusion, *visibility);
-        if (wants("light-count"))
-            show("light-count", ViewKind::count, passes::light_count_pass(graph, view, lighting));
         return outputs;
     }
-
-    void add_figures(Stats& stats) const override {
-        if (scale_)
-            scale_->tell(stats);
-    }
-
-    passes::LightModel model_;
-    std::optional<passes::LightScale> scale_; ///< of a light buffer in fixed point
 };
 
 } // namespace

@@ -1,0 +1,106 @@
+#include "light_buffer_renderer.hpp"
+#include "settings/light_culling_settings.hpp"
+#include "settings/occlusion_settings.hpp"
+#include <passes/light_pass.hpp>
+#include <passes/view.hpp>
+
+namespace prelight {
+
+using passes::ViewKind;
+
+uint32_t LightBufferRenderer::blended_adds(const resident::View& view) const {
+    return model_.fixed_point() ? 0 : passes::light_adds(view, settings().is("light-writes", "blended"));
+}
+
+void LightBufferRenderer::add_light_settings(resident::ViewSettings& view) const {
+    if (model_.fixed_point()) {
+        view.measures_light = settings().is("light-scale", "auto");
+        view.light_scale = view.measures_light ? 1 : settings().number("light-scale");
+    }
+    view.culling = light_culling(settings());
+    view.volumes = volume_options(settings());
+}
+
+LightBufferRenderer::LightStage LightBufferRenderer::light_stage(graph::FrameGraph& graph, const resident::View& view,
+                                                                 const passes::SampledSurfaces& surfaces) {
+    passes::ScreenListOptions lists = screen_list_options(settings());
+    if (surfaces.edges)
+        lists.samples = &surfaces.samples;
+    const bool pair =
+        passes::is_pair_of_halves(model_) && !light_sums().wide() && passes::compute_walks(view, lists.shading);
+    LightStage out;
+    out.light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide());
+    out.lighting = {.surface = surfaces.pixels,
+                    .model = model_,
+                    .target = out.light.target,
+                    .shadows = shadows(graph, view),
+                    .pair_counters = &pair_counters(),
+                    .count_pairs = options().count_pairs,
+                    .write_once = settings().is("light-writes", "once")};
+    scale_.reset();
+    if (model_.fixed_point())
+        scale_.emplace(view, passes::fixed_point(model_), settings().is("light-scale", "auto"))
+            .measure(graph, view, out.lighting);
+    out.lighting.lists = passes::screen_light_lists(graph, view, "light", out.lighting, lists);
+    passes::light_pass(graph, view, "light", out.lighting);
+    if (scale_)
+        scale_->count_clipped(graph, view, out.light.diffuse, out.light.specular);
+    if (surfaces.edges) {
+        out.sample_light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide(), &*surfaces.edges);
+        passes::sample_light_pass(graph, view, "light samples", out.lighting, surfaces, out.sample_light.target);
+    }
+    return out;
+}
+
+bool LightBufferRenderer::occludes() const { return occlusion_options(settings()).on; }
+
+std::optional<graph::ImageId> LightBufferRenderer::visibility(graph::FrameGraph& graph, const resident::View& view,
+                                                              const passes::SurfaceBuffers& surface) const {
+    const passes::OcclusionOptions occlusion = occlusion_options(settings());
+    if (!occlusion.on && !wants("ambient-occlusion"))
+        return {};
+    return passes::ambient_occlusion_passes(graph, view, surface, occlusion);
+}
+
+void LightBufferRenderer::add_light_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                                          const LightStage& stage, std::optional<graph::ImageId> visibility) const {
+    const passes::SurfaceBuffers& surface = stage.lighting.surface;
+    const passes::LightBuffer& light = stage.light;
+    const auto show = [&](const char* name, ViewKind kind, graph::ImageId buffer) {
+        if (wants(name))
+            outputs[name] = passes::view_pass(graph, view, name, kind, surface, buffer);
+    };
+    show("depth", ViewKind::depth, surface.depth_source);
+    show("normal", ViewKind::normal, surface.normal);
+    show("roughness", ViewKind::roughness, surface.normal);
+    const bool luv = model_.specular == passes::SpecularWay::luv;
+    show("diffuse-light", luv ? ViewKind::light_luv : ViewKind::light, light.diffuse);
+    if (model_.packed())
+        show("specular-light", ViewKind::light_alpha, light.diffuse);
+    else
+        show("specular-light",
+             passes::is_light_pair(graph, light.specular) ? ViewKind::second_light : ViewKind::specular_light,
+             light.specular);
+    if (visibility)
+        show("ambient-occlusion", ViewKind::occlusion, *visibility);
+    if (wants("light-count"))
+        show("light-count", ViewKind::count, passes::light_count_pass(graph, view, stage.lighting));
+}
+
+void LightBufferRenderer::add_material_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                                             const passes::SurfaceBuffers& surface,
+                                             const passes::MaterialInputs& materials) const {
+    for (const bool specular : {false, true})
+        if (const char* name = specular ? "specular-sum" : "diffuse-sum"; wants(name))
+            outputs[name] = passes::light_sum_pass(graph, view, materials, specular);
+    if (wants("albedo"))
+        outputs["albedo"] = passes::view_pass(graph, view, "albedo", ViewKind::colour, surface,
+                                              passes::albedo_pass(graph, view, materials));
+}
+
+void LightBufferRenderer::add_figures(Stats& stats) const {
+    if (scale_)
+        scale_->tell(stats);
+}
+
+} // namespace prelight
