@@ -20,7 +20,7 @@ BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context
 }
 
 void BlendedSurfaces::adapt(Settings& settings, resident::ViewSettings& view, const resident::GpuScene& scene) const {
-    if (!reused_shadows_ || !view.shadows.on)
+    if (!wanted() || !reused_shadows_ || !view.shadows.on)
         return;
     view.shadows.reuse = !scene.blends();
     settings.resolve("shadow-memory", view.shadows.reuse ? "reuse" : "atlas",
@@ -39,7 +39,7 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
         if (const auto& draws = scene.geometry().draws; std::any_of(draws.begin(), draws.end(), blends))
             graph.note("transparency=opaque: surfaces with alphaMode BLEND are drawn opaque");
     }
-    if (!scene.blends())
+    if (!scene.blends() || !wanted())
         return;
     const uint32_t rounds = passes::light_rounds(view, passes::LightWalk::fragment).count;
     by_lists_ = takes_lists(transparency_) && rounds == 1;
@@ -58,7 +58,7 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
 
 void BlendedSurfaces::add(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
                           const passes::LightLists* lists) {
-    if (!view.scene().blends())
+    if (!view.scene().blends() || !wanted())
         return;
     inputs.name = "blended";
     inputs.model = model_;

@@ -71,6 +71,7 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
 void DeviceRenderer::set_world(const World& world) {
     drop_graph(); // before what its passes refer to
     view_.reset();
+    light_view_.reset();
     lights_.reset();
     scene_.reset();
     changes_ms_ = 0;
@@ -108,7 +109,7 @@ void DeviceRenderer::take_changes(const WorldChanges& changes) {
     changes_ms_ += thread_ms() - start;
     if (changes.lights)
         return set_lights(world_->lights);
-    if (graph_ && light_sums_.holds(blended_adds(*view_)))
+    if (graph_ && light_sums_.holds(blended_adds(light_view())))
         return;
     drop_graph();
     build_graph();
@@ -126,13 +127,13 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     } else {
         queue_->drain();
         resident::LightSet next = lights_->with(lights);
-        view_->make_light_buffers(next);
+        each_view([&](resident::View& view) { view.make_light_buffers(next); });
         *lights_ = std::move(next);
     }
     changes_ms_ += thread_ms() - start;
     // Shaders leave out what none of the kinds needs that there were.
     const bool known = (lights_->kinds() & ~kinds) == 0;
-    if (fits && known && graph_ && light_sums_.holds(blended_adds(*view_)))
+    if (fits && known && graph_ && light_sums_.holds(blended_adds(light_view())))
         return;
     drop_graph();
     build_graph();
@@ -158,6 +159,8 @@ void DeviceRenderer::make_view() {
     resident::ViewSettings settings = view_settings();
     blended_.adapt(settings_, settings, *scene_);
     view_ = std::make_unique<resident::View>(*scene_, *lights_, settings);
+    if (const auto lit = light_view_settings())
+        light_view_ = std::make_unique<resident::View>(*scene_, *lights_, *lit);
 }
 
 void DeviceRenderer::remake_view(uint32_t width, uint32_t height) {
@@ -169,6 +172,7 @@ void DeviceRenderer::remake_view(uint32_t width, uint32_t height) {
     if (!world_)
         return;
     view_.reset(); // its memory may be what the next one needs
+    light_view_.reset();
     make_view();
     build_graph();
 }
@@ -194,11 +198,11 @@ void DeviceRenderer::build_graph() {
     auto graph = std::make_unique<graph::FrameGraph>(context_);
     for (const std::string& note : settings_.notes())
         graph->note(note);
-    light_sums_.choose(settings_, *graph, context_, blended_adds(*view_));
+    light_sums_.choose(settings_, *graph, context_, blended_adds(light_view()));
     blended_.choose(settings_, *graph, *view_);
     shadows_.reset();
     passes::deformation_pass(*graph, *view_);
-    passes::index_trimming_passes(*graph, *view_);
+    each_view([&](const resident::View& view) { passes::index_trimming_passes(*graph, view); });
     outputs_ = build(*graph, *view_);
     for (const auto& [name, image] : outputs_)
         graph->keep(image);
@@ -228,7 +232,7 @@ void DeviceRenderer::warm_up(const PlacedCamera& camera) {
     if (warm_)
         return;
     queue_->drain();
-    view_->update(camera);
+    update_views(camera);
     queue_->run([&](VkCommandBuffer commands) {
         clear_counters(commands);
         graph_->record_warm_up(commands);
@@ -244,20 +248,24 @@ void DeviceRenderer::render_frame(const PlacedCamera& camera) {
     }
     const gpu::FrameTurn turn = queue_->begin();
     outgrown_ = outgrown(turn.slot);
-    view_->update(camera, turn.slot);
+    update_views(camera, turn.slot);
     const double start = thread_ms();
-    const UploadedBytes uploaded{scene_->updates().waiting(), view_->written_bytes()};
+    UploadedBytes uploaded{scene_->updates().waiting(), 0};
+    resident::UpdateTimes times;
+    each_view([&](const resident::View& view) {
+        uploaded.frame += view.written_bytes();
+        times += view.update_times();
+    });
     scene_->updates().record(queue_->commands(), turn.slot);
     clear_counters(queue_->commands());
     graph_->record(queue_->commands(), turn);
     queue_->submit(*graph_);
-    costs_.add(std::exchange(changes_ms_, 0.0), view_->update_times(), thread_ms() - start,
-               created_since(context_, before), uploaded);
+    costs_.add(std::exchange(changes_ms_, 0.0), times, thread_ms() - start, created_since(context_, before), uploaded);
 }
 
 void DeviceRenderer::time_passes(const PlacedCamera& camera) {
     queue_->drain();
-    view_->update(camera);
+    update_views(camera);
     queue_->run([&](VkCommandBuffer commands) { clear_counters(commands); });
     graph_->record_begin();
     for (size_t p = 0; p < graph_->passes(); ++p) {
@@ -318,9 +326,9 @@ Stats DeviceRenderer::stats() const {
 }
 
 void DeviceRenderer::tell_shadows(Stats& stats) const {
-    if (!view_->shadows())
+    if (!light_view().shadows())
         return;
-    ShadowStats shadows = view_->shadows()->stats();
+    ShadowStats shadows = light_view().shadows()->stats();
     shadows.tiles_drawn = shadow_counts_.tiles_drawn;
     shadows.tiles_reused = shadow_counts_.tiles_reused;
     shadows.casters_drawn = shadow_counts_.casters_drawn;

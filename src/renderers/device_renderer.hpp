@@ -65,6 +65,11 @@ protected:
     virtual const passes::LightLists* world_lists() const { return nullptr; }
     virtual resident::GpuSceneSettings scene_settings() const;
     virtual resident::ViewSettings view_settings() const;
+    /// Where lights are evaluated at another resolution: what the view is made of that they are evaluated for. Shadow
+    /// maps are that view's then, and the picture's view has none.
+    virtual std::optional<resident::ViewSettings> light_view_settings() const { return {}; }
+    /// That view, or the picture's.
+    const resident::View& light_view() const { return light_view_ ? *light_view_ : *view_; }
     /// Stats::draws of the last frame.
     virtual uint64_t draws(const resident::View& view) const { return view.visible().batches.size(); }
 
@@ -92,6 +97,16 @@ private:
     /// Of a pixel. Throws UsageError for a number that no renderer knows, Error for one that the device lacks.
     void check_samples(uint32_t samples) const;
     void make_view();
+    /// Of the picture, and of the lights where they have their own.
+    template <class Do>
+    void each_view(const Do& act) {
+        act(*view_);
+        if (light_view_)
+            act(*light_view_);
+    }
+    void update_views(const PlacedCamera& camera, uint32_t slot = 0) {
+        each_view([&](resident::View& view) { view.update(camera, slot); });
+    }
     /// View, counters and graph for pictures of this size. Throws Error, and has taken down some of them.
     void remake_view(uint32_t width, uint32_t height);
     /// Waits for all frames and lets the graph go.
@@ -119,7 +134,7 @@ private:
     const World* world_ = nullptr;
     std::unique_ptr<resident::GpuScene> scene_;
     std::unique_ptr<resident::LightSet> lights_;
-    std::unique_ptr<resident::View> view_;
+    std::unique_ptr<resident::View> view_, light_view_;
     std::unique_ptr<graph::FrameGraph> graph_;
     Outputs outputs_;
     uint64_t triangles_ = 0;             ///< of the world

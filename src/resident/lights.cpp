@@ -132,10 +132,10 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
 }
 
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, VkExtent2D extent, LightCulling culling,
-                         bool depth_clamp, bool spot_boxes) {
+                         const shared::FrameConstants& constants, double aspect, VkExtent2D extent,
+                         LightCulling culling, bool depth_clamp, bool spot_boxes) {
     const bool rectangles = culling == LightCulling::rectangles, lists = builds_lists(culling);
-    const ScreenBoundsOf screen_bounds(camera, double(extent.width) / extent.height);
+    const ScreenBoundsOf screen_bounds(camera, aspect);
     std::vector<shared::LightScreenBounds> bounds(rectangles ? lights.size() : 0);
     std::array<std::vector<uint32_t>, light_group_count> members;
     LightGroups groups;

@@ -49,10 +49,11 @@ shared::LightData light_data(const PlacedLight& light, glm::dvec3 camera, double
 
 /// Leaves out what is dark or outside the view, and sorts the rest. A light is drawn "inside" (back
 /// faces, reversed depth test) as soon as its volume may touch the near plane.
-/// Without `depth_clamp`, a volume that the far plane would cut is drawn full screen.
+/// `aspect`: width ÷ height of what the camera sees; `extent`: of the picture, whose pixels screen bounds are padded
+/// by. Without `depth_clamp`, a volume that the far plane would cut is drawn full screen.
 LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
-                         const shared::FrameConstants& constants, VkExtent2D extent, LightCulling culling,
-                         bool depth_clamp, bool spot_boxes = false);
+                         const shared::FrameConstants& constants, double aspect, VkExtent2D extent,
+                         LightCulling culling, bool depth_clamp, bool spot_boxes = false);
 
 /// Sides of the cone's mesh, shared with passes::cone_volume.
 inline constexpr uint32_t cone_sides = 16;

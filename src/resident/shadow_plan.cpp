@@ -209,7 +209,7 @@ void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span
 }
 
 void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uint32_t> visible,
-                        const PlacedCamera& camera, uint32_t width, uint32_t height) {
+                        const PlacedCamera& camera, double aspect, uint32_t width, uint32_t height) {
     stats_ = {.budget = atlas_.texels()};
     find_moved();
     wish(lights, visible, camera, width, height);
@@ -233,7 +233,7 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
     for (const Wish& wish : wishes_) {
         const PlacedLight& light = lights[wish.light];
         const uint32_t guard = guard_of(wish.side);
-        find_shadow_views(light, camera, double(width) / height, world_, wish.side, guard, views);
+        find_shadow_views(light, camera, aspect, world_, wish.side, guard, views);
         lights_.push_back({wish.light, static_cast<uint32_t>(tiles_.size())});
         if (!sun_ && light.light.kind == LightKind::directional)
             sun_ = lights_.back();

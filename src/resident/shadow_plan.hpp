@@ -64,9 +64,10 @@ public:
     /// of the largest image that the device makes.
     ShadowPlan(std::span<const Draw> draws, const ShadowOptions& options, uint32_t longest);
 
-    /// For `visible` lights (indices into `lights`).
+    /// For `visible` lights (indices into `lights`), in a picture of so many pixels. `aspect`: width ÷ height of what
+    /// the camera sees.
     void update(std::span<const PlacedLight> lights, std::span<const uint32_t> visible, const PlacedCamera& camera,
-                uint32_t width, uint32_t height);
+                double aspect, uint32_t width, uint32_t height);
 
     const WorldBox& world() const { return world_; }
     glm::uvec2 atlas_size() const { return atlas_.size(); }

@@ -158,7 +158,7 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
     shared::FrameConstants next{};
     eye_ = camera.position;
     const VkExtent2D extent = raster().extent;
-    fill_camera(next, camera, extent.width, extent.height);
+    fill_camera(next, camera, frame().width, frame().height);
     // One light is clamped at the largest half float, and what is stored is divided by light_scale, so
     // that blended sums of that many such lights stay finite.
     const World& world = scene_.world();
@@ -177,8 +177,10 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
     if (device_trimming_)
         device_trimming_->update(slot, visible_, scene_.geometry());
     const double objects_end = thread_ms();
-    groups_ = group_lights(lights_.placed(), camera, next, extent, settings_.culling, context().features().depth_clamp,
-                           settings_.volumes.spot_boxes);
+    groups_ = group_lights(lights_.placed(), camera, next, aspect(), extent, settings_.culling,
+                           context().features().depth_clamp, settings_.volumes.spot_boxes);
+    if (settings_.layers)
+        find_layer_slots(layers_, scene_.geometry(), world, next, eye_, extent);
     std::copy(groups_.order.begin(), groups_.order.end(), target.order.mapped<uint32_t>());
     std::copy(groups_.bounds.begin(), groups_.bounds.end(), target.bounds.mapped<shared::LightScreenBounds>());
     if (shadows_)
@@ -199,7 +201,7 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
 }
 
 void View::update_shadows(const PlacedCamera& camera, shared::FrameConstants& constants) {
-    shadows_->update(lights_.placed(), groups_.order, camera, raster().extent.width, raster().extent.height);
+    shadows_->update(lights_.placed(), groups_.order, camera, aspect(), raster().extent.width, raster().extent.height);
     if (const auto sun = shadows_->sun())
         constants.sun = glm::vec4(sun->first_tile + 1, sun->light, 0, 0);
     const std::vector<shared::ShadowData>& records = shadows_->records();

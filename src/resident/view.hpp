@@ -1,6 +1,7 @@
 #pragma once
 #include "device_trimming.hpp"
 #include "gpu_scene.hpp"
+#include "layer_slots.hpp"
 #include "light_reach.hpp"
 #include "light_set.hpp"
 #include "shadow_plan.hpp"
@@ -14,20 +15,28 @@
 namespace prelight::resident {
 
 struct ViewSettings {
-    gpu::Raster raster;          ///< of the picture; with the samples of what surfaces are drawn into
-    double exposure = 1;         ///< factor
-    double light_scale = 32;     ///< what stored light is divided by
+    gpu::Raster raster;      ///< of the picture; with the samples of what surfaces are drawn into
+    VkExtent2D frame{};      ///< whose shape the camera sees, where the raster is a rounded share of it; 0: the raster
+    double exposure = 1;     ///< factor
+    double light_scale = 32; ///< what stored light is divided by
     bool measures_light = false; ///< the device finds a light scale for each frame: passes::light_scale_passes()
     LightCulling culling = LightCulling::volumes;
     VolumeOptions volumes = {};
     ObjectLights object_lights = ObjectLights::none;
     DrawOptions draws = {};
     ShadowOptions shadows = {};
+    bool layers = false; ///< blended draws get slots: View::layers()
 };
 
 /// CPU time of the calling thread for one frame, milliseconds; as prelight::HostTimes names it.
 struct UpdateTimes {
     double lights = 0, culling = 0, objects = 0;
+    UpdateTimes& operator+=(const UpdateTimes& other) {
+        lights += other.lights;
+        culling += other.culling;
+        objects += other.objects;
+        return *this;
+    }
 };
 
 /// A scene and its lights as one camera sees them: what of them may show, in which groups and with which shadow maps,
@@ -64,6 +73,8 @@ public:
     const LightReach& reach() const { return reach_; }
     /// What the camera of the last update() may see.
     const VisibleDraws& visible() const { return visible_; }
+    /// Of its blended draws, with ViewSettings::layers.
+    const LayerSlots& layers() const { return layers_; }
     /// Shadow maps of the last update(); null without shadows.
     const ShadowPlan* shadows() const { return shadows_ ? &*shadows_ : nullptr; }
     /// The camera's position of the last update(), world space: the origin of what shaders call world.
@@ -99,6 +110,8 @@ private:
     void make_draw_buffers();
     void update_shadows(const PlacedCamera& camera, shared::FrameConstants& constants);
     void write_lights();
+    VkExtent2D frame() const { return settings_.frame.width > 0 ? settings_.frame : settings_.raster.extent; }
+    double aspect() const { return double(frame().width) / frame().height; }
     const GpuScene& scene_;
     const LightSet& lights_;
     ViewSettings settings_;
@@ -120,6 +133,7 @@ private:
     VisibleDraws visible_;
     LightGroups groups_;
     LightReach reach_;
+    LayerSlots layers_;
     std::optional<ShadowPlan> shadows_;
     gpu::UniqueSampler shadow_sampler_; ///< compares
     glm::dvec3 eye_{0};

@@ -155,7 +155,7 @@ std::vector<ShadowTile> tiles_of(ShadowPlan& plan, const std::vector<PlacedLight
     std::vector<uint32_t> visible(lights.size());
     for (uint32_t i = 0; i < visible.size(); ++i)
         visible[i] = i;
-    plan.update(lights, visible, camera_at({0, 3, -1}, 0), 320, 180); // in range: sizes stay
+    plan.update(lights, visible, camera_at({0, 3, -1}, 0), 16.0 / 9, 320, 180); // in range: sizes stay
     return plan.tiles();
 }
 
