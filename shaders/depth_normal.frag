@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, ROUGHNESS_TARGET|STENCIL_ROUGHNESS|NO_NORMAL_TARGET, DEPTH_TARGET, DECALS|NO_TEXTURES, SAMPLES
-// only: SAMPLES with DECALS
+// variants: OWN_MATERIAL, ROUGHNESS_TARGET|STENCIL_ROUGHNESS|NO_NORMAL_TARGET, DEPTH_TARGET, DECALS|NO_TEXTURES, SAMPLES, SURFACE_IDS, LAYER
+// only: SAMPLES with DECALS, LAYER with SURFACE_IDS
+// never: SURFACE_IDS DECALS, SURFACE_IDS DEPTH_TARGET, SURFACE_IDS ROUGHNESS_TARGET, SURFACE_IDS STENCIL_ROUGHNESS, SURFACE_IDS NO_NORMAL_TARGET
 // never: DECALS DEPTH_TARGET, OWN_MATERIAL NO_TEXTURES, NO_NORMAL_TARGET NO_TEXTURES
 // only: NO_NORMAL_TARGET with DEPTH_TARGET
 // materials: all with OWN_MATERIAL
@@ -20,6 +21,10 @@
 #include "shared/material_interface.glsl"
 #include "shared/normal_encoding.h"
 #include "shared/specular_antialiasing.glsl"
+#ifdef LAYER
+#include "shared/layer.h"
+layout(push_constant) uniform LayerBlock { LayerConstants layer; };
+#endif
 
 layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMAL_OCT24;
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
@@ -27,6 +32,10 @@ layout(constant_id = CONSTANT_DEPTH_SOURCE) const int depth_source = DEPTH_ATTAC
 
 #ifndef NO_NORMAL_TARGET
 layout(location = 0) out vec4 out_normal;
+#endif
+#ifdef SURFACE_IDS  // of inferred lighting: the draw's number and the smooth group
+layout(location = 6) flat in uvec2 in_surface;
+layout(location = 1) out uvec2 out_surface;
 #endif
 #ifdef ROUGHNESS_TARGET  // for encodings that have no room for roughness
 layout(location = 1) out float out_roughness;
@@ -49,11 +58,18 @@ void main() {
 #endif
     if (is_masked(s))
         discard;
+#ifdef LAYER
+    if ((uint(gl_FragCoord.x) & 1u) + 2u * (uint(gl_FragCoord.y) & 1u) != layer.slot)
+        discard;
+#endif
 #ifndef NO_NORMAL_TARGET
     vec3 n = s.normal;
     if (view_space)
         n = mat3(frame.view_from_world) * n;
     out_normal = normal_encode(normal_encoding, n, roughness);
+#endif
+#ifdef SURFACE_IDS
+    out_surface = in_surface;
 #endif
 #ifdef ROUGHNESS_TARGET
     out_roughness = roughness;

@@ -1,9 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, LIGHT_BITS|LIGHT_PAIR, ONLY_WEIGHTED, OCCLUSION, DECALS|NO_TEXTURES, SAMPLE_LIGHT, SAMPLES
+// variants: OWN_MATERIAL, LIGHT_BITS|LIGHT_PAIR, ONLY_WEIGHTED, OCCLUSION, DECALS|NO_TEXTURES, SAMPLE_LIGHT, SAMPLES, SURFACE_IDS, LAYER
 // only: SAMPLES with DECALS
 // never: OWN_MATERIAL ONLY_WEIGHTED, OWN_MATERIAL NO_TEXTURES
-// only: OCCLUSION with OWN_MATERIAL
+// only: OCCLUSION with OWN_MATERIAL, LAYER with SURFACE_IDS
+// never: SURFACE_IDS SAMPLES, SURFACE_IDS SAMPLE_LIGHT, LAYER OCCLUSION, LAYER DECALS
 // materials: all with OWN_MATERIAL, blinn_phong with ONLY_WEIGHTED
 // Stage 3: the object's material from the light buffer. Compiled with each material; with the two standard
 // ones as material_blinn_phong.frag (equation 8.5.3) and material_metallic_roughness.frag.
@@ -22,6 +23,9 @@ layout(constant_id = CONSTANT_AMBIENT_AS_LIGHT) const bool ambient_as_light = fa
 #ifdef OCCLUSION
 layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform ONE_SAMPLE_IMAGE visibility_buffer;
 #endif
+#ifdef SURFACE_IDS
+layout(early_fragment_tests) in; // it counts pixels
+#endif
 layout(location = 0) out vec4 out_colour;
 
 // A material with a shininess of its own raises the lights' sum to it.
@@ -29,7 +33,29 @@ vec3 specular_sum(LightTexels texels, float roughness) {
     return shading == SHADING_PHONG ? specular_light_of(texels, shininess(roughness)) : texels.specular.rgb;
 }
 
-Light light_of(LightTexels texels, Point p, Surface s) {
+#ifdef OCCLUSION
+#ifdef SURFACE_IDS
+float visibility(Taps taps) {
+    float sum = 0.0;
+    for (int i = 0; i < 4; ++i)
+        sum += taps.share[i] * one_sample_read(visibility_buffer, taps.at[i]).r;
+    return sum;
+}
+#else
+float visibility() { return one_sample_read(visibility_buffer, ivec2(gl_FragCoord.xy)).r; }
+#endif
+#endif
+
+// What is blended covers as much as its alpha says.
+vec4 shaded(vec3 colour, Surface s) {
+    vec4 stored = stored_colour(min(colour, vec3(65504.0)));
+#ifdef LAYER
+    stored.a = clamp(s.alpha, 0.0, 1.0);
+#endif
+    return stored;
+}
+
+Light light_of(LightTexels texels, float open, Point p, Surface s) {
     Light light;
     light.irradiance = texels.diffuse.rgb;
     light.diffuse = light.irradiance / lambert_divisor;
@@ -41,7 +67,7 @@ Light light_of(LightTexels texels, Point p, Surface s) {
     light.openness = 1.0;
     add_environment(light, p, s);
 #ifdef OCCLUSION
-    occlude(light, p, s, one_sample_read(visibility_buffer, ivec2(gl_FragCoord.xy)).r);
+    occlude(light, p, s, open);
 #endif
     light.grazing_diffuse = mean_grazing(texels.diffuse);
     light.grazing_specular = mean_grazing(texels.specular);
@@ -61,10 +87,32 @@ void main() {
         return;
     }
     if (has(FEATURE_UNLIT)) {
-        out_colour = stored_colour(min(s.base * frame.light_buffer.y, vec3(65504.0)));
+        out_colour = shaded(s.base * frame.light_buffer.y, s);
         return;
     }
+    float open = 1.0;
+#ifdef SURFACE_IDS
+    Taps taps = find_taps();
+    if (material_output == MATERIAL_OUTPUT_UNMATCHED) {
+#ifdef LAYER
+        out_colour = vec4(vec3(1.0), taps.unmatched ? 1.0 : 0.0);
+#else
+        out_colour = vec4(taps.unmatched ? vec3(1.0) : 0.05 + 0.15 * s.base, 1.0);
+#endif
+        return;
+    }
+    if (material_output == MATERIAL_OUTPUT_SHADED)
+        count_unmatched(taps);
+    LightTexels texels = read_light(taps);
+#ifdef OCCLUSION
+    open = visibility(taps);
+#endif
+#else
     LightTexels texels = read_light();
+#ifdef OCCLUSION
+    open = visibility();
+#endif
+#endif
     if (material_output == MATERIAL_OUTPUT_DIFFUSE_SUM) {
         out_colour = vec4(texels.diffuse.rgb, 1.0);
         return;
@@ -73,5 +121,5 @@ void main() {
         out_colour = vec4(specular_sum(texels, s.roughness), 1.0);
         return;
     }
-    out_colour = stored_colour(min(shade(p, s, light_of(texels, p, s)), vec3(65504.0)));
+    out_colour = shaded(shade(p, s, light_of(texels, open, p, s)), s);
 }

@@ -34,6 +34,10 @@
 // weighted blended surfaces
 #define INPUT_BLENDED_SUM 0
 #define INPUT_BLENDED_WEIGHT 1
+// inferred lighting: surfaces and depth at the light's resolution, and how many pixels found none that fits
+#define INPUT_SURFACE_IDS 47
+#define INPUT_LIGHT_DEPTH 35
+#define INPUT_UNMATCHED 39
 // several samples a pixel: which pixels are edges, where their samples' light lies, and that light
 #define INPUT_EDGES 0
 #define INPUT_SAMPLE_DEPTH 46
@@ -137,6 +141,7 @@
 #define VERTEX_TEXCOORD_1 4
 #define VERTEX_COLOUR 5
 #define VERTEX_PREVIOUS_POSITION 6
+#define VERTEX_SMOOTH_GROUP 6 // in the place of the previous position, which it never comes with
 // The object's ObjectData, once an instance: 3 locations each.
 #define VERTEX_WORLD_ROW 7
 #define VERTEX_NORMAL_ROW 10
@@ -286,6 +291,7 @@
 #define MATERIAL_OUTPUT_ALBEDO 1
 #define MATERIAL_OUTPUT_DIFFUSE_SUM 2
 #define MATERIAL_OUTPUT_SPECULAR_SUM 3
+#define MATERIAL_OUTPUT_UNMATCHED 4  // white where the light's resolution has no sample that fits
 
 #define VOLUME_SPHERE 0
 #define VOLUME_CONE 1

@@ -24,6 +24,10 @@ layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DIFFUSE) uniform LIGHT_IMAGE sam
 layout(set = SET_INPUTS, binding = INPUT_SAMPLE_SPECULAR) uniform LIGHT_IMAGE sample_specular;
 #endif
 
+#ifdef SURFACE_IDS
+#include "shared/inferred_light.glsl"
+#endif
+
 struct StoredLight {
     vec4 first, second;
 };
@@ -111,6 +115,17 @@ LightTexels read_light() {
             light = LightTexels(light.diffuse + own * one.diffuse, light.specular + own * one.specular,
                                 light.weight + own * one.weight);
         }
+    }
+    return light;
+}
+#elif defined(SURFACE_IDS)
+LightTexels read_light(Taps taps) {
+    LightTexels light = LightTexels(vec4(0.0), vec4(0.0), 0.0);
+    for (int i = 0; i < 4; ++i) {
+        LightTexels one = unpacked(fetched(diffuse_light, specular_light, taps.at[i]));
+        float share = taps.share[i];
+        light = LightTexels(light.diffuse + share * one.diffuse, light.specular + share * one.specular,
+                            light.weight + share * one.weight);
     }
     return light;
 }

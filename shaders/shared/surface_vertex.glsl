@@ -20,6 +20,13 @@ layout(location = VERTEX_TANGENT) in vec4 in_tangent;
 layout(location = 2) out vec4 out_tangent;
 #endif
 #endif
+#ifdef SURFACE_IDS
+layout(location = VERTEX_SMOOTH_GROUP) in uint in_smooth_group;
+layout(location = 6) flat out uvec2 out_surface;
+#ifdef NO_NORMAL
+layout(location = VERTEX_NORMAL_ROW + 1) in vec4 in_second_normal_row;
+#endif
+#endif
 #ifdef MOTION  // where out_world was at the previous state
 layout(location = VERTEX_PREVIOUS_POSITION) in vec3 in_previous_position;
 layout(location = VERTEX_PREVIOUS_WORLD_ROW) in vec4 in_previous_world_row[3];
@@ -42,6 +49,14 @@ void main() {
     out_tangent = vec4(dot(in_world_row[0].xyz, in_tangent.xyz), dot(in_world_row[1].xyz, in_tangent.xyz),
                        dot(in_world_row[2].xyz, in_tangent.xyz), in_tangent.w * in_normal_row[0].w);
 #endif
+#endif
+#ifdef SURFACE_IDS
+#ifdef NO_NORMAL
+    float number = in_second_normal_row.w;
+#else
+    float number = in_normal_row[1].w;
+#endif
+    out_surface = uvec2(uint(number), in_smooth_group);
 #endif
 #ifdef MOTION
     vec4 previous = vec4(in_previous_position, 1.0);

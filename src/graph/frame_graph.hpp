@@ -70,7 +70,7 @@ public:
     Pass& indices(BufferId buffer);
     /// The buffer holds what conditional rendering asks.
     Pass& condition(BufferId buffer);
-    /// The pass copies into the buffer.
+    /// The pass copies into the buffer, or fills it.
     Pass& copy_to(BufferId buffer);
     /// A depth image that the pass draws into between its own draws (PassContext::between), and samples at `binding`.
     Pass& draws_between(uint32_t binding, ImageId image);

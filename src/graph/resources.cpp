@@ -34,6 +34,7 @@ constexpr FormatInfo formats[] = {
     {VK_FORMAT_R16G16_SFLOAT, 4, "RG16F"},
     {VK_FORMAT_R16G16B16A16_SFLOAT, 8, "RGBA16F"},
     {VK_FORMAT_R32G32_SFLOAT, 8, "RG32F"},
+    {VK_FORMAT_R32G32_UINT, 8, "RG32UI"},
     {VK_FORMAT_R32G32B32A32_SFLOAT, 16, "RGBA32F"},
     {VK_FORMAT_R32G32B32A32_UINT, 16, "RGBA32UI"},
 };
@@ -101,7 +102,8 @@ Access Access::condition() {
 }
 
 Access Access::copied_to() {
-    return {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
+    return {VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+            VK_IMAGE_LAYOUT_GENERAL, true};
 }
 
 Access& Access::operator|=(const Access& other) {

@@ -1,6 +1,7 @@
 #include "depth_normal.hpp"
 #include "depth_only.hpp"
 #include "hidden_geometry.hpp"
+#include "layer_draws.hpp"
 #include "surface_draws.hpp"
 #include <algorithm>
 #include <array>
@@ -138,6 +139,11 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View&
         pass.colour(out.depth_source, graph::Load::clear);
         variants |= gpu::Variant::depth_target;
     }
+    if (format.ids) {
+        out.ids = graph.image("surface ids", {VK_FORMAT_R32G32_UINT, raster});
+        pass.colour(out.ids, graph::Load::clear);
+        variants |= gpu::Variant::surface_ids;
+    }
     draw_surfaces(graph, pass, view,
                   {.name = pass.name(),
                    .fragment = {"depth_normal.frag", variants},
@@ -145,10 +151,23 @@ SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View&
                    .depth = format.two_passes ? gpu::DepthTest::equal : gpu::DepthTest::write_nearer,
                    .keeps_alpha_mask = !format.two_passes,
                    .vertex = gpu::when(!variants.has(gpu::Variant::depth_target), gpu::Variant::no_world) |
-                             gpu::Variant::no_textures});
+                             gpu::when(format.ids, gpu::Variant::surface_ids) | gpu::Variant::no_textures});
     if (!format.two_passes)
         hidden_geometry_passes(graph, view, out.depth);
     return out;
+}
+
+void layer_geometry_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface) {
+    graph::Pass& pass = graph.pass("geometry layers");
+    pass.depth_write(surface.depth, graph::Load::keep)
+        .colour(surface.normal, graph::Load::keep)
+        .colour(surface.ids, graph::Load::keep);
+    draw_layers(pass, view,
+                {.name = pass.name(),
+                 .fragment = {"depth_normal.frag", gpu::Variant::surface_ids | gpu::Variant::layer},
+                 .constants = surface.format.constants(),
+                 .vertex = gpu::Variant::surface_ids | gpu::Variant::no_world | gpu::Variant::no_textures},
+                view);
 }
 
 } // namespace prelight::passes

@@ -63,6 +63,7 @@ struct SurfaceFormat {
     bool position_from_ray = true;     ///< frustum ray, or the inverse view-projection matrix
     bool two_passes = false;           ///< geometry once for depth and once for normals, instead of MRT
     GBufferLayout gbuffer = GBufferLayout::none;
+    bool ids = false; ///< an image of surface ids beside it (GpuSceneSettings::surface_ids); with the other defaults
     bool specular_antialiasing = false; ///< stored roughness grows with the spread of normals under a pixel
     /// Specialisation constants of every shader that writes or reads these buffers.
     gpu::Constants constants() const;
@@ -75,6 +76,7 @@ struct SurfaceBuffers {
     graph::ImageId depth_source; ///< what later passes read: the attachment, or a colour target
     graph::ImageId normal;
     graph::ImageId roughness; ///< the normal target itself when it holds roughness, or stencil does
+    graph::ImageId ids{};     ///< with SurfaceFormat::ids: RG32UI, the draw's number from 1 and its smooth group; or 0
 };
 
 /// The depth attachment of a renderer: D32F, with `stencil` D32F_S8 or what the device has instead.
@@ -84,5 +86,9 @@ graph::ImageId make_depth(graph::FrameGraph& graph, const gpu::Raster& raster, b
 /// linear depth] first, then normals [and roughness, where the encoding has no room for it] with depth
 /// test EQUAL. Both give the same bytes.
 SurfaceBuffers depth_normal_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceFormat& format);
+
+/// A pass "geometry layers": blended objects into the same images, each where it is nearer than what is there and in
+/// its own slot of the texels (resident::View::layers()). `surface` has ids.
+void layer_geometry_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface);
 
 } // namespace prelight::passes

@@ -1,4 +1,5 @@
 #include "materials.hpp"
+#include "layer_draws.hpp"
 #include "resolve.hpp"
 #include "surface_draws.hpp"
 #include <shared/bindings.h>
@@ -10,10 +11,9 @@ bool is_half(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
-void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs, const std::string& name,
-          graph::ImageId target, uint32_t output, Display display = {}) {
-    graph::Pass& pass = graph.pass(name);
-    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f}).depth_test(inputs.depth);
+/// What the draws read beside attachments, and how they are drawn: with depth test EQUAL.
+SurfaceDraws::Desc declare(graph::FrameGraph& graph, graph::Pass& pass, const resident::View& view,
+                           const MaterialInputs& inputs, uint32_t output, Display display, VkFormat target) {
     const bool bits =
         view.context().is_software() && is_half(graph, inputs.light.diffuse) && is_half(graph, inputs.light.specular);
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
@@ -26,10 +26,15 @@ void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialIn
         (pass.*sample)(INPUT_SAMPLE_DIFFUSE, inputs.sample_light.diffuse);
         (pass.*sample)(INPUT_SAMPLE_SPECULAR, inputs.sample_light.specular);
     }
+    if (inputs.lit_surfaces)
+        pass.sample(INPUT_SURFACE_IDS, inputs.lit_surfaces->ids)
+            .sample(INPUT_LIGHT_DEPTH, inputs.lit_surfaces->depth)
+            .storage(INPUT_UNMATCHED, graph.buffer("unmatched pixels", *inputs.unmatched),
+                     output == MATERIAL_OUTPUT_SHADED);
     declare_decals(pass, inputs.decals);
     gpu::Constants constants = inputs.model.constants();
     constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
-    for (const auto& constant : display_constants(display, graph.desc(target).format))
+    for (const auto& constant : display_constants(display, target))
         constants.push_back(constant);
     if (inputs.edges)
         for (const auto& constant : inputs.edges->constants())
@@ -41,24 +46,47 @@ void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialIn
         pass.sample(INPUT_OCCLUSION, *inputs.visibility);
     const bool all_of_a_point = view.scene().environment() || occluded; // normal and viewer
     using gpu::Variant;
+    const gpu::Variants ids = gpu::when(inputs.lit_surfaces.has_value(), Variant::surface_ids);
     const gpu::Variants texels =
-        gpu::when(inputs.edges.has_value(), Variant::sample_light) |
+        ids | gpu::when(inputs.edges.has_value(), Variant::sample_light) |
         (is_light_pair(graph, inputs.light.diffuse) ? Variant::light_pair : gpu::when(bits, Variant::light_bits));
     const gpu::Variants own = texels | gpu::when(occluded, Variant::occlusion);
     const std::string material = ggx ? "" : "blinn_phong";
     const gpu::ShaderKey whole("material.frag", own | Variant::own_material, ggx ? "metallic_roughness" : material);
     const gpu::ShaderKey lean("material.frag", texels | gpu::when(!at_nv, Variant::only_weighted), material);
-    draw_surfaces(graph, pass, view,
-                  {.name = "material",
-                   .fragment = all_of_a_point ? whole : lean,
-                   .own_fragment = {"material.frag", own},
-                   .constants = constants,
-                   .depth = gpu::DepthTest::equal,
-                   .keeps_alpha_mask = false,
-                   .vertex = gpu::when(!at_nv && !all_of_a_point, Variant::no_world | Variant::no_normal) |
-                             gpu::when(!all_of_a_point, Variant::no_textures),
-                   .sample_shading = inputs.sample_shading,
-                   .decals = decal_use(inputs.decals)});
+    return {.name = "material",
+            .fragment = all_of_a_point ? whole : lean,
+            .own_fragment = {"material.frag", own},
+            .constants = constants,
+            .depth = gpu::DepthTest::equal,
+            .keeps_alpha_mask = false,
+            .vertex = ids | gpu::when(!at_nv && !all_of_a_point, Variant::no_world | Variant::no_normal) |
+                      gpu::when(!all_of_a_point, Variant::no_textures),
+            .sample_shading = inputs.sample_shading,
+            .decals = decal_use(inputs.decals)};
+}
+
+void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs, const std::string& name,
+          graph::ImageId target, uint32_t output, Display display = {}) {
+    graph::Pass& pass = graph.pass(name);
+    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f}).depth_test(inputs.depth);
+    const SurfaceDraws::Desc desc = declare(graph, pass, view, inputs, output, display, graph.desc(target).format);
+    draw_surfaces(graph, pass, view, desc);
+}
+
+void draw_over(graph::FrameGraph& graph, const resident::View& view, MaterialInputs inputs, const resident::View& slots,
+               const std::string& name, graph::ImageId target, uint32_t output, uint64_t* drawn = nullptr) {
+    inputs.decals = {}; // they lie on what is opaque, and so does occlusion
+    inputs.visibility = {};
+    graph::Pass& pass = graph.pass(name);
+    pass.colour(target, graph::Load::keep).blends().depth_test(inputs.depth);
+    SurfaceDraws::Desc desc = declare(graph, pass, view, inputs, output, {}, graph.desc(target).format);
+    desc.name = name;
+    desc.depth = gpu::DepthTest::behind_or_at;
+    desc.blend = gpu::Blend::by_alpha;
+    for (gpu::ShaderKey* shader : {&desc.fragment, &desc.own_fragment})
+        shader->variants |= gpu::Variant::layer;
+    draw_layers(pass, view, std::move(desc), slots, drawn);
 }
 
 } // namespace
@@ -76,6 +104,28 @@ graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::View& vi
     const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.surface_raster()});
     draw(graph, view, inputs, name, target, specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM);
     return resolve_pass(graph, view, target);
+}
+
+void clear_unmatched_pass(graph::FrameGraph& graph, const gpu::Buffer& unmatched) {
+    graph.pass("material counts")
+        .copy_to(graph.buffer("unmatched pixels", unmatched))
+        .record([&unmatched](const graph::PassContext& context) {
+            vkCmdFillBuffer(context.commands, unmatched.handle(), 0, VK_WHOLE_SIZE, 0);
+        });
+}
+
+void layer_pass(graph::FrameGraph& graph, const resident::View& view, MaterialInputs inputs,
+                const resident::View& slots, graph::ImageId target, uint64_t* drawn) {
+    draw_over(graph, view, std::move(inputs), slots, "blended layers", target, MATERIAL_OUTPUT_SHADED, drawn);
+}
+
+graph::ImageId unmatched_view_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
+                                   const resident::View* slots) {
+    const graph::ImageId target = graph.image("unmatched", {VK_FORMAT_R16G16B16A16_SFLOAT, view.surface_raster()});
+    draw(graph, view, inputs, "unmatched", target, MATERIAL_OUTPUT_UNMATCHED);
+    if (slots)
+        draw_over(graph, view, inputs, *slots, "unmatched layers", target, MATERIAL_OUTPUT_UNMATCHED);
+    return target;
 }
 
 graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs) {

@@ -15,6 +15,10 @@ struct MaterialInputs {
     std::optional<SampleEdges> edges = {}; ///< whose samples' light is in `sample_light`; `depth` has several samples
     LightBuffer sample_light = {};
     std::optional<graph::ImageId> visibility = {}; ///< ambient_occlusion_passes()'; none: ambient light is not occluded
+    /// Light and visibility are of these surfaces, with ids and at another resolution, and are found by
+    /// shaders/shared/inferred_light.glsl.
+    std::optional<SurfaceBuffers> lit_surfaces = {};
+    const gpu::Buffer* unmatched = nullptr; ///< uint32, with `lit_surfaces`: pixels without a texel of their surface
 };
 
 /// Stage 3: every object once more with its own material, depth test EQUAL, light from the light
@@ -26,6 +30,20 @@ graph::ImageId material_pass(graph::FrameGraph& graph, const resident::View& vie
 /// diffuse light, or specular light with the material's own shininess.
 graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                               bool specular);
+
+/// A pass "material counts" before those: no pixel is without a texel of its surface yet.
+void clear_unmatched_pass(graph::FrameGraph& graph, const gpu::Buffer& unmatched);
+
+/// A pass "blended layers": blended objects back to front over the scene-linear picture `target`, lit by the texels of
+/// their slots (`inputs.lit_surfaces`, into which layer_geometry_pass() has drawn them). `slots`: the view whose
+/// layers() those are. `drawn`: set to the number of draws.
+void layer_pass(graph::FrameGraph& graph, const resident::View& view, MaterialInputs inputs,
+                const resident::View& slots, graph::ImageId target, uint64_t* drawn);
+
+/// Where pixels are without a texel of their surface: white, over the base colours in grey. `slots`: of blended
+/// objects; null: there are none.
+graph::ImageId unmatched_view_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
+                                   const resident::View* slots);
 
 /// The base colour of what is seen, for --view albedo.
 graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs);

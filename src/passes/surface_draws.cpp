@@ -1,6 +1,7 @@
 #include "surface_draws.hpp"
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -9,7 +10,7 @@ namespace {
 using resident::VertexAttributes;
 
 // Vertex buffer bindings.
-constexpr uint32_t positions = 0, attributes = 1, previous_positions = 2, objects = 3;
+constexpr uint32_t positions = 0, attributes = 1, previous_positions = 2, objects = 3, groups = 4;
 
 /// Three rows of ObjectData.
 void add_rows(std::vector<gpu::VertexAttribute>& out, uint32_t location, size_t offset) {
@@ -37,6 +38,12 @@ std::vector<gpu::VertexAttribute> surface_attributes(gpu::Variants variants) {
         if (!variants.has(gpu::Variant::no_normal))
             out.push_back(
                 {VERTEX_TANGENT, attributes, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexAttributes, tangent)});
+    }
+    if (variants.has(gpu::Variant::surface_ids)) {
+        out.push_back({VERTEX_SMOOTH_GROUP, groups, VK_FORMAT_R32_UINT, 0});
+        if (variants.has(gpu::Variant::no_normal)) // the draw's number is there
+            out.push_back({VERTEX_NORMAL_ROW + 1, objects, VK_FORMAT_R32G32B32A32_SFLOAT,
+                           static_cast<uint32_t>(offsetof(shared::ObjectData, normal_row) + sizeof(glm::vec4))});
     }
     if (variants.has(gpu::Variant::motion)) {
         out.push_back({VERTEX_PREVIOUS_POSITION, previous_positions, VK_FORMAT_R32G32B32_SFLOAT, 0});
@@ -71,6 +78,8 @@ SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterfac
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
                                sizeof(shared::ObjectData)};
+    if (desc.vertex.has(gpu::Variant::surface_ids))
+        pipeline.vertex_strides.push_back(sizeof(uint32_t));
     pipeline.instance_binding = objects;
     pipeline.attachments = interface.attachments;
     pipeline.stencil =
@@ -97,8 +106,9 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     const gpu::Variants decal_variants =
         gpu::when(decals, Variant::decals) | gpu::when(decals && pipeline.attachments.samples > 1, Variant::samples);
     const bool untextured = desc.vertex.has(Variant::no_textures) && !own && !decals && !has_textures(features);
-    gpu::Variants vertex =
-        gpu::when(desc.vertex.has(Variant::motion), Variant::motion) | gpu::when(untextured, Variant::no_textures);
+    gpu::Variants vertex = gpu::when(untextured, Variant::no_textures);
+    for (const Variant more : {Variant::motion, Variant::surface_ids})
+        vertex |= gpu::when(desc.vertex.has(more), more);
     for (const Variant left_out : {Variant::no_world, Variant::no_normal})
         vertex |= gpu::when(!own && desc.vertex.has(left_out), left_out);
     pipeline.vertex = shaded ? gpu::ShaderKey("surface.vert", vertex) : "depth_only.vert";
@@ -141,9 +151,9 @@ SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {
 void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
     const resident::Geometry& geometry = view_.scene().geometry();
     const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(), geometry.previous(),
-                                view_.objects()};
-    const VkDeviceSize offsets[] = {0, 0, 0, 0};
-    vkCmdBindVertexBuffers(pass.commands, 0, 4, buffers, offsets);
+                                view_.objects(), geometry.groups.handle()};
+    const VkDeviceSize offsets[std::size(buffers)] = {};
+    vkCmdBindVertexBuffers(pass.commands, 0, geometry.groups.handle() ? 5 : 4, buffers, offsets);
 }
 
 void SurfaceDraws::bind_state(const graph::PassContext& pass, Bound& bound, const resident::Draw& draw,

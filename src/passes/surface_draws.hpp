@@ -23,8 +23,9 @@ public:
         bool keeps_alpha_mask = true; ///< false: the mask is not asked again, the depth test decides
         gpu::Blend blend = gpu::Blend::none;
         uint32_t push_bytes = 0; ///< push constants of every draw, in the fragment shader
-        /// Of surface.vert: MOTION (GpuSceneSettings::motion); NO_WORLD and NO_NORMAL where the fragment shader reads
-        /// no point and no normal; NO_TEXTURES where it has that variant too, for materials without textures.
+        /// Of surface.vert: MOTION (GpuSceneSettings::motion); SURFACE_IDS (GpuSceneSettings::surface_ids); NO_WORLD
+        /// and NO_NORMAL where the fragment shader reads no point and no normal; NO_TEXTURES where it has that variant
+        /// too, for materials without textures.
         gpu::Variants vertex = {};
         /// What has an alpha mask is shaded once a sample wherever the mask is asked, and so is what reads decals.
         gpu::SampleShading sample_shading = gpu::SampleShading::fragment;

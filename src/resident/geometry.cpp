@@ -3,6 +3,7 @@
 #include "gpu_scene.hpp"
 #include "objects.hpp"
 #include "scene.hpp"
+#include "smooth_groups.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -47,7 +48,7 @@ std::span<const std::byte> bytes(const std::vector<T>& values) {
 /// The world's vertices on the host.
 class Vertices {
 public:
-    explicit Vertices(bool motion) : motion_(motion) {}
+    Vertices(bool motion, bool groups) : motion_(motion), grouped_(groups) {}
 
     std::vector<Placement> add(const Mesh& mesh) {
         std::vector<Placement> places;
@@ -60,6 +61,7 @@ public:
     std::vector<glm::vec3> previous; ///< as long as positions, or empty: nothing has moved
     std::vector<VertexAttributes> attributes;
     std::vector<uint32_t> indices;
+    std::vector<uint32_t> groups; ///< as long as positions, or empty: nobody asked for them
 
 private:
     Placement add(const Primitive& primitive) {
@@ -80,10 +82,14 @@ private:
         const std::vector<VertexAttributes> own = attributes_of(primitive);
         attributes.insert(attributes.end(), own.begin(), own.end());
         indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
+        if (grouped_) {
+            const std::vector<uint32_t> smooth = smooth_groups(primitive);
+            groups.insert(groups.end(), smooth.begin(), smooth.end());
+        }
         return place;
     }
 
-    bool motion_;
+    bool motion_, grouped_;
     bool moved_ = false; ///< a primitive was elsewhere before
 };
 
@@ -143,7 +149,7 @@ void Draw::place(const Instance& instance) {
 
 Geometry upload_geometry(const gpu::Context& context, const World& world, const GpuSceneSettings& settings,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals) {
-    Vertices vertices(settings.motion);
+    Vertices vertices(settings.motion, settings.surface_ids);
     // Of the meshes that are shown; the device writes vertices of its own for each deformed one.
     std::map<std::pair<const Mesh*, std::optional<uint32_t>>, std::vector<Placement>> placements;
     const bool on_device = device_deforms(world);
@@ -206,6 +212,8 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, const 
     if (!vertices.previous.empty())
         geometry.previous_positions =
             gpu::make_device_buffer(context, "previous positions", bytes(vertices.previous), vertex | deforms);
+    if (settings.surface_ids)
+        geometry.groups = gpu::make_device_buffer(context, "smooth groups", bytes(vertices.groups), vertex);
     geometry.indices = gpu::make_device_buffer(context, "indices", bytes(vertices.indices),
                                                VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
     return geometry;

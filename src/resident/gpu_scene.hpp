@@ -11,11 +11,12 @@ namespace prelight::resident {
 /// What of a world's data depends on how it is drawn.
 struct GpuSceneSettings {
     gpu::TextureFilter texture_filter = gpu::TextureFilter::trilinear;
-    double exposure = 1;  ///< factor on the light of emissive materials and of the environment
-    bool motion = false;  ///< fill Geometry::previous_positions
-    bool trimmed = false; ///< the device reads positions and indices to trim them
-    bool casters = false; ///< fill caster_rows()
-    bool blends = false;  ///< draws of materials with alphaMode BLEND are Draw::blended(); else they are opaque
+    double exposure = 1;      ///< factor on the light of emissive materials and of the environment
+    bool motion = false;      ///< fill Geometry::previous_positions
+    bool trimmed = false;     ///< the device reads positions and indices to trim them
+    bool casters = false;     ///< fill caster_rows()
+    bool surface_ids = false; ///< fill Geometry::groups
+    bool blends = false;      ///< draws of materials with alphaMode BLEND are Draw::blended(); else they are opaque
 };
 
 /// A world on the device: geometry, materials with their textures, environment. It knows no camera, no picture and no

@@ -64,6 +64,8 @@ struct Geometry {
     /// vec3, object space one interval earlier, vertex for vertex as `positions`. Made only when asked
     /// for and some vertex has moved within its object.
     gpu::Buffer previous_positions;
+    /// uint32 a vertex: smooth_groups() of its primitive. Made only when asked for.
+    gpu::Buffer groups;
     std::vector<Draw> draws;
     std::vector<std::vector<uint32_t>> draws_of; ///< by index into World::instances: numbers of its draws
     /// By index into World::deformed, then by primitive; empty for what no instance shows.

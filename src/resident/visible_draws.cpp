@@ -53,7 +53,8 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     for (size_t d = 0; d < out.draws.size(); ++d) {
         VisibleDraw one = out.draws[d];
         const Draw& draw = all[one.draw];
-        const shared::ObjectData object = object_data(world.instances[draw.object], draw.normal_row, eye);
+        shared::ObjectData object = object_data(world.instances[draw.object], draw.normal_row, eye);
+        object.normal_row[1].w = static_cast<float>(one.draw + 1);
         if (options.trimming == IndexTrimming::host && draw.primitive &&
             used + draw.index_count <= buffers.indices.size()) {
             one.first_index = static_cast<uint32_t>(used);
