@@ -89,6 +89,10 @@ Json stats_entry(const std::string& scene, const std::string& renderer, const Re
         entry["light_buffer"] = {{"diffuse_scale", stats.light_buffer->diffuse_scale},
                                  {"specular_scale", stats.light_buffer->specular_scale},
                                  {"clipped_pixels", stats.light_buffer->clipped_pixels}};
+    if (stats.inferred)
+        entry["inferred"] = {{"layers", stats.inferred->layers},
+                             {"layers_without_slot", stats.inferred->layers_without_slot},
+                             {"unmatched_pixels", stats.inferred->unmatched_pixels}};
     entry["notes"] = stats.notes;
     return entry;
 }

@@ -72,6 +72,10 @@ struct ReferenceForm {
     enum class Transparency { opaque, layers } transparency = Transparency::opaque;
     /// [Transparency::layers] Their shadows: as of what is opaque, less deep by 1 − α at each, or none.
     enum class TransparentShadows { opaque, filtered, none } transparent_shadows = TransparentShadows::opaque;
+    /// Inferred lighting (docs/inferred.md): lights are evaluated at this share of the picture's width and height, for
+    /// what is opaque and for up to three layers, and pixels find them there by their surface. 0: at each pixel; else
+    /// 1/8 … 1, with one sample a pixel and another Fresnel than `full`.
+    double inferred_scale = 0;
     ReferenceSamples samples{};
     bool operator==(const ReferenceForm&) const = default;
 };
@@ -101,7 +105,7 @@ struct ReferencePicture {
     std::vector<uint32_t> layer_count;        ///< layers of each pixel; empty: there are none in the picture
     std::vector<ReferenceLayer> layers;       ///< of all pixels in order, each pixel's nearest first
 
-    uint32_t samples = 1; ///< a pixel; of one the vectors that follow are empty
+    uint32_t samples = 1; ///< a pixel; of one the vectors that follow are empty, but for `doubts` of inferred lighting
     /// Exposed scene-linear, `samples` a pixel in Vulkan's order. Samples of a fragment share what is evaluated once.
     std::vector<glm::vec3> sample_colours;
     /// 1 where a pixel's samples see more than one surface: another instance or primitive, or the background, or a
@@ -109,10 +113,12 @@ struct ReferencePicture {
     std::vector<uint8_t> edge;
     /// Why a pixel is left out.
     enum Doubt : uint8_t {
-        near_edge = 1,    ///< a ray 1/128 pixel beside a sample's, across or down, sees another surface
-        shadow = 2,       ///< samples of one surface, here and in the pixels beside this one, differ in shadows
-        mask = 4,         ///< samples, here and in the pixels beside this one, differ in alpha tests
-        sharing = 16,     ///< samples share a surface or light, or almost: see ReferenceSamples
+        near_edge = 1, ///< a ray 1/128 pixel beside a sample's, across or down, sees another surface
+        shadow = 2,    ///< samples of one surface, here and in the pixels beside this one, differ in shadows
+        mask = 4,      ///< samples, here and in the pixels beside this one, differ in alpha tests
+        sharing = 16,  ///< samples share a surface or light, or almost: see ReferenceSamples
+        inferred =
+            32, ///< a texel of the light that counts is near an edge or a shadow's, or whether it counts is close
         extrapolated = 8, ///< the pixel's centre is before no part of a fragment's plane; one of its samples serves
     };
     std::vector<uint8_t> doubts; ///< sums of Doubt
@@ -121,7 +127,7 @@ struct ReferencePicture {
     /// between a lamp and the night comes out half as bright as the lamp shows, and not as bright as the lamp.
     Image display(Tonemap curve) const;
 
-    /// With several samples a pixel: 1 where `doubts` has any; an edge by itself is none. With one sample:
+    /// 1 where `doubts` has any; with several samples a pixel an edge by itself is none. With one sample besides:
     /// one byte per pixel: 1 where a pixel lies beside (8 neighbours) one of another instance,
     /// primitive's alpha mask or shadow outcome, with a normal more than 30° away, or lying off its
     /// plane by more than 1 % of depth; or where that is so of their first layers, their second ones and so on, or one
@@ -137,6 +143,7 @@ struct ReferencePicture {
 /// `transparency`: BLEND is opaque in a renderer that lacks it or says so, and layers with every other value, however
 /// they are drawn; `transparent-shadows`. Layers of several samples a pixel are evaluated once a fragment unless
 /// `msaa-layers` says otherwise.
+/// `inferred-scale` (1, 3/4, 5/8, 1/2) and `inferred-layers`, of the renderer `inferred`.
 /// `samples`: a pixel. With several: `msaa-light`, `msaa-material`
 /// and `msaa-shadows`, each per sample unless it says otherwise; `msaa-geometry`, which renderers on a device lack, for
 /// they store a normal once a fragment. A renderer without `msaa-light` is a forward one: all once a fragment, unless

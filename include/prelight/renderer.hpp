@@ -121,6 +121,13 @@ struct LightBufferStats {
     uint64_t clipped_pixels = 0; ///< with a channel at the largest value: their light may have been more
 };
 
+/// What inferred lighting made of the last frame (docs/inferred.md).
+struct InferredStats {
+    uint64_t layers = 0;              ///< draws of blended objects that have a slot in the light's resolution
+    uint64_t layers_without_slot = 0; ///< of them, those that share one with another that they may cover
+    uint64_t unmatched_pixels = 0;    ///< pixels, of layers too, for which no texel around them shows their surface
+};
+
 /// A setting that has not the value asked for: that was "auto", or what the device or other settings rule out.
 struct SettingChoice {
     std::string key;
@@ -153,6 +160,7 @@ struct Stats {
     std::optional<HostTimes> host_ms = {};   ///< renderers on a device
     std::optional<ShadowStats> shadows = {}; ///< with shadows=on
     std::optional<LightBufferStats> light_buffer = {}; ///< of a target in fixed point
+    std::optional<InferredStats> inferred = {};        ///< of the renderer `inferred`
     uint64_t attachment_bytes_unshared = 0;            ///< the same images, if none shared memory with another
     uint64_t pairs_evaluated = 0, pairs_contributing = 0;
     bool pairs_counted = false;

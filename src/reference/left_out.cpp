@@ -51,11 +51,10 @@ bool crosses_edge(const ReferencePicture& picture, size_t a, size_t b) {
 
 std::vector<uint8_t> ReferencePicture::left_out() const {
     std::vector<uint8_t> result(linear.pixels.size(), 0);
-    if (samples > 1) {
-        for (size_t i = 0; i < result.size(); ++i)
-            result[i] = doubts[i] != 0;
+    for (size_t i = 0; i < doubts.size(); ++i)
+        result[i] = doubts[i] != 0;
+    if (samples > 1)
         return result;
-    }
     const auto width = static_cast<int64_t>(linear.width);
     const auto height = static_cast<int64_t>(linear.height);
     const std::vector<size_t> places = layer_places(*this);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <reference/ray_scene.hpp>
 #include <span>
@@ -24,11 +25,12 @@ inline std::span<const glm::dvec2> sample_positions(uint32_t count) {
 /// so that distances along a ray are depths.
 class Lens {
 public:
-    Lens(const PlacedCamera& placed, uint32_t width, uint32_t height)
+    /// `aspect`: width ÷ height of what the camera sees, where pixels are not square; 0: they are.
+    Lens(const PlacedCamera& placed, uint32_t width, uint32_t height, double aspect = 0)
         : placed_(placed), width_(width), height_(height) {
         const Camera& camera = placed.camera;
         half_height_ = camera.kind == ProjectionKind::perspective ? std::tan(camera.yfov / 2) : camera.ymag;
-        half_width_ = half_height_ * width / height;
+        half_width_ = aspect > 0 ? half_height_ * aspect : half_height_ * width / height;
     }
 
     Ray ray(uint32_t x, uint32_t y, glm::dvec2 place) const {
@@ -43,6 +45,15 @@ public:
 
     /// Metres that a pixel covers across the view at this depth.
     double pixel(double depth) const { return 2 * half_height_ / height_ * (perspective() ? depth : 1); }
+
+    /// Of a place relative to the camera: along the camera's axis, metres.
+    double depth(const glm::dvec3& place) const { return -glm::dot(placed_.axes[2], place); }
+    /// Where it shows: pixels from the left and upper edge.
+    glm::dvec2 place_of(const glm::dvec3& place) const {
+        const double scale = perspective() ? depth(place) : 1;
+        return {(glm::dot(placed_.axes[0], place) / (scale * half_width_) + 1) / 2 * width_,
+                (1 - glm::dot(placed_.axes[1], place) / (scale * half_height_)) / 2 * height_};
+    }
 
     bool perspective() const { return placed_.camera.kind == ProjectionKind::perspective; }
 

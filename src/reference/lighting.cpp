@@ -49,14 +49,18 @@ void Lighting::add(const Incident& light) {
     add_one(light, nl);
 }
 
+void LightSums::add(const LightSums& other, double share) {
+    diffuse += share * other.diffuse;
+    specular += share * other.specular;
+    weight += share * other.weight;
+    diffuse_fresnel += share * other.diffuse_fresnel;
+    specular_fresnel += share * other.specular_fresnel;
+    full += share * other.full;
+    contributing = std::max(contributing, other.contributing);
+}
+
 void Lighting::take(const Lighting& other, double share) {
-    sums_.diffuse += share * other.sums_.diffuse;
-    sums_.specular += share * other.sums_.specular;
-    sums_.weight += share * other.sums_.weight;
-    sums_.diffuse_fresnel += share * other.sums_.diffuse_fresnel;
-    sums_.specular_fresnel += share * other.sums_.specular_fresnel;
-    sums_.full += share * other.sums_.full;
-    sums_.contributing = std::max(sums_.contributing, other.sums_.contributing);
+    sums_.add(other.sums_, share);
     each_ += share * other.each_;
 }
 

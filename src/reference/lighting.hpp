@@ -16,6 +16,9 @@ struct LightSums {
     double specular_fresnel = 0; ///< Σ luminance(S_i)·(1 − V·H)⁵
     glm::dvec3 full{0};          ///< `full`: Σ of the whole model, Fresnel light by light
     uint32_t contributing = 0;   ///< lights with attenuation and N·L above zero
+
+    /// A share of others; of `contributing`, the most.
+    void add(const LightSums& other, double share);
 };
 
 /// Evaluates one form of the lighting model at one surface.
@@ -32,6 +35,8 @@ public:
     void add(const Incident& light);
     /// Adds a share of what another point of the surface has gathered.
     void take(const Lighting& other, double share);
+    /// The same of sums by themselves.
+    void take(const LightSums& other, double share) { sums_.add(other, share); }
     /// Radiance towards the viewer, not exposed. `ambient`: radiance from everywhere, where there is no environment.
     glm::dvec3 radiance(glm::dvec3 ambient);
     const LightSums& sums() const { return sums_; }

@@ -168,7 +168,16 @@ Sample PixelShader::centre_of(const Sample& owner) const {
     return centre;
 }
 
-void PixelShader::occlude(Sample& point) const {
+/// What of light comes from around the point: what nearby surfaces leave of ambient light, and the lights of another
+/// resolution.
+void PixelShader::occlude(Sample& point, bool layer) const {
+    if (inferred_) {
+        const InferredLight::Found found = inferred_->at(x_, y_, point.hit, layer);
+        point.inferred = found.sums;
+        point.surface.visibility = found.visibility;
+        point.light_unclear = found.doubtful;
+        return;
+    }
     if (form_.occlusion_radius > 0)
         point.surface.visibility =
             ray_visibility(world_.rays(), point.hit, point.surface.normal, form_.occlusion_radius);

@@ -114,6 +114,11 @@ glm::vec3 PixelShader::behind(const Sample& sample) const {
 Lighting PixelShader::shine(const Surface& material, std::span<const Point> points, bool shadows_at_pixel) {
     Lighting lighting(form_, material, factor_, world_.environment());
     for (const auto& [point, share] : points) {
+        if (inferred_) {
+            lighting.take(point->inferred, share);
+            point->lit = true;
+            continue;
+        }
         const Surface lit = lit_as(material, point->surface);
         Lighting lights(form_, lit, factor_, world_.environment());
         const Hit* shadows_at = !shadows_at_pixel ? &point->hit : pixel_.found ? &pixel_.hit : nullptr;
@@ -190,7 +195,7 @@ Sample PixelShader::layer_at(uint32_t index, const Hit& hit) {
     Sample shaded = per_fragment ? centre_of(layer) : layer;
     if (!per_fragment)
         shaded.surface = world_.surface(hit, x_, y_, layer.place);
-    occlude(shaded);
+    occlude(shaded, true);
     const Point point{&shaded, 1};
     Lighting lighting = shine(shaded.surface, {&point, shaded.surface.unlit ? size_t(0) : 1}, false);
     shaded.colour = glm::vec3(lighting.radiance(ambient_) * factor_);

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <reference/inferred_light.hpp>
 #include <reference/seen_world.hpp>
 #include <reference/shared_surface.hpp>
 
@@ -19,9 +20,11 @@ struct Sample {
     uint64_t shadow_mask = 0;
     bool unclear = false;        ///< whether it shares a surface with others of the pixel: too close to a limit
     bool shadow_unclear = false; ///< that of all the pixel's samples
+    bool light_unclear = false;  ///< which light of a lower resolution it gets is too close to a limit
     bool runs_away = false;      ///< its triangle's plane does not lie before the camera under the pixel's centre
     glm::vec3 colour{0};         ///< exposed scene-linear
     glm::dvec3 base_colour{0};   ///< of the material that gave the colour
+    LightSums inferred;          ///< what it finds at the light's own resolution
     LightSums sums;              ///< which that material met
     std::vector<Sample> layers;  ///< blended surfaces in front of it, nearest first; its colour shows them
 };
@@ -31,8 +34,10 @@ class PixelShader {
 public:
     /// `ambient`: radiance from everywhere; `factor`: exposure. `form` has nothing but defaults in `samples` where
     /// there is one.
-    PixelShader(const SeenWorld& world, const ReferenceForm& form, glm::dvec3 ambient, double factor)
-        : world_(world), form_(form), ambient_(ambient), factor_(factor) {}
+    /// `inferred`: where lights are not evaluated at the pixel's samples, but found there; null: they are.
+    PixelShader(const SeenWorld& world, const ReferenceForm& form, glm::dvec3 ambient, double factor,
+                const InferredLight* inferred = nullptr)
+        : world_(world), form_(form), ambient_(ambient), factor_(factor), inferred_(inferred) {}
 
     /// The pixel's samples, in Vulkan's order. They stay until the next call.
     std::span<const Sample> shade(uint32_t x, uint32_t y);
@@ -52,7 +57,7 @@ private:
     template <class Which>
     double mean_depth(const Which& which) const;
     Sample& point_of(const Sample& sample);
-    void occlude(Sample& point) const;
+    void occlude(Sample& point, bool layer = false) const;
     glm::vec3 behind(const Sample& sample) const;
     /// Where lights are evaluated, and how much of the mean they are there.
     struct Point {
@@ -68,6 +73,7 @@ private:
     const ReferenceForm& form_;
     glm::dvec3 ambient_;
     double factor_;
+    const InferredLight* inferred_;
     uint32_t x_ = 0, y_ = 0;
     Ray centre_ray_;
     std::array<Sample, most_samples> samples_;

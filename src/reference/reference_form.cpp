@@ -11,6 +11,13 @@ bool says(const InForce& settings, const char* key, const char* value) {
     return found != settings.end() && found->second == value;
 }
 
+/// "none", a number, or a fraction.
+double inferred_scale(const std::string& word) {
+    char* end = nullptr;
+    const double above = std::strtod(word.c_str(), &end);
+    return *end == '/' ? above / std::strtod(end + 1, nullptr) : above;
+}
+
 ReferenceSamples samples_form(const InForce& settings, uint32_t count) {
     using Rate = ReferenceSamples::Rate;
     ReferenceSamples form{.count = count};
@@ -67,6 +74,10 @@ ReferenceForm reference_form(Shading shading, const InForce& settings, uint32_t 
                         : is("specular", "bent")          ? Specular::bent
                                                           : Specular::stored;
     if (settings.contains("transparency") && !is("transparency", "opaque"))
+        form.transparency = ReferenceForm::Transparency::layers;
+    if (const auto scale = settings.find("inferred-scale"); scale != settings.end())
+        form.inferred_scale = inferred_scale(scale->second);
+    if (is("inferred-layers", "on"))
         form.transparency = ReferenceForm::Transparency::layers;
     using Shadows = ReferenceForm::TransparentShadows;
     form.transparent_shadows = is("transparent-shadows", "filtered") ? Shadows::filtered

@@ -70,23 +70,24 @@ ReferenceForm form_of(const Settings& settings, Shading shading, uint32_t sample
                                                       {"fifth-channel", Specular::fifth_channel},
                                                       {"luminance", Specular::luminance},
                                                       {"bent", Specular::bent}};
-    return {.shading = shading,
-            .fresnel = forms.at(settings.at("model")),
-            .mono_specular = settings.at("specular-light") == "mono",
-            .grey_reflectance = settings.at("reflectance") == "grey",
-            .gate_by_step = settings.at("specular-gate") == "step",
-            .reflection_vector = settings.at("specular-vector") == "reflection",
-            .ambient_as_light = settings.at("ambient") == "light",
-            .shadows = settings.at("shadows") == "on",
-            .specular_antialiasing =
-                settings.at("specular-antialiasing") == "on" && settings.at("specular") == "stored",
-            .occlusion_radius = settings.at("ambient-occlusion") == "on" ? radius_of(settings) : 0,
-            .bilinear_level0 = settings.at("texture-filter") == "bilinear",
-            .specular = ways.at(settings.at("specular")),
-            .transparency = settings.at("transparency") == "layers" ? ReferenceForm::Transparency::layers
-                                                                    : ReferenceForm::Transparency::opaque,
-            .transparent_shadows = shadows.at(settings.at("transparent-shadows")),
-            .samples = samples_of(settings, samples)};
+    return {
+        .shading = shading,
+        .fresnel = forms.at(settings.at("model")),
+        .mono_specular = settings.at("specular-light") == "mono",
+        .grey_reflectance = settings.at("reflectance") == "grey",
+        .gate_by_step = settings.at("specular-gate") == "step",
+        .reflection_vector = settings.at("specular-vector") == "reflection",
+        .ambient_as_light = settings.at("ambient") == "light",
+        .shadows = settings.at("shadows") == "on",
+        .specular_antialiasing = settings.at("specular-antialiasing") == "on" && settings.at("specular") == "stored",
+        .occlusion_radius = settings.at("ambient-occlusion") == "on" ? radius_of(settings) : 0,
+        .bilinear_level0 = settings.at("texture-filter") == "bilinear",
+        .specular = ways.at(settings.at("specular")),
+        .transparency = settings.at("transparency") == "layers" ? ReferenceForm::Transparency::layers
+                                                                : ReferenceForm::Transparency::opaque,
+        .transparent_shadows = shadows.at(settings.at("transparent-shadows")),
+        .inferred_scale = reference_form(shading, {{"inferred-scale", settings.at("inferred-scale")}}).inferred_scale,
+        .samples = samples_of(settings, samples)};
 }
 
 class ReferenceRenderer final : public Renderer {
@@ -100,6 +101,9 @@ public:
         for (const auto& [key, value] : options.settings)
             refuse_without_effect(info, key, value, options.views);
         form_ = form_of(stats_.settings, stats_.shading, options.msaa);
+        if (form_.inferred_scale > 0 && form_.shading == Shading::ggx && form_.fresnel == ReferenceForm::Fresnel::full)
+            throw UsageError("reference: inferred-scale: model=full has Fresnel light by light, which light of a lower "
+                             "resolution does not know (model=weighted does)");
         if (!options.preset.empty())
             throw UsageError(fmt::format("reference: unknown preset {} (it has none)", options.preset));
         if (options.count_pairs)
@@ -262,6 +266,11 @@ RendererInfo reference_info() {
                  {"bilinear", "sampler"},
                  "bilinear",
                  "always bilinear on level 0, or as samplers say, with mip maps (alpha masks stay on level 0)"},
+                {"inferred-scale",
+                 {"none", "1", "3/4", "5/8", "1/2"},
+                 "none",
+                 "lights at this share of the picture's width and height, as the renderer inferred has them; not with "
+                 "model=full"},
                 {"msaa-light",
                  {"samples", "edges", "pixel", "fragment"},
                  "samples",

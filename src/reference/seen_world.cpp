@@ -7,10 +7,11 @@
 namespace prelight::reference {
 
 SeenWorld::SeenWorld(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
-                     const ReferenceForm& form)
+                     const ReferenceForm& form, double aspect)
     : form_(form), world_(world), textures_(*world.scene, form.bilinear_level0),
       rays_(world, camera.position, textures_, form.transparency, form.transparent_shadows),
-      lights_(world, camera.position), environment_(world.scene->environment.get()), lens_(camera, width, height) {
+      lights_(world, camera.position), environment_(world.scene->environment.get()),
+      lens_(camera, width, height, aspect) {
     if (!world.decals.empty())
         decals_.emplace(world, camera.position, textures_);
 }

@@ -11,8 +11,9 @@ namespace prelight::reference {
 /// relative to the camera.
 class SeenWorld {
 public:
+    /// `aspect`: as Lens has it.
     SeenWorld(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
-              const ReferenceForm& form);
+              const ReferenceForm& form, double aspect = 0);
 
     const Lens& lens() const { return lens_; }
     const RayScene& rays() const { return rays_; }

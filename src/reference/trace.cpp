@@ -1,5 +1,6 @@
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <parallel/parallel_for.hpp>
 #include <prelight/error.hpp>
 #include <reference/doubts.hpp>
@@ -28,6 +29,11 @@ ReferenceForm plain_form(ReferenceForm form) {
         throw Error(fmt::format("reference: {} samples a pixel: there are 1, 2 and 4", form.samples.count));
     if (form.samples.count == 1)
         form.samples = {};
+    if (form.inferred_scale != 0 && (form.inferred_scale < 0.125 || form.inferred_scale > 1))
+        throw Error(
+            fmt::format("reference: light at {} of the picture's size: 1/8 … 1 is rendered", form.inferred_scale));
+    if (form.inferred_scale > 0 && form.samples.count > 1)
+        throw Error("reference: light at a lower resolution has one sample a pixel");
     return form;
 }
 
@@ -58,6 +64,10 @@ public:
             picture.doubts.assign(pixels, 0);
             seen_.resize(pixels * picture.samples);
         }
+        if (form_.inferred_scale > 0) {
+            inferred_.emplace(world, camera, width, height, form_, factor_);
+            picture.doubts.assign(pixels, 0);
+        }
         if (!buffers)
             return;
         buffers->albedo = buffers->diffuse_light = buffers->specular_light = Image(width, height);
@@ -67,8 +77,16 @@ public:
             one = glm::vec3(1);
     }
 
+    /// Before rows: the light that has a resolution of its own.
+    void light() {
+        if (!inferred_)
+            return;
+        parallel_for(inferred_->rows(), [&](uint32_t row) { inferred_->light_row(row); });
+        inferred_->find_doubts();
+    }
+
     void trace_row(uint32_t y) {
-        PixelShader shader(world_, form_, ambient_, factor_);
+        PixelShader shader(world_, form_, ambient_, factor_, inferred_ ? &*inferred_ : nullptr);
         for (uint32_t x = 0; x < picture.linear.width; ++x) {
             const std::span<const Sample> samples = shader.shade(x, y);
             const size_t at = size_t(y) * picture.linear.width + x;
@@ -78,6 +96,12 @@ public:
             if (!row_layers_.empty())
                 picture.layer_count[at] = static_cast<uint32_t>(samples[0].layers.size());
             picture.linear.pixels[at] = samples[0].colour;
+            if (inferred_) {
+                bool unclear = samples[0].light_unclear;
+                for (const Sample& layer : samples[0].layers)
+                    unclear = unclear || layer.light_unclear;
+                picture.doubts[at] = unclear ? ReferencePicture::inferred : 0;
+            }
             if (samples.size() == 1)
                 continue;
             glm::dvec3 sum(0);
@@ -146,6 +170,7 @@ private:
     SeenWorld world_;
     glm::dvec3 origin_, ambient_;
     double factor_;
+    std::optional<InferredLight> inferred_;
     std::vector<SeenSample> seen_;                        ///< of several samples a pixel
     std::vector<std::vector<ReferenceLayer>> row_layers_; ///< empty: BLEND is opaque
     ReferenceBuffers* buffers_;
@@ -158,6 +183,7 @@ ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t 
     if (width == 0 || height == 0 || width > 65536 || height > 65536)
         throw Error(fmt::format("reference: a picture of {}x{} pixels is not rendered", width, height));
     Tracer tracer(world, camera, width, height, exposure, form, buffers);
+    tracer.light();
     parallel_for(height, [&](uint32_t row) { tracer.trace_row(row); });
     tracer.gather_layers();
     if (tracer.picture.samples > 1)

@@ -1,4 +1,5 @@
 #include "deferred.hpp"
+#include "inferred.hpp"
 #include "light_prepass.hpp"
 #include "multipass.hpp"
 #include "plain_forward.hpp"
@@ -11,8 +12,8 @@
 namespace prelight {
 
 std::vector<RendererInfo> renderer_infos() {
-    std::vector<RendererInfo> all{light_prepass_info(), multipass_info(), z_prepass_info(), deferred_info(),
-                                  reference_info()};
+    std::vector<RendererInfo> all{light_prepass_info(), multipass_info(), z_prepass_info(),
+                                  deferred_info(),      inferred_info(),  reference_info()};
     for (RendererInfo& info : all)
         for (SettingInfo& setting : info.settings)
             setting.needs = needs_of(setting.key, info.settings);
@@ -26,6 +27,7 @@ std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
                       : name == "multipass"     ? make_multipass
                       : name == "z-prepass"     ? make_z_prepass
                       : name == "deferred"      ? make_deferred
+                      : name == "inferred"      ? make_inferred
                       : name == "plain-forward" ? make_plain_forward // of bench: in no list
                                                 : nullptr;
     if (!make)

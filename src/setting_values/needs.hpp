@@ -39,6 +39,7 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"ambient-occlusion-radius", {"ambient-occlusion", {"on"}, "ambient-occlusion"}},
         {"blended-lights", {"transparency", {"sorted"}}},
         {"antialiasing", {"msaa", {"1"}}},
+        {"inferred-scale", {"msaa", {"1"}}},
         {"msaa-light", {"msaa", {"2", "4"}}},
         {"msaa-material", {"msaa", {"2", "4"}}},
         {"msaa-geometry", {"msaa", {"2", "4"}}},

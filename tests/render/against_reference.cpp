@@ -64,6 +64,7 @@ ReferenceForm form_of(const Shot& shot) {
     form.fresnel = packed                                ? Fresnel::mono
                    : is(shot, "model", "nv") || no_alpha ? Fresnel::nv
                    : shot.renderer == "light-prepass"    ? Fresnel::weighted
+                   : shot.renderer == "inferred"         ? Fresnel::weighted
                                                          : Fresnel::full;
     form.mono_specular = packed;
     form.gate_by_step = is(shot, "specular-gate", "step");
@@ -79,6 +80,10 @@ ReferenceForm form_of(const Shot& shot) {
                                                       : ReferenceForm::OwnShaders::sums;
     std::map<std::string, std::string> in_force = shot.settings;
     in_force.emplace("transparency", "lists");
+    if (shot.renderer == "inferred") {
+        in_force.emplace("inferred-scale", "5/8");
+        in_force.emplace("inferred-layers", "on");
+    }
     if (shot.renderer == "light-prepass" || shot.renderer == "deferred")
         in_force.emplace("msaa-light", "edges");
     if (shot.renderer == "deferred")
@@ -87,6 +92,7 @@ ReferenceForm form_of(const Shot& shot) {
     const ReferenceForm known = reference_form(shot.shading, in_force, shot.samples);
     form.samples = known.samples;
     form.transparency = known.transparency;
+    form.inferred_scale = known.inferred_scale;
     return form;
 }
 

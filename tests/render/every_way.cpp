@@ -8,7 +8,8 @@ std::vector<Shot> every_way(const Shot& shot) {
     std::vector<Shot> shots;
     for (const RendererInfo& info : renderer_infos())
         for (const SettingInfo& setting : info.settings)
-            if (info.needs_device &&
+            // Inferred lighting finds lights as the light pre-pass does: tests/render/inferred_test.cpp.
+            if (info.needs_device && info.name != "inferred" &&
                 (setting.key == "light-culling" || setting.key == "lights" || setting.key == "order"))
                 for (const std::string& value : setting.values) {
                     if (value == "auto")
