@@ -37,13 +37,16 @@ void set_stencil(VkPipelineDepthStencilStateCreateInfo& state, Stencil stencil) 
 VkPipelineDepthStencilStateCreateInfo depth_state(DepthTest test) {
     VkPipelineDepthStencilStateCreateInfo state{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     state.depthTestEnable = test != DepthTest::none;
-    state.depthWriteEnable = test == DepthTest::write_nearer || test == DepthTest::overwrite;
+    state.depthWriteEnable =
+        test == DepthTest::write_nearer || test == DepthTest::write_farther || test == DepthTest::overwrite;
     switch (test) {
     case DepthTest::none:
     case DepthTest::overwrite: state.depthCompareOp = VK_COMPARE_OP_ALWAYS; break;
     case DepthTest::write_nearer: state.depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; break;
     case DepthTest::equal: state.depthCompareOp = VK_COMPARE_OP_EQUAL; break;
+    case DepthTest::behind: state.depthCompareOp = VK_COMPARE_OP_GREATER; break;
     case DepthTest::behind_or_at: state.depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; break;
+    case DepthTest::write_farther:
     case DepthTest::before_or_at: state.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL; break;
     case DepthTest::surface_only: state.depthCompareOp = VK_COMPARE_OP_LESS; break;
     }

@@ -25,7 +25,17 @@ enum class Blend {
     add_and_cover, ///< colour is added; the target's alpha is multiplied by 1 − alpha
     alpha_only,    ///< nothing blends: the target's alpha is replaced, its colour stays
 };
-enum class DepthTest { none, write_nearer, equal, behind_or_at, before_or_at, surface_only, overwrite };
+enum class DepthTest {
+    none,
+    write_nearer,
+    write_farther,
+    equal,
+    behind_or_at,
+    behind,
+    before_or_at,
+    surface_only,
+    overwrite
+};
 
 /// What a draw does to stencil. Marks count the faces of a closed volume around a pixel's surface,
 /// wrapping; with `depth` as `behind_or_at`, a face "passes" where the surface lies behind it.
@@ -38,8 +48,9 @@ enum class Stencil {
 };
 
 /// Everything of a graphics pipeline that Prelight varies. Depth is reversed: nearer is greater, so
-/// that `write_nearer` is GREATER_OR_EQUAL. `behind_or_at`: a fragment passes where the stored
-/// surface lies behind it (front faces of a light volume); `before_or_at` is the opposite;
+/// that `write_nearer` is GREATER_OR_EQUAL, and `write_farther` the opposite. `behind_or_at`: a fragment passes where
+/// the stored surface lies behind it (front faces of a light volume), `behind`: and not at it; `before_or_at` is the
+/// opposite of the latter;
 /// `surface_only`: at the far end, passes wherever a surface is; `overwrite`: passes everywhere and is written.
 /// Cull mode and front face are dynamic state.
 struct GraphicsPipelineDesc {

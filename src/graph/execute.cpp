@@ -59,6 +59,7 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
                                                 : Access::depth_test())
                                 .layout;
         depth.loadOp = load_op(pass.depth_->load);
+        depth.clearValue.depthStencil.depth = pass.depth_->clear[0];
         depth.storeOp = !pass.depth_writes_                       ? VK_ATTACHMENT_STORE_OP_NONE
                         : needed_after(pass.depth_->image, index) ? VK_ATTACHMENT_STORE_OP_STORE
                                                                   : VK_ATTACHMENT_STORE_OP_DONT_CARE;

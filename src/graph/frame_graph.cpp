@@ -30,8 +30,8 @@ Pass& Pass::blends() {
     return *this;
 }
 
-Pass& Pass::depth_write(ImageId image, Load load) {
-    depth_ = Attachment{image, load, {}};
+Pass& Pass::depth_write(ImageId image, Load load, float clear) {
+    depth_ = Attachment{image, load, {clear}};
     depth_writes_ = true;
     use(image, Access::depth_write());
     return *this;

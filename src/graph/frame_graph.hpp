@@ -43,8 +43,8 @@ public:
     Pass& colour(ImageId image, Load load, std::array<float, 4> clear = {});
     /// The draws blend: what the colour attachments held is read as well (for traffic()).
     Pass& blends();
-    /// Depth attachment, cleared to 0: reversed depth, the far end.
-    Pass& depth_write(ImageId image, Load load = Load::clear);
+    /// Depth attachment, cleared to 0: reversed depth, the far end. Or to another value, 0 … 1.
+    Pass& depth_write(ImageId image, Load load = Load::clear, float clear = 0);
     /// Depth test without writing; the same image may be sampled too.
     Pass& depth_test(ImageId image);
     /// Depth test as above with the image's stencil beside it, cleared to 0 and lost after the pass.

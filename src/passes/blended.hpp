@@ -10,6 +10,13 @@ struct BlendedLights {
     uint32_t per_draw = 0;
 };
 
+/// Which fragments of blended objects a pass draws.
+enum class BlendedPart {
+    all,    ///< at or before `inputs.depth`; objects back to front
+    layer,  ///< at `inputs.depth`; where surfaces coincide the world's first one comes last, and lies on top
+    nearer, ///< before `inputs.depth`; objects back to front
+};
+
 /// What draws blended objects has in common, whatever becomes of their light and alpha. `more`: of draws that add
 /// further lights to those of a first one.
 SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs, bool lists, bool more);
@@ -17,11 +24,19 @@ SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs
 std::shared_ptr<const shared::LightListConstants> declare_blended(graph::FrameGraph& graph, graph::Pass& pass,
                                                                   const ForwardInputs& inputs, const LightLists* lists);
 
-/// A pass "blended": objects that are resident::Draw::blended(), back to front, over what `inputs.colour` holds, which
-/// is scene-linear. `inputs.depth` is tested and stays. Of a double-sided object back faces come before front ones. Its
-/// first draw carries the share of what is behind; further ones, for further lights, add. `kinds`, `plan`, `decals` and
+/// In which order objects are drawn: few pipelines and materials change; or as BlendedPart::layer has it.
+enum class BlendedOrder { cheapest, layer };
+/// Makes `pass` draw every blended object once. `push`: the push constants of each. `counted` gets the number of draws
+/// at each recording.
+void draw_blended(graph::Pass& pass, const resident::View& view, const SurfaceDraws::Desc& desc,
+                  BlendedOrder order = BlendedOrder::cheapest, uint64_t* counted = nullptr,
+                  std::shared_ptr<const shared::LightListConstants> push = nullptr);
+
+/// A pass "blended": objects that are resident::Draw::blended() over what `inputs.colour` holds, which is scene-linear.
+/// `inputs.depth` is tested and stays. Of a double-sided object back faces come before front ones. Its first draw
+/// carries the share of what is behind; further ones, for further lights, add. `kinds`, `plan`, `decals` and
 /// `lights_test` of the inputs are not used.
 void blended_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
-                  const BlendedLights& lights);
+                  const BlendedLights& lights, BlendedPart part = BlendedPart::all);
 
 } // namespace prelight::passes

@@ -72,9 +72,9 @@ SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterfac
                                    : desc.keeps_alpha_mask ? ~0u
                                                            : ~FEATURE_ALPHA_MASK) &
                                   (desc.decals != Decals::none ? ~0u : ~FEATURE_DECALS)),
-      depth_only_(desc.depth_only), only_decals_(desc.decals == Decals::only), blended_(desc.blended),
-      later_(is_later(desc.depth) && !blended_), counts_(view.visible_pixels() && !later_ && !blended_),
-      skips_(view.visible_pixels() && later_) {
+      depth_only_(desc.depth_only), positions_only_(desc.positions_only), only_decals_(desc.decals == Decals::only),
+      blended_(desc.blended), later_(is_later(desc.depth) && !blended_),
+      counts_(view.visible_pixels() && !later_ && !blended_), skips_(view.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
                                sizeof(shared::ObjectData)};
@@ -111,7 +111,8 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
         vertex |= gpu::when(desc.vertex.has(more), more);
     for (const Variant left_out : {Variant::no_world, Variant::no_normal})
         vertex |= gpu::when(!own && desc.vertex.has(left_out), left_out);
-    pipeline.vertex = shaded ? gpu::ShaderKey("surface.vert", vertex) : "depth_only.vert";
+    const bool positions_alone = !shaded || desc.positions_only;
+    pipeline.vertex = positions_alone ? "depth_only.vert" : gpu::ShaderKey("surface.vert", vertex);
     pipeline.fragment =
         !shaded ? gpu::ShaderKey() : desc.fragment.with(gpu::when(untextured, Variant::no_textures) | decal_variants);
     pipeline.fragment_code.clear();
@@ -130,7 +131,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     pipeline.name += " features " + std::to_string(features);
     pipeline.sample_shading =
         features & (FEATURE_ALPHA_MASK | FEATURE_DECALS) ? gpu::SampleShading::sample : desc.sample_shading;
-    pipeline.attributes = shaded ? surface_attributes(vertex) : position_attributes();
+    pipeline.attributes = positions_alone ? position_attributes() : surface_attributes(vertex);
     pipeline.constants = desc.constants;
     pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
 }
@@ -140,6 +141,8 @@ bool SurfaceDraws::left_out(const resident::Draw& draw) const {
 }
 
 SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {
+    if (positions_only_)
+        return {0, 0};
     if (draw.shader == 0)
         return {0, draw.features & features_kept_};
     // Whatever it makes of a surface may decide whether it is there; what has no mask is depth and no more.

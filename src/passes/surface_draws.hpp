@@ -30,6 +30,8 @@ public:
         /// What has an alpha mask is shaded once a sample wherever the mask is asked, and so is what reads decals.
         gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
         bool depth_only = false; ///< materials without mask get positions and no shader
+        /// Every material gets positions, and `fragment`, which reads nothing of it.
+        bool positions_only = false;
         Decals decals = Decals::none;
         bool blended = false; ///< draws that are resident::Draw::blended(), one by one with draw(); else the others
     };
@@ -78,7 +80,7 @@ private:
     void draw_batch(const graph::PassContext& pass, const Source& source, size_t batch) const;
     const resident::View& view_;
     uint32_t features_kept_;
-    bool depth_only_;
+    bool depth_only_, positions_only_;
     bool only_decals_, blended_;
     bool later_, counts_, skips_; ///< the pass counts pixels, or leaves out what has none
     std::map<Key, gpu::GraphicsPipeline> pipelines_;

@@ -24,19 +24,8 @@ Sums sums_pass(graph::FrameGraph& graph, const resident::View& view, const Forwa
     desc.blend = gpu::Blend::add_and_cover;
     for (gpu::ShaderKey* shader : {&desc.fragment, &desc.own_fragment})
         shader->variants |= gpu::Variant::weighted;
-    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
-    pass.prepare([=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface, desc); });
-    pass.record([=, &view, counted = inputs.draws](const graph::PassContext& context) {
-        const auto push = std::as_bytes(std::span(constants.get(), 1));
-        SurfaceDraws::Bound bound;
-        uint64_t drawn = 0;
-        (*draws)->bind_geometry(context);
-        // Not back to front, but what shares a pipeline and a material one after another.
-        for (uint32_t draw = 0; draw < view.scene().geometry().draws.size(); ++draw)
-            drawn += (*draws)->draw(context, bound, draw, push);
-        if (counted)
-            *counted = drawn;
-    });
+    // Not back to front, but what shares a pipeline and a material one after another.
+    draw_blended(pass, view, desc, BlendedOrder::cheapest, inputs.draws, constants);
     return sums;
 }
 
