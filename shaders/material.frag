@@ -46,15 +46,6 @@ float visibility() { return one_sample_read(visibility_buffer, ivec2(gl_FragCoor
 #endif
 #endif
 
-// What is blended covers as much as its alpha says.
-vec4 shaded(vec3 colour, Surface s) {
-    vec4 stored = stored_colour(min(colour, vec3(65504.0)));
-#ifdef LAYER
-    stored.a = clamp(s.alpha, 0.0, 1.0);
-#endif
-    return stored;
-}
-
 Light light_of(LightTexels texels, float open, Point p, Surface s) {
     Light light;
     light.irradiance = texels.diffuse.rgb;
@@ -79,6 +70,12 @@ Light light_of(LightTexels texels, float open, Point p, Surface s) {
     return light;
 }
 
+// Blended by its alpha; an opaque surface's is 1.
+vec4 covering(Surface s, vec3 colour) {
+    vec4 stored = stored_colour(min(colour, vec3(65504.0)));
+    return has(FEATURE_BLENDED) ? vec4(stored.rgb, clamp(s.alpha, 0.0, 1.0)) : stored;
+}
+
 void main() {
     Point p = point();
     Surface s = surface_under_decals(p);
@@ -87,7 +84,7 @@ void main() {
         return;
     }
     if (has(FEATURE_UNLIT)) {
-        out_colour = shaded(s.base * frame.light_buffer.y, s);
+        out_colour = covering(s, s.base * frame.light_buffer.y);
         return;
     }
     float open = 1.0;
@@ -121,5 +118,5 @@ void main() {
         out_colour = vec4(specular_sum(texels, s.roughness), 1.0);
         return;
     }
-    out_colour = shaded(shade(p, s, light_of(texels, open, p, s)), s);
+    out_colour = covering(s, shade(p, s, light_of(texels, open, p, s)));
 }

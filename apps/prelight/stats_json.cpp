@@ -93,6 +93,11 @@ Json stats_entry(const std::string& scene, const std::string& renderer, const Re
         entry["inferred"] = {{"layers", stats.inferred->layers},
                              {"layers_without_slot", stats.inferred->layers_without_slot},
                              {"unmatched_pixels", stats.inferred->unmatched_pixels}};
+    if (stats.layers)
+        entry["layers"] = {{"most", stats.layers->most},
+                           {"mean", stats.layers->mean},
+                           {"exact", stats.layers->exact},
+                           {"approximate", stats.layers->approximate}};
     entry["notes"] = stats.notes;
     return entry;
 }

@@ -128,6 +128,14 @@ struct InferredStats {
     uint64_t unmatched_pixels = 0;    ///< pixels, of layers too, for which no texel around them shows their surface
 };
 
+/// Blended surfaces over the pixels of the last frame, before what is opaque. Of several samples a pixel each counts.
+struct LayerStats {
+    uint32_t most = 0;        ///< over one pixel
+    double mean = 0;          ///< of all pixels
+    uint32_t exact = 0;       ///< layers of a pixel that are composed in their order, one by one
+    uint64_t approximate = 0; ///< surfaces beyond these, summed over all pixels
+};
+
 /// A setting that has not the value asked for: that was "auto", or what the device or other settings rule out.
 struct SettingChoice {
     std::string key;
@@ -161,6 +169,7 @@ struct Stats {
     std::optional<ShadowStats> shadows = {}; ///< with shadows=on
     std::optional<LightBufferStats> light_buffer = {}; ///< of a target in fixed point
     std::optional<InferredStats> inferred = {};        ///< of the renderer `inferred`
+    std::optional<LayerStats> layers = {};             ///< where blended surfaces are drawn layer by layer
     uint64_t attachment_bytes_unshared = 0;            ///< the same images, if none shared memory with another
     uint64_t pairs_evaluated = 0, pairs_contributing = 0;
     bool pairs_counted = false;

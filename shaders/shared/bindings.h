@@ -31,6 +31,8 @@
 #define INPUT_SPECULAR_LIGHT 1
 // tone mapping
 #define INPUT_COLOUR 0
+// layers of blended surfaces
+#define INPUT_LAYER_COUNTS 1
 // weighted blended surfaces
 #define INPUT_BLENDED_SUM 0
 #define INPUT_BLENDED_WEIGHT 1
@@ -206,6 +208,7 @@
 #define CONSTANT_LIGHT_MOST 94
 #define CONSTANT_LIGHT_SAMPLE_STEP 95
 #define CONSTANT_HAS_NORMALS 100
+#define CONSTANT_FIRST_LAYER 101
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u

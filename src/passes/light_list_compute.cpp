@@ -34,9 +34,11 @@ BlockList find_lit_blocks(graph::FrameGraph& graph, const resident::View& view, 
     const bool keeps = inputs.target.load == graph::Load::keep;
     const uint64_t blocks = uint64_t(round.constants->blocks.x) * round.constants->blocks.y, words = (blocks + 31) / 32;
     const BlockList lit(graph, view, "lit blocks", blocks), stale(graph, view, "stale blocks", blocks + words);
-    const auto before = std::make_shared<gpu::Buffer>(
-        gpu::make_device_buffer(view.context(), "blocks lit before", std::vector<std::byte>(words * sizeof(uint32_t)),
-                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    const auto before = inputs.target.lit_before ? inputs.target.lit_before : std::make_shared<gpu::Buffer>();
+    if (!before->handle())
+        *before = gpu::make_device_buffer(view.context(), "blocks lit before",
+                                          std::vector<std::byte>(words * sizeof(uint32_t)),
+                                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     graph::Pass& find = graph.pass(name + "-lists lit" + round.ending);
     find.storage(INPUT_LIGHT_CELLS, round.tiles, false)
         .storage(INPUT_LIT_BLOCKS, lit.id, true)

@@ -15,6 +15,9 @@ struct LightTarget {
     graph::Load load = graph::Load::clear;
     gpu::Constants constants; ///< of the variant
     bool added = false;       ///< a compute pass adds to what stands there, where it would replace it
+    /// Of a compute pass: which blocks of the images hold light. Passes that fill the same images one after another
+    /// share it; empty until the first is made. Null: no other pass fills them.
+    std::shared_ptr<gpu::Buffer> lit_before = {};
 
     bool packed() const { return variant.has(gpu::Variant::one_target); }
     bool counts() const { return variant.has(gpu::Variant::count_target); }

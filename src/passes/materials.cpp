@@ -1,7 +1,7 @@
 #include "materials.hpp"
+#include "blended.hpp"
 #include "layer_draws.hpp"
 #include "resolve.hpp"
-#include "surface_draws.hpp"
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -11,9 +11,10 @@ bool is_half(const graph::FrameGraph& graph, graph::ImageId image) {
     return graph.desc(image).format == VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
-/// What the draws read beside attachments, and how they are drawn: with depth test EQUAL.
+/// All but the target as inputs of `pass`; what draws with them.
 SurfaceDraws::Desc declare(graph::FrameGraph& graph, graph::Pass& pass, const resident::View& view,
-                           const MaterialInputs& inputs, uint32_t output, Display display, VkFormat target) {
+                           const MaterialInputs& inputs, uint32_t output, gpu::Constants constants) {
+    pass.depth_test(inputs.depth);
     const bool bits =
         view.context().is_software() && is_half(graph, inputs.light.diffuse) && is_half(graph, inputs.light.specular);
     const auto sample = bits ? &graph::Pass::sample_bits : &graph::Pass::sample;
@@ -32,10 +33,9 @@ SurfaceDraws::Desc declare(graph::FrameGraph& graph, graph::Pass& pass, const re
             .storage(INPUT_UNMATCHED, graph.buffer("unmatched pixels", *inputs.unmatched),
                      output == MATERIAL_OUTPUT_SHADED);
     declare_decals(pass, inputs.decals);
-    gpu::Constants constants = inputs.model.constants();
-    constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
-    for (const auto& constant : display_constants(display, target))
+    for (const auto& constant : inputs.model.constants())
         constants.push_back(constant);
+    constants.emplace_back(CONSTANT_MATERIAL_OUTPUT, output);
     if (inputs.edges)
         for (const auto& constant : inputs.edges->constants())
             constants.push_back(constant);
@@ -69,9 +69,9 @@ SurfaceDraws::Desc declare(graph::FrameGraph& graph, graph::Pass& pass, const re
 void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs, const std::string& name,
           graph::ImageId target, uint32_t output, Display display = {}) {
     graph::Pass& pass = graph.pass(name);
-    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f}).depth_test(inputs.depth);
-    const SurfaceDraws::Desc desc = declare(graph, pass, view, inputs, output, display, graph.desc(target).format);
-    draw_surfaces(graph, pass, view, desc);
+    pass.colour(target, graph::Load::clear, {0, 0, 0, display ? 1.0f : 0.0f});
+    draw_surfaces(graph, pass, view,
+                  declare(graph, pass, view, inputs, output, display_constants(display, graph.desc(target).format)));
 }
 
 void draw_over(graph::FrameGraph& graph, const resident::View& view, MaterialInputs inputs, const resident::View& slots,
@@ -79,8 +79,9 @@ void draw_over(graph::FrameGraph& graph, const resident::View& view, MaterialInp
     inputs.decals = {}; // they lie on what is opaque, and so does occlusion
     inputs.visibility = {};
     graph::Pass& pass = graph.pass(name);
-    pass.colour(target, graph::Load::keep).blends().depth_test(inputs.depth);
-    SurfaceDraws::Desc desc = declare(graph, pass, view, inputs, output, {}, graph.desc(target).format);
+    pass.colour(target, graph::Load::keep).blends();
+    SurfaceDraws::Desc desc =
+        declare(graph, pass, view, inputs, output, display_constants({}, graph.desc(target).format));
     desc.name = name;
     desc.depth = gpu::DepthTest::behind_or_at;
     desc.blend = gpu::Blend::by_alpha;
@@ -96,6 +97,17 @@ graph::ImageId material_pass(graph::FrameGraph& graph, const resident::View& vie
     const graph::ImageId target = picture_image(graph, view, view.surface_raster(), display);
     draw(graph, view, inputs, "material", target, MATERIAL_OUTPUT_SHADED, display);
     return target;
+}
+
+void blended_material_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
+                           const std::string& name, graph::ImageId target, uint64_t* drawn) {
+    graph::Pass& pass = graph.pass(name);
+    pass.colour(target, graph::Load::keep).blends();
+    SurfaceDraws::Desc desc =
+        declare(graph, pass, view, inputs, MATERIAL_OUTPUT_SHADED, display_constants({}, graph.desc(target).format));
+    desc.blend = gpu::Blend::by_alpha;
+    desc.blended = true;
+    draw_blended(pass, view, desc, BlendedOrder::layer, drawn);
 }
 
 graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,

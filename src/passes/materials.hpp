@@ -26,6 +26,11 @@ struct MaterialInputs {
 graph::ImageId material_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                              Display display = {});
 
+/// The same of a layer of blended surfaces, those at `inputs.depth`, over what `target` holds, which is scene-linear: a
+/// pass `name`. `drawn` gets the number of draws.
+void blended_material_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
+                           const std::string& name, graph::ImageId target, uint64_t* drawn);
+
 /// The light buffer's sums as a material receives them, exposed and scene-linear, in full floats:
 /// diffuse light, or specular light with the material's own shininess.
 graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,

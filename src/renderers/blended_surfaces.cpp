@@ -2,7 +2,10 @@
 #include "settings/light_model_settings.hpp"
 #include "settings/sample_settings.hpp"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <numeric>
+#include <passes/layer_peeler.hpp>
 #include <passes/weighted_blended.hpp>
 
 namespace prelight {
@@ -11,8 +14,14 @@ BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context
     resolve_transparency(settings, context);
     transparency_ = transparency(settings);
     reused_shadows_ = settings.has("shadow-memory") && settings.is("shadow-memory", "reuse");
+    lists_possible_ = context.features().shuffle_lanes > 0;
     if (!wanted())
         return;
+    if (transparency_ == Transparency::peeled) {
+        asked_layers_ = peeled_layers(settings);
+        asked_light_ = peeled_light(settings);
+        counter_.emplace(context);
+    }
     per_draw_ = blended_lights(settings);
     if (settings.has("msaa-material"))
         sample_shading_ = material_shading(settings);
@@ -28,7 +37,9 @@ void BlendedSurfaces::adapt(Settings& settings, resident::ViewSettings& view, co
 }
 
 void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resident::View& view) {
-    draws_ = 0;
+    draws_.clear();
+    layers_ = 0;
+    counting_ = false;
     by_lists_ = false;
     const resident::GpuScene& scene = view.scene();
     if (settings.has("transparency") && !wanted()) {
@@ -42,42 +53,124 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
     if (!scene.blends() || !wanted())
         return;
     const uint32_t rounds = passes::light_rounds(view, passes::LightWalk::fragment).count;
-    by_lists_ = takes_lists(transparency_) && rounds == 1;
+    by_lists_ = takes_lists(transparency_) && lists_possible_ && rounds == 1;
     if (reused_shadows_ && view.shadows())
         graph.note("shadow-memory=reuse: blended surfaces are lit by all lights at once, atlas is taken");
-    if (takes_lists(transparency_)) {
+    if (takes_lists(transparency_) && lists_possible_) {
         const std::string word = transparency_word(transparency_);
         const std::string why =
             fmt::format("{} lights take {} rounds of lists, which cannot be blended", view.lights().capacity(), rounds);
+        const bool sorted = !by_lists_ && needs_lists(transparency_);
         if (!by_lists_)
-            graph.note(fmt::format("transparency={}: {}, sorted is taken", word, why));
-        settings.resolve("transparency", by_lists_ ? word : "sorted", why);
+            graph.note(fmt::format("transparency={}: {}, {}", word, why,
+                                   sorted ? "sorted is taken" : "lights are found object by object"));
+        settings.resolve("transparency", sorted ? "sorted" : word, why);
     }
     view.find_blended_lights(!by_lists_);
 }
 
 void BlendedSurfaces::add(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
-                          const passes::LightLists* lists) {
+                          const passes::LightLists* lists, Settings& settings, const LayerLight& layer_light) {
     if (!view.scene().blends() || !wanted())
         return;
     inputs.name = "blended";
     inputs.model = model_;
     inputs.sample_shading = sample_shading_;
-    inputs.draws = &draws_;
     std::optional<passes::LightLists> own;
     if (by_lists_ && !lists)
         lists = &own.emplace(passes::grid_light_lists(graph, view, "blended"));
+    const passes::BlendedLights lights{.lists = by_lists_ ? lists : nullptr, .per_draw = per_draw_};
     if (by_lists_ && transparency_ == Transparency::weighted)
-        passes::weighted_blended_pass(graph, view, inputs, *lists);
+        passes::weighted_blended_pass(graph, view, counted(inputs), *lists);
+    else if (transparency_ == Transparency::peeled)
+        add_layers(graph, view, inputs, lights, lit_layers(graph, view, settings, layer_light));
     else
-        passes::blended_pass(graph, view, inputs, {.lists = by_lists_ ? lists : nullptr, .per_draw = per_draw_});
+        passes::blended_pass(graph, view, counted(inputs), lights);
+}
+
+void BlendedSurfaces::add_layers(graph::FrameGraph& graph, const resident::View& view,
+                                 const passes::ForwardInputs& inputs, const passes::BlendedLights& lights,
+                                 std::optional<passes::LitLayers> lit) {
+    if (const uint32_t most = counter_->most(); most > 0)
+        known_layers_ = most;
+    counting_ = !asked_layers_ && !known_layers_;
+    layers_ = counting_ ? 0 : asked_layers_.value_or(std::max(known_layers_.value_or(0), 1u));
+    const graph::ImageId layers = passes::layer_count_pass(graph, view, "blended layers", inputs.depth);
+    counter_->count(graph, view, "blended layers sum", layers, layers_);
+    if (counting_)
+        return;
+    passes::LayerPeeler peeler(graph, view, inputs.depth);
+    for (uint32_t layer = 1; layer <= layers_; ++layer) {
+        passes::ForwardInputs one = counted(inputs);
+        one.depth = peeler.next(graph, view, fmt::format("blended peel {}", layer));
+        one.name = fmt::format("blended layer {}", layer);
+        if (lit)
+            lit->add(graph, view, one.name, one.depth, one.colour, one.draws);
+        else
+            passes::blended_pass(graph, view, one, lights, passes::BlendedPart::layer);
+    }
+    passes::ForwardInputs nearer = counted(inputs);
+    nearer.depth = peeler.last();
+    passes::blended_pass(graph, view, nearer, lights, passes::BlendedPart::nearer);
+}
+
+std::optional<passes::LitLayers> BlendedSurfaces::lit_layers(graph::FrameGraph& graph, const resident::View& view,
+                                                             Settings& settings, const LayerLight& layer_light) const {
+    // Of fewer the lists of each layer cost more than the light itself: docs/transparency.md.
+    constexpr size_t many = 64;
+    if (asked_light_ == PeeledLight::lists)
+        return {};
+    const bool asked = asked_light_ == PeeledLight::light_buffer;
+    if (!layer_light.inputs) {
+        resolve_peeled_light(settings, PeeledLight::lists, layer_light.obstacle);
+        if (asked)
+            graph.note(fmt::format("peeled-light=light-buffer: {}, lists are taken", layer_light.obstacle));
+        return {};
+    }
+    const size_t lights = view.lights().placed().size();
+    const bool buffer = asked || lights >= many;
+    resolve_peeled_light(settings, buffer ? PeeledLight::light_buffer : PeeledLight::lists,
+                         fmt::format("{} lights", lights));
+    if (!buffer)
+        return {};
+    return passes::LitLayers(graph, view, *layer_light.inputs);
+}
+
+passes::ForwardInputs BlendedSurfaces::counted(passes::ForwardInputs inputs) {
+    inputs.draws = &draws_.emplace_back(0);
+    return inputs;
+}
+
+void BlendedSurfaces::take_count() { known_layers_ = counter_->most(); }
+
+void BlendedSurfaces::forget() {
+    known_layers_.reset();
+    if (counter_)
+        counter_->forget();
+}
+
+bool BlendedSurfaces::outgrown(uint32_t slot) const {
+    return layers_ > 0 && !asked_layers_ && counter_->most(slot) > layers_;
 }
 
 void BlendedSurfaces::tell(Stats& stats) const {
-    stats.draws += draws_;
-    if (transparency_ == Transparency::weighted && by_lists_ && draws_ > 0)
+    const uint64_t draws = std::accumulate(draws_.begin(), draws_.end(), uint64_t(0));
+    stats.draws += draws;
+    if (transparency_ == Transparency::weighted && by_lists_ && draws > 0)
         stats.notes.push_back(fmt::format(
-            "transparency=weighted: {} draws of blended surfaces are composed without order, approximately", draws_));
+            "transparency=weighted: {} draws of blended surfaces are composed without order, approximately", draws));
+    if (layers_ == 0)
+        return;
+    const passes::LayerCounter::Sums sums = counter_->last();
+    stats.layers = {.most = sums.most,
+                    .mean = sums.mean,
+                    .exact = layers_,
+                    .approximate = static_cast<uint64_t>(std::ceil(sums.more))};
+    if (stats.layers->approximate > 0)
+        stats.notes.push_back(fmt::format("transparency=peeled: {} fragments nearer than the {} farthest layers of "
+                                          "their pixels are composed object by "
+                                          "object, approximately; {} layers are the most",
+                                          stats.layers->approximate, layers_, sums.most));
 }
 
 } // namespace prelight

@@ -1,8 +1,17 @@
 #pragma once
 #include "settings/transparency_settings.hpp"
+#include <list>
 #include <passes/blended.hpp>
+#include <passes/layer_counter.hpp>
+#include <passes/lit_layers.hpp>
 
 namespace prelight {
+
+/// Whether an architecture gives each layer of blended surfaces a light pre-pass of its own.
+struct LayerLight {
+    std::optional<passes::LitLayers::Inputs> inputs = {}; ///< it can
+    std::string obstacle = {};                            ///< why it cannot, a phrase
+};
 
 /// What is drawn over the opaque picture: the setting `transparency`, the same in every architecture.
 class BlendedSurfaces {
@@ -15,21 +24,45 @@ public:
     /// For a graph that is built now: how lights are found. Puts what is in force into the settings, and what is not as
     /// asked for into the graph's notes.
     void choose(Settings& settings, graph::FrameGraph& graph, resident::View& view);
-    /// The pass over the linear picture `inputs.colour`; nothing where the scene has no blended surface. `inputs`: but
-    /// for what all architectures have alike. `lists`: of a grid over the world, where there are any.
+    /// The passes over the linear picture `inputs.colour`; none where the scene has no blended surface. `inputs`: but
+    /// for what all architectures have alike. `lists`: of a grid over the world, where there are any. Puts into the
+    /// settings what became of `layer_light`.
     void add(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
-             const passes::LightLists* lists);
-    /// Of the last recording: draws, and in a note what of them is not exact.
+             const passes::LightLists* lists, Settings& settings, const LayerLight& layer_light);
+    /// Of the last recording, which is done: draws and layers, and in a note what of them is not exact.
     void tell(Stats& stats) const;
+    /// Whether the slot's last frame, which is done, had more layers than its graph draws one by one, and another graph
+    /// would draw more of them.
+    bool outgrown(uint32_t slot) const;
+    /// The graph that was built does no more of blended surfaces than count their layers, which nobody has done before:
+    /// a frame of it, then take_count(), and another graph draws them.
+    bool is_counting() const { return counting_; }
+    /// After that frame, which is done.
+    void take_count();
+    /// Another world comes.
+    void forget();
 
 private:
+    void add_layers(graph::FrameGraph& graph, const resident::View& view, const passes::ForwardInputs& inputs,
+                    const passes::BlendedLights& lights, std::optional<passes::LitLayers> lit);
+    std::optional<passes::LitLayers> lit_layers(graph::FrameGraph& graph, const resident::View& view,
+                                                Settings& settings, const LayerLight& layer_light) const;
+    /// `inputs` with a place of its own for the number of draws.
+    passes::ForwardInputs counted(passes::ForwardInputs inputs);
     Transparency transparency_;
     bool reused_shadows_; ///< asked for
+    bool lists_possible_; ///< on this device
     uint32_t per_draw_ = 0;
+    std::optional<passes::LayerCounter> counter_;
+    PeeledLight asked_light_ = PeeledLight::lists;
+    std::optional<uint32_t> asked_layers_; ///< none: as many as there are
+    std::optional<uint32_t> known_layers_; ///< of the last frames that were counted
+    uint32_t layers_ = 0;                  ///< that the graph draws one by one
+    bool counting_ = false;
     gpu::SampleShading sample_shading_ = gpu::SampleShading::fragment;
     passes::LightModel model_;
-    bool by_lists_ = false; ///< of the graph that is built
-    uint64_t draws_ = 0;
+    bool by_lists_ = false;     ///< of the graph that is built
+    std::list<uint64_t> draws_; ///< of each of its passes
 };
 
 } // namespace prelight

@@ -70,6 +70,7 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
 
 void DeviceRenderer::set_world(const World& world) {
     drop_graph(); // before what its passes refer to
+    blended_.forget();
     view_.reset();
     light_view_.reset();
     lights_.reset();
@@ -240,6 +241,20 @@ void DeviceRenderer::warm_up(const PlacedCamera& camera) {
     warm_ = true;
 }
 
+void DeviceRenderer::count_layers(const PlacedCamera& camera) {
+    if (!blended_.is_counting())
+        return;
+    queue_->drain();
+    view_->update(camera);
+    queue_->run([&](VkCommandBuffer commands) {
+        clear_counters(commands);
+        graph_->record(commands);
+    });
+    blended_.take_count();
+    build_again();
+    warm_up(camera);
+}
+
 void DeviceRenderer::render_frame(const PlacedCamera& camera) {
     const CreatedObjects before = created_since(context_, {});
     if (std::exchange(outgrown_, false)) {
@@ -280,6 +295,7 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
         throw Error("renderer: set_world() comes before render()");
     stats_stay_ = false;
     warm_up(camera);
+    count_layers(camera);
     queue_->start();
     costs_.start(frames);
     for (uint32_t f = 0; f < frames; ++f)
@@ -361,10 +377,14 @@ Image DeviceRenderer::read(std::string_view view) {
     if (absent)
         options_.views.emplace_back(view);
     if (absent || outgrown_) { // once more
-        const Stats stats = this->stats();
-        outgrown_ = false;
+        Stats stats = this->stats();
+        const bool outgrown = std::exchange(outgrown_, false);
         build_again();
         render(camera_, 1);
+        if (outgrown) { // the picture is not the one that render() drew
+            stats.layers = this->stats().layers;
+            stats.notes = this->stats().notes;
+        }
         stats_ = stats;
         stats_stay_ = true;
     }

@@ -63,6 +63,10 @@ protected:
                             const std::function<graph::ImageId(passes::Display)>& draw);
     /// The lists of a grid over the world, in an architecture that builds some for the graph that is built.
     virtual const passes::LightLists* world_lists() const { return nullptr; }
+    /// What it takes to light layers of blended surfaces as opaque ones are, in an architecture with a light buffer.
+    virtual LayerLight layer_light(graph::FrameGraph&, const resident::View&) {
+        return {.obstacle = "there is no light buffer"};
+    }
     virtual resident::GpuSceneSettings scene_settings() const;
     virtual resident::ViewSettings view_settings() const;
     /// Where lights are evaluated at another resolution: what the view is made of that they are evaluated for. Shadow
@@ -113,12 +117,17 @@ private:
     void drop_graph();
     void build_graph();
     void warm_up(const PlacedCamera& camera);
+    /// Before the first frame of a world whose blended surfaces are drawn layer by layer: finds out how many there are.
+    void count_layers(const PlacedCamera& camera);
     void render_frame(const PlacedCamera& camera);
     /// One more frame, pass by pass: adds each pass's CPU time to costs_.
     void time_passes(const PlacedCamera& camera);
     void build_again();
-    /// Whether an earlier frame in this slot, which is done, had too little room for its edges.
-    bool outgrown(uint32_t slot) { return edges_ && edges_->take(slot); }
+    /// Whether an earlier frame in this slot, which is done, had too little room for its edges or its layers.
+    bool outgrown(uint32_t slot) {
+        const bool edges = edges_ && edges_->take(slot);
+        return blended_.outgrown(slot) || edges;
+    }
     void clear_counters(VkCommandBuffer commands) const;
     void tell_shadows(Stats& stats) const;
 

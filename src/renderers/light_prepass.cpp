@@ -56,6 +56,24 @@ private:
         return view;
     }
 
+    LayerLight layer_light(graph::FrameGraph& graph, const resident::View& view) override {
+        const passes::ScreenListOptions lists = screen_list_options(settings());
+        if (!resident::builds_lists(view.culling()))
+            return {.obstacle = "light-culling=" + settings().get("light-culling") + " lists no lights of a layer"};
+        if (view.surface_raster().samples > 1)
+            return {.obstacle = "each pixel has several samples"};
+        if (!passes::is_pair_of_halves(model()) || model().specular != passes::SpecularWay::stored ||
+            model().ambient_as_light || lists.contents != passes::ListContents::built)
+            return {.obstacle = "the light buffer is not as surfaces in front of others need it"};
+        return {passes::LitLayers::Inputs{.model = model(),
+                                          .specular_antialiasing = settings().is("specular-antialiasing", "on"),
+                                          .shadows = shadows(graph, view),
+                                          .pair_counters = &pair_counters(),
+                                          .count_pairs = options().count_pairs,
+                                          .wide = light_sums().wide(),
+                                          .lists = lists}};
+    }
+
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
         const auto drawn = passes::depth_normal_pass(graph, view, surface_format(settings()));
         const auto decals = passes::decal_pass(graph, view, drawn);
@@ -108,6 +126,7 @@ RendererInfo light_prepass_info() {
              specular_antialiasing_setting(),
              msaa_light_setting(true),
              msaa_material_setting(),
+             peeled_light_setting(),
              texture_filter_setting(),
              antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",

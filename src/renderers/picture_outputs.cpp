@@ -14,7 +14,8 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
     over.shadows = shadows(graph, view);
     over.pair_counters = &pair_counters();
     over.count_pairs = options_.count_pairs;
-    blended_.add(graph, view, std::move(over), world_lists());
+    blended_.add(graph, view, std::move(over), world_lists(), settings_,
+                 view.scene().blends() ? layer_light(graph, view) : LayerLight{});
     if (filter)
         linear = filter(passes::resolve_pass(graph, view, linear));
     const bool one = graph.raster(linear).samples == 1;

@@ -38,6 +38,8 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"ssao-radius", {"ssao", {"half", "full"}, "ambient-occlusion"}},
         {"ambient-occlusion-radius", {"ambient-occlusion", {"on"}, "ambient-occlusion"}},
         {"blended-lights", {"transparency", {"sorted"}}},
+        {"peeled-layers", {"transparency", {"peeled"}}},
+        {"peeled-light", {"transparency", {"peeled"}}},
         {"antialiasing", {"msaa", {"1"}}},
         {"inferred-scale", {"msaa", {"1"}}},
         {"msaa-light", {"msaa", {"2", "4"}}},

@@ -2,6 +2,7 @@
 #include "every_way.hpp"
 #include "garden.hpp"
 #include <cmath>
+#include <utility>
 
 namespace prelight {
 
@@ -90,12 +91,16 @@ inline Image expected_of(LitPane& lit, const Shot& shot) {
     return opaque;
 }
 
-/// Every architecture with every way of finding lights, blended by lists and sorted.
+/// Every architecture with every way of finding lights, blended by lists and sorted; and with one of them peeled.
 inline std::vector<Shot> every_blended_way() {
     std::vector<Shot> shots;
-    for (const Shot& shot : every_way({.width = 160, .height = 90}))
+    std::string renderer;
+    for (const Shot& shot : every_way({.width = 160, .height = 90})) {
         for (const char* how : {"lists", "sorted"})
             shots.push_back(with(shot, {{"transparency", how}}));
+        if (std::exchange(renderer, shot.renderer) != shot.renderer)
+            shots.push_back(with(shot, {{"transparency", "peeled"}}));
+    }
     return shots;
 }
 

@@ -84,7 +84,7 @@ TEST(TransparencyForms, ShadowsAndSurroundingsLieOnGlass) {
     house.scene.environment = sky;
     for (PlacedLight& light : house.world.lights)
         light.light.casts_shadow = &light == &house.world.lights[14]; // the spot
-    for (const char* how : {"lists", "sorted"}) {
+    for (const char* how : {"lists", "sorted", "peeled"}) {
         SCOPED_TRACE(how);
         Shot shot = house.shot();
         shot.settings = {{"transparency", how}};
@@ -99,7 +99,7 @@ TEST(TransparencyForms, SamplesOfLayersAgree) {
     const Glasshouse house;
     References references;
     for (const std::string& name : device_renderers)
-        for (const char* how : {"lists", "sorted"}) {
+        for (const char* how : {"lists", "sorted", "peeled"}) {
             SCOPED_TRACE(name + " " + how);
             Shot shot = with_samples(house.shot(), 640);
             shot.renderer = name;

@@ -25,6 +25,10 @@ void SequenceStats::add(const Stats& stats) {
     }
     if (all_.light_buffer && before.light_buffer)
         all_.light_buffer->clipped_pixels += before.light_buffer->clipped_pixels;
+    if (all_.layers && before.layers) {
+        all_.layers->most = std::max(all_.layers->most, before.layers->most);
+        all_.layers->approximate += before.layers->approximate;
+    }
     std::vector<std::string> notes = before.notes;
     for (const std::string& note : stats.notes)
         if (notes.size() < most_notes && std::ranges::find(notes, note) == notes.end())

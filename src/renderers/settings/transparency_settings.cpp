@@ -5,12 +5,20 @@ namespace {
 
 constexpr Choice<Transparency> transparency_words[] = {{"lists", Transparency::lists},
                                                        {"sorted", Transparency::sorted},
+                                                       {"peeled", Transparency::peeled},
                                                        {"weighted", Transparency::weighted},
                                                        {"opaque", Transparency::opaque}};
 constexpr ChoiceSetting<Transparency> transparency_setting{
     "transparency", transparency_words, "lists",
-    "BLEND surfaces, back to front: lights by lists of their place, or a few of the object's a draw; weighted: in any "
-    "order, approximate; or drawn opaque"};
+    "BLEND surfaces, objects back to front: lights by lists of their place, or a few of the object's a draw; peeled: "
+    "layer after layer, exact; weighted: in any order, approximate; or drawn opaque"};
+
+constexpr Choice<PeeledLight> peeled_light_words[] = {
+    {"auto", PeeledLight::automatic}, {"lists", PeeledLight::lists}, {"light-buffer", PeeledLight::light_buffer}};
+constexpr ChoiceSetting<PeeledLight> peeled_light_set{"peeled-light", peeled_light_words, "auto",
+                                                      "transparency=peeled: a layer's fragments walk lists of their "
+                                                      "place, or each layer has a light pre-pass of its own; "
+                                                      "auto: that where there are many lights"};
 
 } // namespace
 
@@ -19,11 +27,16 @@ std::vector<SettingInfo> transparency_settings() {
             {"blended-lights",
              {"1", "2", "3", "4", "5", "6", "7", "8"},
              "8",
-             "transparency=sorted: lights that one draw of a blended object takes"}};
+             "transparency=sorted: lights that one draw of a blended object takes"},
+            {"peeled-layers",
+             {"auto", "1 … 256"},
+             "auto",
+             "transparency=peeled: the farthest layers of a pixel that are drawn one by one, nearer ones object by "
+             "object; auto: as many as there are"}};
 }
 
 void resolve_transparency(Settings& settings, const gpu::Context& context) {
-    if (takes_lists(transparency(settings)) && context.features().shuffle_lanes == 0)
+    if (needs_lists(transparency(settings)) && context.features().shuffle_lanes == 0)
         settings.fall_back(transparency_setting.key, transparency_setting.word(Transparency::sorted),
                            context.name() +
                                " cannot build light lists, which need shuffles within subgroups of at most 64");
@@ -34,6 +47,22 @@ Transparency transparency(const Settings& settings) {
 }
 
 std::string transparency_word(Transparency one) { return transparency_setting.word(one); }
+
+std::optional<uint32_t> peeled_layers(const Settings& settings) {
+    if (settings.is("peeled-layers", "auto"))
+        return {};
+    return static_cast<uint32_t>(settings.number("peeled-layers"));
+}
+
+SettingInfo peeled_light_setting() { return peeled_light_set.info(); }
+
+PeeledLight peeled_light(const Settings& settings) {
+    return settings.has(peeled_light_set.key) ? settings.value(peeled_light_set) : PeeledLight::lists;
+}
+
+void resolve_peeled_light(Settings& settings, PeeledLight taken, const std::string& why) {
+    settings.resolve(peeled_light_set, taken, why);
+}
 
 uint32_t blended_lights(const Settings& settings) { return static_cast<uint32_t>(settings.number("blended-lights")); }
 

@@ -1,0 +1,31 @@
+#include "layer_peeler.hpp"
+#include "blended.hpp"
+#include <shared/bindings.h>
+#include <utility>
+
+namespace prelight::passes {
+
+LayerPeeler::LayerPeeler(graph::FrameGraph& graph, const resident::View& view, graph::ImageId opaque) : last_(opaque) {
+    for (graph::ImageId& one : depths_)
+        one = graph.image("layer depth", {VK_FORMAT_D32_SFLOAT, view.surface_raster()});
+}
+
+graph::ImageId LayerPeeler::next(graph::FrameGraph& graph, const resident::View& view, const std::string& name) {
+    graph::Pass& pass = graph.pass(name);
+    pass.depth_write(depths_[0], graph::Load::clear, 1).sample(INPUT_DEPTH, last_);
+    const bool samples = view.surface_raster().samples > 1;
+    draw_blended(pass, view,
+                 {.name = "peel",
+                  .fragment = {"peel.frag", gpu::when(samples, gpu::Variant::samples)},
+                  .constants = {{CONSTANT_FIRST_LAYER, first_}},
+                  .depth = gpu::DepthTest::write_farther,
+                  .sample_shading = gpu::SampleShading::sample,
+                  .positions_only = true,
+                  .blended = true});
+    first_ = false;
+    last_ = depths_[0];
+    std::swap(depths_[0], depths_[1]);
+    return last_;
+}
+
+} // namespace prelight::passes
