@@ -25,7 +25,7 @@ struct MaterialParameter {
 struct MaterialTexture {
     enum class StandIn { white, black, flat, required };
     std::string name;
-    uint32_t slot = 0;                 ///< 0 … 5
+    uint32_t slot = 0;                 ///< 0 … 7
     bool colour = false;               ///< sRGB-encoded in the file
     StandIn stand_in = StandIn::white; ///< what is read where a material has none
     std::string description;
@@ -59,6 +59,10 @@ std::shared_ptr<const MaterialShader> load_material_shader(const std::filesystem
 /// mistake is told before a scene is loaded. The passes that draw with it compile it when they are made. Throws
 /// Error "FILE:LINE: REASON".
 void check_material_shader(const MaterialShader& shader);
+
+/// Whether light comes through what it is on, so that it is drawn after all that is opaque (docs/transmission.md): the
+/// built-in material `layered` with `transmission` above 0, whatever its textures say.
+bool transmits(const Material& material);
 
 /// What of a material's parameters and textures does not fit its shader; nothing: all does.
 std::optional<std::string> material_fault(const Material& material);

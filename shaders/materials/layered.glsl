@@ -1,5 +1,5 @@
-// glTF's metallic-roughness with KHR_materials_specular, _ior, _clearcoat and _sheen, from one sum of specular
-// light for all layers.
+// glTF's metallic-roughness with KHR_materials_specular, _ior, _clearcoat, _sheen, _transmission and _volume, from one
+// sum of specular light for all layers.
 PARAMETERS {
     float ior DEFAULT(1.5) RANGE(1.0, 1000.0); // KHR_materials_ior
     float specular DEFAULT(1.0) RANGE(0.0, 1.0); // KHR_materials_specular: strength of a dielectric's reflection
@@ -8,6 +8,10 @@ PARAMETERS {
     float clearcoat_roughness DEFAULT(0.0) RANGE(0.0, 1.0);
     vec3 sheen_colour DEFAULT(vec3(0.0)) RANGE(0.0, 1.0); // KHR_materials_sheen
     float sheen_roughness DEFAULT(0.0) RANGE(0.0, 1.0);
+    float transmission DEFAULT(0.0) RANGE(0.0, 1.0); // KHR_materials_transmission: of what is not reflected, the part that comes through
+    float thickness DEFAULT(0.0) RANGE(0.0, 1000000.0); // KHR_materials_volume: of what light comes through, in the mesh's units; 0: a thin wall
+    float attenuation_distance DEFAULT(1e30) RANGE(1e-6, 1e30); // metres after which white light has the next one's colour
+    vec3 attenuation_colour DEFAULT(vec3(1.0)) RANGE(0.0, 1.0);
 };
 TEXTURE_LINEAR(0) specular_map DEFAULT(white); // A
 TEXTURE_COLOUR(1) specular_colour_map DEFAULT(white);
@@ -15,6 +19,8 @@ TEXTURE_LINEAR(2) clearcoat_map DEFAULT(white); // R
 TEXTURE_LINEAR(3) clearcoat_roughness_map DEFAULT(white); // G
 TEXTURE_COLOUR(4) sheen_colour_map DEFAULT(white);
 TEXTURE_LINEAR(5) sheen_roughness_map DEFAULT(white); // A
+TEXTURE_LINEAR(6) transmission_map DEFAULT(white); // R
+TEXTURE_LINEAR(7) thickness_map DEFAULT(white); // G
 
 float coat_strength(Point p) {
     return has_texture(2) ? clearcoat * texture(clearcoat_map, texture_place(p, 2)).r : clearcoat;

@@ -128,13 +128,13 @@
 #define MATERIAL_OCCLUSION 4
 #define MATERIAL_EMISSIVE 5
 #define MATERIAL_OWN_TEXTURE 6  // and the next ones: textures that a material's shader declares
-#define MATERIAL_OWN_TEXTURES 6
-#define MATERIAL_ENVIRONMENT 12
-#define MATERIAL_PARAMETERS 13
-#define MATERIAL_ENVIRONMENT_LIGHT 14
+#define MATERIAL_OWN_TEXTURES 8
+#define MATERIAL_ENVIRONMENT 14
+#define MATERIAL_PARAMETERS 15
+#define MATERIAL_ENVIRONMENT_LIGHT 16
 #define MATERIAL_SKY 17  // the environment as it came, for the background
 #define MATERIAL_REFLECTANCE 18  // of a mirror, by N·V and roughness
-#define MATERIAL_TEXTURES 11  // of the standard and a shader's own: what MaterialConstants knows of
+#define MATERIAL_TEXTURES 13  // of the standard and a shader's own: what MaterialConstants knows of
 
 #define VERTEX_POSITION 0
 #define VERTEX_NORMAL 1

@@ -70,8 +70,8 @@ struct MaterialConstants {
     vec4 base_colour;
     vec4 emissive;              // rgb × exposure; w: alpha cut-off
     vec4 factors;               // metallic, roughness, normal scale, occlusion strength
-    vec4 uv_linear[11];         // MATERIAL_TEXTURES of them, in the order of MATERIAL_… bindings: columns of 2×2
-    vec4 uv_offset[11];         // xy: offset; z: texture-coordinate set; w: 1 where vertex tangents follow its coordinates
+    vec4 uv_linear[13];         // MATERIAL_TEXTURES of them, in the order of MATERIAL_… bindings: columns of 2×2
+    vec4 uv_offset[13];         // xy: offset; z: texture-coordinate set; w: 1 where vertex tangents follow its coordinates
 };
 
 // What of the world's environment map no pixel needs to look up.

@@ -55,7 +55,7 @@ vec3 exposed(vec3 radiance) { return radiance * frame.light_buffer.y; }
 #define DEFAULT(value)
 #define RANGE(low, high)
 
-// Textures of its own: `TEXTURE_LINEAR(0) width_map DEFAULT(white);`, in slots 0 … 5. What stands in for one
+// Textures of its own: `TEXTURE_LINEAR(0) width_map DEFAULT(white);`, in slots 0 … 7. What stands in for one
 // that a material does not have: white, black, flat (a normal map's), or required.
 #define TEXTURE_COLOUR(slot) layout(set = SET_MATERIAL, binding = MATERIAL_OWN_TEXTURE + slot) uniform sampler2D
 #define TEXTURE_LINEAR(slot) layout(set = SET_MATERIAL, binding = MATERIAL_OWN_TEXTURE + slot) uniform sampler2D

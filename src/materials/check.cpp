@@ -16,6 +16,13 @@ std::string names_of(const std::vector<Declared>& declared) {
 
 } // namespace
 
+bool transmits(const Material& material) {
+    if (!material.shader || material.shader->name != "layered" || !material.shader->file.empty() || material.unlit)
+        return false;
+    const auto factor = material.parameters.find("transmission");
+    return factor != material.parameters.end() && factor->second.x > 0;
+}
+
 std::optional<std::string> material_fault(const Material& material) {
     if (!material.shader)
         return {};

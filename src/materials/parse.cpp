@@ -11,7 +11,7 @@ namespace {
 
 using materials::Scanner;
 
-constexpr uint32_t own_textures = 6; // MATERIAL_OWN_TEXTURES of bindings.h
+constexpr uint32_t own_textures = 8; // MATERIAL_OWN_TEXTURES of bindings.h
 constexpr uint32_t most_parameter_bytes = 1024;
 
 std::vector<std::string_view> lines_of(std::string_view text) {

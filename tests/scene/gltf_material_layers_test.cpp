@@ -1,4 +1,5 @@
-// KHR_materials_ior, _specular, _clearcoat and _sheen become parameters of the material `layered`.
+// KHR_materials_ior, _specular, _clearcoat, _sheen, _transmission and _volume become parameters of the material
+// `layered`.
 #include "gltf_builder.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -67,6 +68,60 @@ TEST(GltfMaterialLayers, OutOfTheirRangesAreTakenForTheNearest) {
     EXPECT_EQ(with_extensions({{"KHR_materials_ior", {{"ior", 0}}}}).load().materials.at(0).parameters.at("ior").x,
               1000)
         << "glTF's word for a mirror";
+}
+
+Json transmission(const Json& volume = Json::object()) {
+    return {{"KHR_materials_transmission", {{"transmissionFactor", 0.75}, {"transmissionTexture", {{"index", 0}}}}},
+            {"KHR_materials_volume", volume}};
+}
+
+TEST(GltfTransmission, IsReadWithItsVolume) {
+    const Material m = with_extensions(transmission({{"thicknessFactor", 0.5},
+                                                     {"thicknessTexture", {{"index", 0}, {"texCoord", 1}}},
+                                                     {"attenuationDistance", 2},
+                                                     {"attenuationColor", {0.1, 0.5, 0.9}}}))
+                           .load()
+                           .materials.at(0);
+    ASSERT_TRUE(m.shader);
+    EXPECT_EQ(m.shader->name, "layered");
+    EXPECT_TRUE(transmits(m));
+    EXPECT_EQ(m.parameters.at("transmission").x, 0.75f);
+    EXPECT_EQ(m.parameters.at("thickness").x, 0.5f);
+    EXPECT_EQ(m.parameters.at("attenuation_distance").x, 2);
+    EXPECT_EQ(m.parameters.at("attenuation_colour"), glm::vec4(0.1f, 0.5f, 0.9f, 0));
+    EXPECT_TRUE(m.textures.at("transmission_map"));
+    EXPECT_EQ(m.textures.at("thickness_map").texcoord, 1u);
+    EXPECT_FALSE(material_fault(m));
+}
+
+TEST(GltfTransmission, ThatLetsNothingThroughIsNone) {
+    for (const Json& extensions :
+         {Json{{"KHR_materials_transmission", Json::object()}},
+          Json{{"KHR_materials_transmission", {{"transmissionFactor", 0}, {"transmissionTexture", {{"index", 0}}}}}},
+          Json{{"KHR_materials_volume", {{"thicknessFactor", 1}, {"attenuationColor", {1, 0, 0}}}}},
+          Json{{"KHR_materials_transmission", {{"transmissionFactor", 1}}}, {"KHR_materials_unlit", Json::object()}}}) {
+        const Material m = with_extensions(extensions).load().materials.at(0);
+        EXPECT_FALSE(m.shader) << extensions;
+        EXPECT_FALSE(transmits(m)) << extensions;
+    }
+    EXPECT_FALSE(with_extensions(transmission()).load().materials.at(0).parameters.contains("thickness"));
+}
+
+TEST(GltfTransmission, ValuesOutOfRangeAreRepaired) {
+    EXPECT_THAT(strict_error_of(with_extensions({{"KHR_materials_transmission", {{"transmissionFactor", 1.5}}}})),
+                HasSubstr("material 0 KHR_materials_transmission: transmission 1.5 is outside 0 … 1; 1 is used"));
+    EXPECT_THAT(strict_error_of(with_extensions(transmission({{"thicknessFactor", -1}}))),
+                HasSubstr("material 0 KHR_materials_volume: thickness -1 is outside 0 …"));
+    EXPECT_THAT(strict_error_of(with_extensions(transmission({{"attenuationColor", {0, 2, 0}}}))),
+                HasSubstr("attenuation_colour 2 is outside 0 … 1"));
+    const GltfBuilder none = with_extensions(transmission({{"attenuationDistance", 0}, {"thicknessFactor", 1}}));
+    EXPECT_THAT(strict_error_of(none),
+                HasSubstr("KHR_materials_volume: attenuationDistance 0 is not above 0; nothing is absorbed"));
+    EXPECT_FALSE(none.load().materials.at(0).parameters.contains("attenuation_distance"));
+    EXPECT_THAT(strict_error_of(with_extensions(transmission({{"thicknessFactor", "thick"}}))),
+                HasSubstr("thicknessFactor"));
+    EXPECT_THAT(error_of(with_extensions(transmission({{"thicknessTexture", {{"index", 4}}}}))),
+                HasSubstr("thicknessTexture"));
 }
 
 } // namespace

@@ -69,8 +69,8 @@ TEST(MaterialShader, MistakesNameFileAndLine) {
                 HasSubstr("a.glsl:3: parameter n is there twice"));
     EXPECT_THAT(message("PARAMETERS {\n};\n" + code), HasSubstr("without a parameter"));
     EXPECT_THAT(message("PARAMETERS {\nfloat n DEFAULT(1) RANGE(0, 2);\n"), HasSubstr("has no end"));
-    EXPECT_THAT(message("TEXTURE_LINEAR(6) a DEFAULT(white);\n" + code),
-                HasSubstr("a.glsl:1: texture a: slots are 0 … 5"));
+    EXPECT_THAT(message("TEXTURE_LINEAR(8) a DEFAULT(white);\n" + code),
+                HasSubstr("a.glsl:1: texture a: slots are 0 … 7"));
     EXPECT_THAT(message("TEXTURE_LINEAR(0) a DEFAULT(pink);\n" + code), HasSubstr("white, black, flat or required"));
     EXPECT_THAT(message("TEXTURE_LINEAR(0) a DEFAULT(white);\nTEXTURE_LINEAR(0) b DEFAULT(white);\n" + code),
                 HasSubstr("a.glsl:2: texture b"));

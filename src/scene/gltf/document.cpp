@@ -40,6 +40,8 @@ constexpr std::array known_extensions{
     "KHR_materials_specular",
     "KHR_materials_clearcoat",
     "KHR_materials_sheen",
+    "KHR_materials_transmission",
+    "KHR_materials_volume",
     "KHR_texture_transform",
     "KHR_mesh_quantization",
     "KHR_draco_mesh_compression",

@@ -47,6 +47,25 @@ private:
     std::shared_ptr<const MaterialShader> shader_;
 };
 
+/// What light comes through; a volume matters only there.
+void read_transmission(Layers& layers, const Item& item) {
+    const auto transmission = item.extension("KHR_materials_transmission");
+    if (!transmission || !(transmission->real("transmissionFactor", 0) > 0))
+        return;
+    layers.number(*transmission, "transmissionFactor", "transmission", 0);
+    layers.map(*transmission, "transmissionTexture", "transmission_map");
+    const auto volume = item.extension("KHR_materials_volume");
+    if (!volume)
+        return;
+    layers.number(*volume, "thicknessFactor", "thickness", 0);
+    layers.map(*volume, "thicknessTexture", "thickness_map");
+    layers.colour(*volume, "attenuationColor", "attenuation_colour", 1);
+    if (const float distance = volume->real("attenuationDistance", 1); !(distance > 0))
+        volume->warn("attenuationDistance {} is not above 0; nothing is absorbed", distance);
+    else if (volume->has("attenuationDistance"))
+        layers.number(*volume, "attenuationDistance", "attenuation_distance", 1);
+}
+
 } // namespace
 
 void read_material_layers(Document& document, Textures& textures, const Item& item, Material& material) {
@@ -81,6 +100,7 @@ void read_material_layers(Document& document, Textures& textures, const Item& it
         layers.map(*sheen, "sheenColorTexture", "sheen_colour_map");
         layers.map(*sheen, "sheenRoughnessTexture", "sheen_roughness_map");
     }
+    read_transmission(layers, item);
 }
 
 } // namespace prelight::gltf

@@ -49,8 +49,8 @@ private:
 /// Takes over a material's `extras.prelight` (schema in scene/write/parts.hpp).
 void read_material_extras(Textures& textures, const Item& item, Material& material);
 
-/// KHR_materials_ior, _specular, _clearcoat and _sheen as parameters of the material `layered`; nothing where they
-/// say what glTF says without them, or where the material has a shader or no light.
+/// KHR_materials_ior, _specular, _clearcoat, _sheen, _transmission and _volume as parameters of the material `layered`;
+/// nothing where they say what glTF says without them, or where the material has a shader or no light.
 void read_material_layers(Document& document, Textures& textures, const Item& item, Material& material);
 
 /// KHR_materials_pbrSpecularGlossiness in place of pbrMetallicRoughness: plain metallic-roughness where that says the
