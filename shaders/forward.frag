@@ -1,8 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES
-// only: SAMPLES with DECALS
-// materials: all with OWN_MATERIAL
+// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES, TRANSMISSION
+// never: TRANSMISSION DECALS
+// only: SAMPLES with DECALS, TRANSMISSION with OWN_MATERIAL
+// materials: all with OWN_MATERIAL, only layered with OWN_MATERIAL TRANSMISSION
 // Forward shading of up to eight lights, which come as push constants. Fresnel of each
 // light at V·H (model=full), or at N·V (nv). Depth test EQUAL needs no alpha mask, for a hole's depth is another's; LESS_OR_EQUAL
 // does.
@@ -33,4 +34,7 @@ void main() {
     }
     float alpha = with_base || has(FEATURE_BLENDED) ? coverage(s) : 0.0;
     out_colour = vec4(forward_colour(s, sums, with_base, batch.limit), alpha);
+#ifdef TRANSMISSION
+    out_colour = with_base ? vec4(over_picture(out_colour.rgb, alpha), 1.0) : vec4(out_colour.rgb * coverage(s), 0.0);
+#endif
 }

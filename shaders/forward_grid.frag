@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES, WEIGHTED
-// only: SAMPLES with DECALS
-// never: WEIGHTED DECALS
-// materials: all with OWN_MATERIAL
+// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES, WEIGHTED, TRANSMISSION
+// only: SAMPLES with DECALS, TRANSMISSION with OWN_MATERIAL
+// never: WEIGHTED DECALS, TRANSMISSION DECALS, TRANSMISSION WEIGHTED
+// materials: all with OWN_MATERIAL, only layered with OWN_MATERIAL TRANSMISSION
 // Forward shading with the lights of the pixel's cell in a grid over the world. It needs nothing of
 // the screen, so that blended surfaces take the same path; with WEIGHTED they leave sums of colour and weight.
 #include "shared/blended_weight.h"
@@ -71,6 +71,9 @@ void main() {
     }
     // Each half of what a half float holds.
     out_colour = vec4(stored_colour(forward_colour(s, sums, with_base, 32752.0)).rgb, coverage(s));
+#ifdef TRANSMISSION
+    out_colour = vec4(over_picture(out_colour.rgb, out_colour.a), 1.0);
+#endif
 #ifdef WEIGHTED
     vec3 size = abs(out_colour.rgb);
     out_weight = blended_weight(dot(in_world, frame.forward.xyz), out_colour.a, max(size.r, max(size.g, size.b)));

@@ -37,6 +37,14 @@ Surface surface(Point p) {
     return s;
 }
 
+float transmission_at(Point p) {
+    return has_texture(6) ? transmission * texture(transmission_map, texture_place(p, 6)).r : transmission;
+}
+
+float thickness_at(Point p) { return has_texture(7) ? thickness * texture(thickness_map, texture_place(p, 7)).g : thickness; }
+
+vec3 light_through = vec3(0.0); // with TRANSMISSION: what comes through the body, exposed, before the surface takes its share
+
 // The environment on body and coat, each with its own roughness; `sheen`: what the cloth takes.
 vec3 environment_on_layers(Point p, Surface s, Light light, vec3 diffuse_colour, vec3 f0, float f90, vec3 sheen) {
     float body_roughness = metallic_roughness(p).y, coat_rough = coat_roughness(p), nv = facing(p, s);
@@ -63,10 +71,15 @@ vec3 shade(Point p, Surface s, Light light) {
     float r = (ior - 1.0) / (ior + 1.0);
     vec3 f0 = mix(min(r * r * tint, vec3(1.0)) * weight, s.base, s.metallic);
     float f90 = mix(weight, 1.0, s.metallic);
-    vec3 diffuse_colour = s.base * (1.0 - s.metallic);
+    vec3 diffuse_colour = s.base * (1.0 - s.metallic), through = vec3(0.0);
+#ifdef TRANSMISSION
+    float share = transmission_at(p);
+    through = diffuse_colour * share * (1.0 - f0 - (f90 - f0) * grazing_at_viewer(p, s)) * light_through;
+    diffuse_colour *= 1.0 - share;
+#endif
     vec3 ambient = has(FEATURE_ENVIRONMENT) ? vec3(0.0) : light.ambient;
     vec3 body = diffuse_colour * (1.0 - f0 - (f90 - f0) * light.grazing_diffuse) * light.diffuse +
-                (f0 + (f90 - f0) * light.grazing_specular) * light.specular + ambient * (diffuse_colour + f0) + s.emissive;
+                (f0 + (f90 - f0) * light.grazing_specular) * light.specular + ambient * (diffuse_colour + f0) + s.emissive + through;
 
     float nv = facing(p, s);
     vec3 sheen = cloth_colour * pow(max(1.0 - nv, 0.0001), 1.0 + 3.0 * (1.0 - cloth_roughness));

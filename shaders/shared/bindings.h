@@ -40,6 +40,10 @@
 #define INPUT_SURFACE_IDS 47
 #define INPUT_LIGHT_DEPTH 35
 #define INPUT_UNMATCHED 39
+// transmissive surfaces: what lies behind them
+#define INPUT_BEHIND 14
+#define INPUT_BEHIND_TARGET 15
+#define BEHIND_GROUP 8 // texels along a side of the work groups that make its levels
 // several samples a pixel: which pixels are edges, where their samples' light lies, and that light
 #define INPUT_EDGES 0
 #define INPUT_SAMPLE_DEPTH 46
@@ -209,6 +213,8 @@
 #define CONSTANT_LIGHT_SAMPLE_STEP 95
 #define CONSTANT_HAS_NORMALS 100
 #define CONSTANT_FIRST_LAYER 101
+#define CONSTANT_BEHIND_LAST_LEVEL 102
+#define CONSTANT_BEHIND_COPIES 103
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -222,6 +228,7 @@
 #define FEATURE_OWN_TEXTURE 256u  // times 2 for each slot
 #define FEATURE_DECALS 65536u     // of an object, not of its material: decals reach it
 #define FEATURE_BLENDED 131072u   // of an object: drawn over what is behind it (alphaMode BLEND)
+#define FEATURE_TRANSMISSIVE 262144u // of an object: the picture behind it comes through
 
 // Kinds of lights that a frame may hold; shaders leave out what the others need.
 #define LIGHT_KIND_SPOT 1u

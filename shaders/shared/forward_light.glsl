@@ -5,6 +5,9 @@
 #include "shared/lighting.glsl"
 #include "shared/base_light.glsl"
 #include "shared/specular_antialiasing.glsl"
+#ifdef TRANSMISSION
+#include "shared/transmission.glsl"
+#endif
 
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_FULL;
 layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
@@ -18,6 +21,9 @@ struct ForwardSurface {
     Surface surface;
     Reflectance reflectance;
     LitPoint point;
+#ifdef TRANSMISSION
+    LitPoint back;  // as lamps behind the surface light it
+#endif
     float schlick_nv;
 };
 
@@ -31,6 +37,9 @@ ForwardSurface forward_surface() {
     s.reflectance = reflectance(s.surface.base, s.surface.metallic);
     s.point = lit_point(true, in_world, s.surface.normal, s.at.to_viewer, max(antialiased_roughness(s.at, s.surface), 0.089), gl_FragCoord.xy);
     s.schlick_nv = schlick_weight(s.point.nv);
+#ifdef TRANSMISSION
+    s.back = lit_through(s.point, antialiased_roughness(s.at, s.surface), gl_FragCoord.xy);
+#endif
     return s;
 }
 
@@ -38,12 +47,30 @@ ForwardSurface forward_surface() {
 struct ForwardSums {
     vec3 irradiance, specular;
     float grazing_diffuse, grazing_specular;  // weighted by luminance
+#ifdef TRANSMISSION
+    vec3 through;  // the specular sum of lamps behind the surface
+#endif
 };
-ForwardSums no_lights() { return ForwardSums(vec3(0.0), vec3(0.0), 0.0, 0.0); }
+ForwardSums no_lights() {
+    return ForwardSums(vec3(0.0), vec3(0.0), 0.0, 0.0
+#ifdef TRANSMISSION
+                       , vec3(0.0)
+#endif
+    );
+}
 
 void add_light_source(inout ForwardSums sums, ForwardSurface s, LightData light, out bool contributes) {
     LightSource source = light_source(light);
+#ifdef TRANSMISSION
+    // Of one side: the other's terms are 0.
+    bool is_behind = dot(source.position.xyz - in_world * source.position.w, s.point.n) < 0.0;
+    LightTerms terms = light_terms(source, is_behind ? s.back : s.point);
+    sums.through += is_behind ? source.colour * terms.specular : vec3(0.0);
+    terms.diffuse = is_behind ? 0.0 : terms.diffuse;
+    terms.specular = is_behind ? 0.0 : terms.specular;
+#else
     LightTerms terms = light_terms(source, s.point);
+#endif
     contributes = terms.contributes;
     float grazing = schlick_weight(terms.vh);
     sums.irradiance += source.colour * terms.diffuse;
@@ -64,6 +91,9 @@ vec3 shade_lights(ForwardSurface s, ForwardSums sums, vec3 ambient, bool with_ba
         light.grazing_diffuse = clamp(sums.grazing_diffuse / max(luminance(sums.irradiance), 1e-12), 0.0, 1.0);
         light.grazing_specular = clamp(sums.grazing_specular / max(luminance(sums.specular), 1e-12), 0.0, 1.0);
     }
+#ifdef TRANSMISSION
+    light_through = transmittance(body_depth(s.at)) * (sums.through + (with_base ? picture_behind(s.at, s.surface) : vec3(0.0)));
+#endif
     return shade(s.at, s.surface, light);
 }
 

@@ -62,7 +62,8 @@ struct LightScreenBounds {
 // One object, a vertex attribute that steps once an instance; rows of the 3×4 matrix object → world, and of the inverse transpose.
 struct ObjectData {
     vec4 world_row[3];
-    vec4 normal_row[3];  // w of the first: −1 when mirrored, else 1; of the second: number of the draw, from 1
+    vec4 normal_row[3];  // w of the first: −1 when mirrored, else 1; of the second: number of the draw, from 1;
+                         // of the third: metres that a unit of the object is
     vec4 previous_world_row[3];  // world_row one interval earlier, relative to this frame's camera
 };
 

@@ -32,6 +32,9 @@ layout(location = VERTEX_PREVIOUS_POSITION) in vec3 in_previous_position;
 layout(location = VERTEX_PREVIOUS_WORLD_ROW) in vec4 in_previous_world_row[3];
 layout(location = 5) out vec3 out_previous;
 #endif
+#ifdef TRANSMISSION
+layout(location = 6) flat out float out_scale;
+#endif
 
 void main() {
     vec3 world = vertex_position();
@@ -57,6 +60,9 @@ void main() {
     float number = in_normal_row[1].w;
 #endif
     out_surface = uvec2(uint(number), in_smooth_group);
+#endif
+#ifdef TRANSMISSION
+    out_scale = in_normal_row[2].w;
 #endif
 #ifdef MOTION
     vec4 previous = vec4(in_previous_position, 1.0);

@@ -37,6 +37,17 @@ declare_blended(graph::FrameGraph& graph, graph::Pass& pass, const ForwardInputs
     return lists->rounds[0].constants;
 }
 
+uint64_t draw_lit(const graph::PassContext& pass, SurfaceDraws::Bound& bound, const SurfaceDraws& first,
+                  const SurfaceDraws* more, uint32_t index, const shared::LightListConstants* lists,
+                  const resident::LightReach& reach, uint32_t per_draw, SurfaceDraws::Faces faces) {
+    if (lists)
+        return first.draw(pass, bound, index, std::as_bytes(std::span(lists, 1)), faces);
+    uint64_t drawn = 0;
+    for (const shared::ForwardBatch& batch : batches_of(reach.of(index), per_draw))
+        drawn += (drawn == 0 ? first : *more).draw(pass, bound, index, std::as_bytes(std::span(&batch, 1)), faces);
+    return drawn;
+}
+
 namespace {
 
 /// Visible ones, indices into Geometry::draws: where surfaces coincide the world's first one comes last.
@@ -131,13 +142,8 @@ private:
 
     uint64_t draw(const graph::PassContext& pass, SurfaceDraws::Bound& bound, uint32_t index,
                   SurfaceDraws::Faces faces) const {
-        if (lists_)
-            return first_.draw(pass, bound, index, std::as_bytes(std::span(lists_.get(), 1)), faces);
-        uint64_t drawn = 0;
-        for (const shared::ForwardBatch& batch : batches_of(view_.reach().of(index), per_draw_))
-            drawn +=
-                (drawn == 0 ? first_ : *more_).draw(pass, bound, index, std::as_bytes(std::span(&batch, 1)), faces);
-        return drawn;
+        return draw_lit(pass, bound, first_, more_ ? &*more_ : nullptr, index, lists_.get(), view_.reach(), per_draw_,
+                        faces);
     }
 
     const resident::View& view_;

@@ -24,6 +24,13 @@ SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs
 std::shared_ptr<const shared::LightListConstants> declare_blended(graph::FrameGraph& graph, graph::Pass& pass,
                                                                   const ForwardInputs& inputs, const LightLists* lists);
 
+/// Draws one object with its lights: `first` with `lists`; without, `per_draw` of `reach` at a time, `more` after the
+/// first draw. Returns the number of draws.
+uint64_t draw_lit(const graph::PassContext& pass, SurfaceDraws::Bound& bound, const SurfaceDraws& first,
+                  const SurfaceDraws* more, uint32_t index, const shared::LightListConstants* lists,
+                  const resident::LightReach& reach, uint32_t per_draw,
+                  SurfaceDraws::Faces faces = SurfaceDraws::Faces::all);
+
 /// In which order objects are drawn: few pipelines and materials change; or as BlendedPart::layer has it.
 enum class BlendedOrder { cheapest, layer };
 /// Makes `pass` draw every blended object once. `push`: the push constants of each. `counted` gets the number of draws

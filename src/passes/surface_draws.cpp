@@ -73,8 +73,10 @@ SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterfac
                                                            : ~FEATURE_ALPHA_MASK) &
                                   (desc.decals != Decals::none ? ~0u : ~FEATURE_DECALS)),
       depth_only_(desc.depth_only), positions_only_(desc.positions_only), only_decals_(desc.decals == Decals::only),
-      blended_(desc.blended), later_(is_later(desc.depth) && !blended_),
-      counts_(view.visible_pixels() && !later_ && !blended_), skips_(view.visible_pixels() && later_) {
+      blended_(desc.blended), transmissive_(desc.transmissive),
+      later_(is_later(desc.depth) && !blended_ && !transmissive_),
+      counts_(view.visible_pixels() && !later_ && !blended_ && !transmissive_),
+      skips_(view.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
                                sizeof(shared::ObjectData)};
@@ -107,7 +109,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
         gpu::when(decals, Variant::decals) | gpu::when(decals && pipeline.attachments.samples > 1, Variant::samples);
     const bool untextured = desc.vertex.has(Variant::no_textures) && !own && !decals && !has_textures(features);
     gpu::Variants vertex = gpu::when(untextured, Variant::no_textures);
-    for (const Variant more : {Variant::motion, Variant::surface_ids})
+    for (const Variant more : {Variant::motion, Variant::surface_ids, Variant::transmission})
         vertex |= gpu::when(desc.vertex.has(more), more);
     for (const Variant left_out : {Variant::no_world, Variant::no_normal})
         vertex |= gpu::when(!own && desc.vertex.has(left_out), left_out);
@@ -137,7 +139,8 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
 }
 
 bool SurfaceDraws::left_out(const resident::Draw& draw) const {
-    return draw.blended() != blended_ || (only_decals_ && !(draw.features & FEATURE_DECALS));
+    return draw.blended() != blended_ || draw.transmissive() != transmissive_ ||
+           (only_decals_ && !(draw.features & FEATURE_DECALS));
 }
 
 SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {

@@ -33,6 +33,9 @@ public:
         /// Every material gets positions, and `fragment`, which reads nothing of it.
         bool positions_only = false;
         Decals decals = Decals::none;
+        /// Draws that are resident::Draw::transmissive(), one by one with draw(); else the others. `vertex` may have
+        /// TRANSMISSION.
+        bool transmissive = false;
         bool blended = false; ///< draws that are resident::Draw::blended(), one by one with draw(); else the others
     };
     /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
@@ -81,7 +84,7 @@ private:
     const resident::View& view_;
     uint32_t features_kept_;
     bool depth_only_, positions_only_;
-    bool only_decals_, blended_;
+    bool only_decals_, blended_, transmissive_;
     bool later_, counts_, skips_; ///< the pass counts pixels, or leaves out what has none
     std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <numeric>
 #include <passes/layer_peeler.hpp>
+#include <passes/transmission.hpp>
 #include <passes/weighted_blended.hpp>
+#include <prelight/material_shader.hpp>
 
 namespace prelight {
 
@@ -31,7 +33,7 @@ BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context
 void BlendedSurfaces::adapt(Settings& settings, resident::ViewSettings& view, const resident::GpuScene& scene) const {
     if (!wanted() || !reused_shadows_ || !view.shadows.on)
         return;
-    view.shadows.reuse = !scene.blends();
+    view.shadows.reuse = !scene.shows_through();
     settings.resolve("shadow-memory", view.shadows.reuse ? "reuse" : "atlas",
                      "blended surfaces are lit by all lights at once");
 }
@@ -44,13 +46,16 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
     const resident::GpuScene& scene = view.scene();
     if (settings.has("transparency") && !wanted()) {
         const std::vector<Material>& materials = scene.world().scene->materials;
-        const auto blends = [&](const resident::Draw& draw) {
-            return materials[draw.material].alpha_mode == AlphaMode::blend;
+        const auto any = [&](auto is) {
+            return std::ranges::any_of(scene.geometry().draws,
+                                       [&](const resident::Draw& draw) { return is(materials[draw.material]); });
         };
-        if (const auto& draws = scene.geometry().draws; std::any_of(draws.begin(), draws.end(), blends))
+        if (any([](const Material& material) { return material.alpha_mode == AlphaMode::blend; }))
             graph.note("transparency=opaque: surfaces with alphaMode BLEND are drawn opaque");
+        if (any(transmits))
+            graph.note("transparency=opaque: nothing is seen through materials with KHR_materials_transmission");
     }
-    if (!scene.blends() || !wanted())
+    if (!scene.shows_through() || !wanted())
         return;
     const uint32_t rounds = passes::light_rounds(view, passes::LightWalk::fragment).count;
     by_lists_ = takes_lists(transparency_) && lists_possible_ && rounds == 1;
@@ -71,15 +76,21 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
 
 void BlendedSurfaces::add(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
                           const passes::LightLists* lists, Settings& settings, const LayerLight& layer_light) {
-    if (!view.scene().blends() || !wanted())
+    if (!view.scene().shows_through() || !wanted())
         return;
-    inputs.name = "blended";
     inputs.model = model_;
     inputs.sample_shading = sample_shading_;
     std::optional<passes::LightLists> own;
     if (by_lists_ && !lists)
         lists = &own.emplace(passes::grid_light_lists(graph, view, "blended"));
     const passes::BlendedLights lights{.lists = by_lists_ ? lists : nullptr, .per_draw = per_draw_};
+    if (view.scene().transmits()) {
+        inputs.name = "transmission";
+        inputs.depth = passes::transmission_passes(graph, view, counted(inputs), lights);
+    }
+    if (!view.scene().blends())
+        return;
+    inputs.name = "blended";
     if (by_lists_ && transparency_ == Transparency::weighted)
         passes::weighted_blended_pass(graph, view, counted(inputs), *lists);
     else if (transparency_ == Transparency::peeled)

@@ -13,7 +13,8 @@ struct LayerLight {
     std::string obstacle = {};                            ///< why it cannot, a phrase
 };
 
-/// What is drawn over the opaque picture: the setting `transparency`, the same in every architecture.
+/// What is drawn over the opaque picture, transmissive and then blended surfaces: the setting `transparency`, the same
+/// in every architecture.
 class BlendedSurfaces {
 public:
     BlendedSurfaces(Settings& settings, const gpu::Context& context);
@@ -24,7 +25,7 @@ public:
     /// For a graph that is built now: how lights are found. Puts what is in force into the settings, and what is not as
     /// asked for into the graph's notes.
     void choose(Settings& settings, graph::FrameGraph& graph, resident::View& view);
-    /// The passes over the linear picture `inputs.colour`; none where the scene has no blended surface. `inputs`: but
+    /// The passes over the linear picture `inputs.colour`; nothing where the scene has no such surface. `inputs`: but
     /// for what all architectures have alike. `lists`: of a grid over the world, where there are any. Puts into the
     /// settings what became of `layer_light`.
     void add(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,

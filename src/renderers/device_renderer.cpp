@@ -65,7 +65,8 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
             .exposure = view.exposure,
             .trimmed = view.draws.trims_on_device(),
             .casters = view.shadows.on,
-            .blends = blended_.wanted()};
+            .blends = blended_.wanted(),
+            .transmits = blended_.wanted()};
 }
 
 void DeviceRenderer::set_world(const World& world) {

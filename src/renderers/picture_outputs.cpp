@@ -30,7 +30,7 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
 DeviceRenderer::Outputs DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& view,
                                                         const passes::SurfaceBuffers& surface,
                                                         const std::function<graph::ImageId(passes::Display)>& draw) {
-    if (wants("linear") || view.scene().blends())
+    if (wants("linear") || view.scene().shows_through())
         return linear_outputs(graph, view, draw({}), surface);
     const graph::ImageId picture = draw(options_.tonemap);
     passes::background_pass(graph, view, picture, surface.depth, options_.tonemap);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <prelight/error.hpp>
+#include <prelight/material_shader.hpp>
 #include <shared/bindings.h>
 #include <tuple>
 
@@ -188,6 +189,8 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, const 
                 draw.features |= FEATURE_DECALS;
             if (settings.blends && material.alpha_mode == AlphaMode::blend)
                 draw.features |= FEATURE_BLENDED;
+            if (settings.transmits && transmits(material))
+                draw.features |= FEATURE_TRANSMISSIVE;
         }
     }
     if (vertices.positions.size() > 0x7fffffffu || vertices.indices.size() > 0xffffffffu)

@@ -17,6 +17,8 @@ GpuScene::GpuScene(const gpu::Context& context, const World& world, const GpuSce
         shown_.emplace_back(instance.mesh, instance.deformed);
     blends_ =
         std::any_of(geometry_.draws.begin(), geometry_.draws.end(), [](const Draw& draw) { return draw.blended(); });
+    transmits_ = std::any_of(geometry_.draws.begin(), geometry_.draws.end(),
+                             [](const Draw& draw) { return draw.transmissive(); });
     if (settings.casters)
         upload_casters();
 }

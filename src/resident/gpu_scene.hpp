@@ -17,6 +17,7 @@ struct GpuSceneSettings {
     bool casters = false;     ///< fill caster_rows()
     bool surface_ids = false; ///< fill Geometry::groups
     bool blends = false;      ///< draws of materials with alphaMode BLEND are Draw::blended(); else they are opaque
+    bool transmits = false;   ///< draws of materials that light comes through are Draw::transmissive(); else opaque
 };
 
 /// A world on the device: geometry, materials with their textures, environment. It knows no camera, no picture and no
@@ -44,6 +45,10 @@ public:
     const Materials& materials() const { return materials_; }
     /// Some draw is Draw::blended(), visible or not.
     bool blends() const { return blends_; }
+    /// Some draw is Draw::transmissive(), visible or not.
+    bool transmits() const { return transmits_; }
+    /// Something is drawn over the opaque picture.
+    bool shows_through() const { return blends_ || transmits_; }
     /// Of the world's decals, in the order in which they lie over each other.
     std::span<const DecalBox> decals() const { return decals_; }
     /// Around all that is drawn.
@@ -73,7 +78,7 @@ private:
     Geometry geometry_;
     std::optional<DeviceDeformation> deformation_;
     WorldBox box_;
-    bool blends_ = false;
+    bool blends_ = false, transmits_ = false;
     gpu::Buffer caster_rows_;
     /// What instances show, as it was uploaded: mesh and deformed mesh.
     std::vector<std::pair<uint32_t, std::optional<uint32_t>>> shown_;

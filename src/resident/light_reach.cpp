@@ -67,7 +67,8 @@ LightReach find_reach(std::span<const Draw> draws, std::span<const PlacedLight> 
     std::vector<std::pair<double, uint32_t>> strongest;
     for (size_t d = 0; d < draws.size(); ++d) {
         strongest.clear();
-        const ObjectLights own = order == ObjectLights::none && draws[d].blended() ? blended : order;
+        const ObjectLights own =
+            order == ObjectLights::none && (draws[d].blended() || draws[d].transmissive()) ? blended : order;
         if (own != ObjectLights::none && draws[d].visible && !(draws[d].features & FEATURE_UNLIT))
             for (size_t i = 0; i < sorted.size(); ++i)
                 if (reaches(volumes[i], draws[d]))

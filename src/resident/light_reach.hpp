@@ -37,7 +37,7 @@ double strength(const PlacedLight& light, const Draw& draw);
 
 /// Tests each light of `visible` (indices, any order) against each draw that is lit at all. With
 /// `strongest_first` lists go by strength, falling; equal ones, and all others, by index. `blended`: the same of draws
-/// that are Draw::blended(), where `order` leaves them out.
+/// that are Draw::blended() or transmissive(), where `order` leaves them out.
 LightReach find_reach(std::span<const Draw> draws, std::span<const PlacedLight> lights,
                       std::span<const uint32_t> visible, ObjectLights order, ObjectLights blended = ObjectLights::none);
 

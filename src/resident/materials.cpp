@@ -209,6 +209,7 @@ std::vector<MaterialKey> material_keys(const Scene& scene) {
                                                          .unlit = material.unlit,
                                                          .double_sided = material.double_sided,
                                                          .receives_decals = material.receives_decals,
+                                                         .transmits = transmits(material),
                                                          .mask_cutoff = cutoffs[m],
                                                          .textures = {}});
         const auto add = [&](const TextureRef& ref) { key.textures.emplace_back(ref.image, ref.sampler); };

@@ -1,6 +1,8 @@
 #include "objects.hpp"
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace prelight::resident {
 namespace {
@@ -25,6 +27,7 @@ std::array<glm::vec4, 3> normal_rows(const Instance& instance) {
     for (int r = 0; r < 3; ++r)
         rows[static_cast<size_t>(r)] = glm::vec4(glm::dvec3(normal[0][r], normal[1][r], normal[2][r]) * scale, 0);
     rows[0].w = instance.mirrored ? -1 : 1;
+    rows[2].w = static_cast<float>(std::cbrt(std::abs(glm::determinant(glm::dmat3(m)))));
     return rows;
 }
 

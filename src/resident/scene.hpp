@@ -24,7 +24,7 @@ struct Draw {
     int32_t vertex_offset = 0;
     uint32_t object = 0; ///< index into World::instances
     uint32_t material = 0;
-    uint32_t features = 0; ///< FEATURE_… bits of its material, and FEATURE_DECALS and FEATURE_BLENDED of its own
+    uint32_t features = 0; ///< FEATURE_… bits of its material, and those of its own: DECALS, BLENDED, TRANSMISSIVE
     uint32_t shader = 0;   ///< of its material: index into Materials::shaders
     bool mirrored = false;
     bool double_sided = false;
@@ -37,7 +37,9 @@ struct Draw {
     uint32_t version = 0; ///< another one after each change of what the draw shows
 
     /// Drawn after all that is opaque, over what is behind it.
-    bool blended() const { return (features & FEATURE_BLENDED) != 0; }
+    bool blended() const { return (features & FEATURE_BLENDED) != 0 && !transmissive(); }
+    /// Drawn between both, and shows what is opaque behind it.
+    bool transmissive() const { return (features & FEATURE_TRANSMISSIVE) != 0; }
     /// After a change of `own_low` and `own_high`, or of the object's transform.
     void bound(const glm::dmat4& transform);
     /// All that follows from where the object is: also its record, and whether it shows.
@@ -91,7 +93,7 @@ enum class TextureUse { colour, values, normals };
 struct MaterialKey {
     const MaterialShader* shader = nullptr;
     AlphaMode alpha_mode = AlphaMode::opaque;
-    bool unlit = false, double_sided = false, receives_decals = true;
+    bool unlit = false, double_sided = false, receives_decals = true, transmits = false;
     float mask_cutoff = 0;                              ///< that the levels of its texture were made for
     std::vector<std::pair<uint32_t, Sampler>> textures; ///< image and sampler of each slot
     bool operator==(const MaterialKey&) const = default;

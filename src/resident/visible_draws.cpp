@@ -35,13 +35,18 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     out.batches.clear();
     out.triangles = 0;
     const Frustum frustum(constants.clip_from_world);
-    std::vector<VisibleDraw> blended;
+    std::vector<VisibleDraw> blended, transmissive;
     for (uint32_t d = 0; d < all.size(); ++d)
         if (all[d].visible && (!options.frustum_culling || frustum.may_show(all[d], eye)))
-            (all[d].blended() ? blended : out.draws).push_back({d, 0, all[d].first_index, all[d].index_count});
+            (all[d].transmissive() ? transmissive
+             : all[d].blended()    ? blended
+                                   : out.draws)
+                .push_back({d, 0, all[d].first_index, all[d].index_count});
     sort_by_distance(out.draws, all, eye, glm::dvec3(constants.forward), out.place);
     sort_back_to_front(blended, all, eye, glm::dvec3(constants.forward));
     const size_t solid = out.draws.size();
+    out.draws.insert(out.draws.end(), transmissive.begin(), transmissive.end());
+    const size_t behind_blended = out.draws.size();
     out.draws.insert(out.draws.end(), blended.begin(), blended.end());
     out.place.assign(all.size(), no_image);
 
@@ -49,7 +54,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
                           static_cast<float>(raster.extent.height), subpixel_bits, raster.samples});
     size_t used = 0, device_used = 0;
     uint32_t kept = 0;
-    out.opaque = 0;
+    out.opaque = out.transmissives = 0;
     for (size_t d = 0; d < out.draws.size(); ++d) {
         VisibleDraw one = out.draws[d];
         const Draw& draw = all[one.draw];
@@ -76,6 +81,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         out.triangles += one.index_count / 3;
         out.draws[kept++] = one;
         out.opaque += d < solid;
+        out.transmissives += d >= solid && d < behind_blended;
     }
     out.draws.resize(kept);
     out.trimmed = used;

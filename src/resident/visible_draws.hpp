@@ -39,18 +39,20 @@ struct DrawBatch {
 };
 
 /// What a camera may see of a world, in the order in which every pass draws it: opaque draws first, what one call
-/// may show together, and front to back: occluders come first; then blended ones, back to front. The order is the same
-/// for all DrawOptions, and so is the picture where surfaces coincide.
+/// may show together, and front to back: occluders come first; then transmissive ones; then blended ones, back to
+/// front. The order is the same for all DrawOptions, and so is the picture where surfaces coincide.
 struct VisibleDraws {
     std::vector<VisibleDraw> draws;
     std::vector<DrawBatch> batches; ///< of opaque draws
     size_t opaque = 0;              ///< that many of `draws`, first
+    size_t transmissives = 0;       ///< that many after them
     std::vector<uint32_t> place;    ///< by index into Geometry::draws: index into `draws`, or no_image
     uint64_t triangles = 0;         ///< of all draws
     uint64_t trimmed = 0;           ///< indices that the host trimmed
 
     /// By the depth of the middle of their bounds, the farthest first; at the same depth in the world's order.
-    std::span<const VisibleDraw> blended() const { return std::span(draws).subspan(opaque); }
+    std::span<const VisibleDraw> blended() const { return std::span(draws).subspan(opaque + transmissives); }
+    std::span<const VisibleDraw> transmissive() const { return std::span(draws).subspan(opaque, transmissives); }
     const VisibleDraw* find(uint32_t draw) const { return place[draw] == no_image ? nullptr : &draws[place[draw]]; }
 };
 

@@ -35,6 +35,13 @@ TEST(ShaderAxes, OnceForEachMaterial) {
                     "blinn_phong/a.frag ONLY_WEIGHTED", "a.frag ONLY_WEIGHTED"}));
 }
 
+TEST(ShaderAxes, ForOneMaterialAlone) {
+    EXPECT_EQ(keys_of("// variants: OWN_MATERIAL, SHADOWS\n"
+                      "// materials: all with OWN_MATERIAL, only skin with OWN_MATERIAL SHADOWS\n"),
+              (Keys{"a.frag", "a.frag SHADOWS", "skin/a.frag OWN_MATERIAL", "velvet/a.frag OWN_MATERIAL",
+                    "skin/a.frag SHADOWS OWN_MATERIAL"}));
+}
+
 TEST(ShaderAxes, OtherCommentsAreNoAxes) {
     EXPECT_EQ(keys_of("// Two variants: none of this counts\n// note: SHADOWS\n"), Keys{"a.frag"});
     EXPECT_EQ(keys_of("#version 460\nvoid main() {}\n// variants: SHADOWS\n"), Keys{"a.frag"}) << "not at the top";

@@ -79,7 +79,12 @@ ShaderAxes read_axes(std::string_view source) {
             } else if (key == "only") {
                 axes.only.emplace_back(variants(with(part).first), variants(with(part).second));
             } else {
-                axes.materials.push_back({std::string(with(part).first), variants(with(part).second)});
+                constexpr std::string_view only = "only ";
+                std::string_view what = with(part).first;
+                const bool alone = what.starts_with(only);
+                if (alone)
+                    what = trimmed(what.substr(only.size()));
+                axes.materials.push_back({std::string(what), variants(with(part).second), alone});
             }
         }
     }
@@ -99,9 +104,16 @@ std::vector<gpu::ShaderKey> all_keys(const std::string& file, const ShaderAxes& 
     for (const gpu::Variants set : sets) {
         if (!allows(axes, set))
             continue;
+        const auto alone = std::find_if(axes.materials.begin(), axes.materials.end(), [&](const ShaderAxes::Pair& one) {
+            return one.alone && set.has_all(one.with);
+        });
+        if (alone != axes.materials.end()) {
+            keys.emplace_back(file, set, alone->what);
+            continue;
+        }
         bool all = false;
         for (const ShaderAxes::Pair& material : axes.materials) {
-            if (!set.has_all(material.with))
+            if (!set.has_all(material.with) || material.alone)
                 continue;
             all = all || material.what == "all";
             for (const std::string& name : material.what == "all" ? materials : std::vector{material.what})

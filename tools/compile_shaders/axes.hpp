@@ -11,13 +11,15 @@ namespace prelight {
 ///     // variants: ONE_TARGET|COUNT_TARGET, SHADOWS     one of the first two or none, and SHADOWS or not
 ///     // never: COUNT_TARGET SHADOWS, …                 these do not come together
 ///     // only: OCCLUSION with OWN_MATERIAL, …           not without the other
-///     // materials: all with OWN_MATERIAL, blinn_phong with ONLY_WEIGHTED
+///     // materials: all with OWN_MATERIAL, blinn_phong with ONLY_WEIGHTED, only layered with OWN_MATERIAL TRANSMISSION
 ///
-/// `materials`: whose surfaces the shader is compiled with beside metallic_roughness; with "all", instead of it.
+/// `materials`: whose surfaces the shader is compiled with beside metallic_roughness; with "all", instead of it; with
+/// "only", instead of all others.
 struct ShaderAxes {
     struct Pair {
         std::string what;
         gpu::Variants with;
+        bool alone = false; ///< "only"
     };
     std::vector<std::vector<gpu::Variants>> choices; ///< of each axis, the first of them none
     std::vector<gpu::Variants> never;

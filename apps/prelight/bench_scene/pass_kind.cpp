@@ -23,6 +23,7 @@ constexpr std::array beginnings{
     Beginning{"depth", PassKind::geometry},      Beginning{"normal", PassKind::geometry},
     Beginning{"decal", PassKind::geometry}, // they make the surface what light meets
     Beginning{"geometry", PassKind::geometry},   Beginning{"material", PassKind::material},
+    Beginning{"behind", PassKind::material},     Beginning{"transmission", PassKind::material},
     Beginning{"shadow", PassKind::light}, // as much as the light needs it
     Beginning{"sun", PassKind::light},           Beginning{"background", PassKind::display},
     Beginning{"resolve", PassKind::display},     Beginning{"tonemap", PassKind::display},

@@ -11,7 +11,7 @@ constexpr Choice<Transparency> transparency_words[] = {{"lists", Transparency::l
 constexpr ChoiceSetting<Transparency> transparency_setting{
     "transparency", transparency_words, "lists",
     "BLEND surfaces, objects back to front: lights by lists of their place, or a few of the object's a draw; peeled: "
-    "layer after layer, exact; weighted: in any order, approximate; or drawn opaque"};
+    "layer after layer, exact; weighted: in any order, approximate; or drawn opaque, and what light comes through too"};
 
 constexpr Choice<PeeledLight> peeled_light_words[] = {
     {"auto", PeeledLight::automatic}, {"lists", PeeledLight::lists}, {"light-buffer", PeeledLight::light_buffer}};
