@@ -68,7 +68,9 @@ struct ReferenceForm {
     /// metallic-roughness, with the shader for what needs no light.
     enum class OwnShaders { sums, each_light, no_lights } own_shaders = OwnShaders::sums;
     /// What surfaces with AlphaMode::blend are: opaque, or layers that let through 1 − α of what is behind them. Where
-    /// they are layers nothing but their own light knows of them; they occlude no ambient light.
+    /// they are layers nothing but their own light knows of them; they occlude no ambient light. Where they are layers,
+    /// what light comes through (transmits()) shows the opaque picture behind it as docs/transmission.md has it, and
+    /// throws no shadow; else it is opaque too.
     enum class Transparency { opaque, layers } transparency = Transparency::opaque;
     /// [Transparency::layers] Their shadows: as of what is opaque, less deep by 1 − α at each, or none.
     enum class TransparentShadows { opaque, filtered, none } transparent_shadows = TransparentShadows::opaque;
@@ -80,7 +82,7 @@ struct ReferenceForm {
     bool operator==(const ReferenceForm&) const = default;
 };
 
-/// A blended surface in front of what a pixel's ray hits.
+/// A blended surface in front of what a pixel's ray hits; the last one may be transmissive.
 struct ReferenceLayer {
     uint32_t instance = 0, primitive = 0; ///< as of ReferencePicture
     double depth = 0, alpha = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -48,12 +49,15 @@ public:
 
     /// Of a place relative to the camera: along the camera's axis, metres.
     double depth(const glm::dvec3& place) const { return -glm::dot(placed_.axes[2], place); }
-    /// Where it shows: pixels from the left and upper edge.
+    /// Where it shows: pixels from the left and upper edge; of one beside or behind the camera, far outside.
     glm::dvec2 place_of(const glm::dvec3& place) const {
-        const double scale = perspective() ? depth(place) : 1;
+        const double scale = perspective() ? std::max(depth(place), 1e-6) : 1;
         return {(glm::dot(placed_.axes[0], place) / (scale * half_width_) + 1) / 2 * width_,
                 (1 - glm::dot(placed_.axes[1], place) / (scale * half_height_)) / 2 * height_};
     }
+
+    /// Pixels.
+    double longer_side() const { return std::max(width_, height_); }
 
     bool perspective() const { return placed_.camera.kind == ProjectionKind::perspective; }
 

@@ -5,6 +5,7 @@
 #include <image/luminance.hpp>
 #include <numbers>
 #include <reference/lighting.hpp>
+#include <reference/transmission.hpp>
 
 namespace prelight::reference {
 namespace {
@@ -36,11 +37,29 @@ Lighting::Lighting(const ReferenceForm& form, const Surface& surface, double exp
 
 double Lighting::cosine(const Incident& light) const { return clamped_dot(surface_.normal, light.to_light); }
 
+bool Lighting::comes_through(const Incident& light) const {
+    return surface_.layers.shows_behind && glm::dot(surface_.normal, light.to_light) < 0;
+}
+
+bool Lighting::is_lit_by(const Incident& light) const {
+    return light.radiance != glm::dvec3(0) && (cosine(light) > 0 || comes_through(light));
+}
+
 void Lighting::add(const Incident& light) {
-    const double nl = cosine(light);
-    if (nl <= 0 || light.radiance == glm::dvec3(0))
+    if (!is_lit_by(light))
         return;
     ++sums_.contributing;
+    if (comes_through(light)) { // as a mirror's highlight, seen from the light's side
+        Surface other = surface_;
+        other.normal = -surface_.normal;
+        other.view = glm::reflect(surface_.view, surface_.normal);
+        other.roughness = std::max(roughness_through(surface_, surface_.roughness), 0.089);
+        Lighting behind(form_, other, exposure_);
+        behind.add_one(light, behind.cosine(light));
+        sums_.through += behind.sums_.specular;
+        return;
+    }
+    const double nl = cosine(light);
     if (surface_.shaded && form_.own_shaders == ReferenceForm::OwnShaders::each_light) {
         Lighting one(form_, surface_, exposure_, environment_);
         one.add_one(light, nl);
@@ -55,6 +74,7 @@ void LightSums::add(const LightSums& other, double share) {
     weight += share * other.weight;
     diffuse_fresnel += share * other.diffuse_fresnel;
     specular_fresnel += share * other.specular_fresnel;
+    through += share * other.through;
     full += share * other.full;
     contributing = std::max(contributing, other.contributing);
 }
@@ -164,6 +184,7 @@ glm::dvec3 Lighting::own_shader(const LightSums& sums, glm::dvec3 ambient, bool 
                                                                                   : sums.specular,
                       .ambient = (environment ? environment->lambert(surface_.normal) : ambient) * surface_.occlusion *
                                  surface_.visibility,
+                      .through = sums.through,
                       .grazing_diffuse = !by_lamps ? at_viewer
                                          : e > 0   ? sums.diffuse_fresnel / e
                                                    : 0,

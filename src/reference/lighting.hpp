@@ -14,6 +14,7 @@ struct LightSums {
     double weight = 0;           ///< [phong] channel 5 of equation 8.5.5: Σ N·L·luminance(radiance)
     double diffuse_fresnel = 0;  ///< Σ luminance(E_i)·(1 − V·H)⁵
     double specular_fresnel = 0; ///< Σ luminance(S_i)·(1 − V·H)⁵
+    glm::dvec3 through{0};       ///< specular sum of lights behind a transmissive surface
     glm::dvec3 full{0};          ///< `full`: Σ of the whole model, Fresnel light by light
     uint32_t contributing = 0;   ///< lights with attenuation and N·L above zero
 
@@ -30,8 +31,9 @@ public:
     Lighting(const ReferenceForm& form, const Surface& surface, double exposure = 1,
              const EnvironmentLight* environment = nullptr);
 
-    /// N·L; a light with N·L ≤ 0 or without radiance gives nothing and need not be added.
-    double cosine(const Incident& light) const;
+    /// A light that the surface turns away from, or without radiance, gives nothing and need not be added; what lies
+    /// behind a transmissive surface comes through.
+    bool is_lit_by(const Incident& light) const;
     void add(const Incident& light);
     /// Adds a share of what another point of the surface has gathered.
     void take(const Lighting& other, double share);
@@ -42,6 +44,8 @@ public:
     const LightSums& sums() const { return sums_; }
 
 private:
+    double cosine(const Incident& light) const;
+    bool comes_through(const Incident& light) const;
     void add_ggx(const Incident& light, double nl);
     void add_phong(const Incident& light, double nl);
     void add_one(const Incident& light, double nl);

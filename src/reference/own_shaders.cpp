@@ -9,6 +9,7 @@
 #include <prelight/error.hpp>
 #include <prelight/material_shader.hpp>
 #include <reference/own_shaders.hpp>
+#include <reference/transmission.hpp>
 
 namespace prelight::reference {
 namespace {
@@ -127,7 +128,8 @@ glm::dvec3 fresnel_rim(const OwnLight& light) {
     return metallic_roughness(light) + parameter(m, "rim").x * edge * glm::dvec3(parameter(m, "rim_colour")) * source;
 }
 
-/// KHR_materials_specular, _ior, _clearcoat, _sheen from one sum of specular light (docs/materials.md).
+/// KHR_materials_specular, _ior, _clearcoat, _sheen, _transmission, _volume from one sum of specular light
+/// (docs/materials.md).
 glm::dvec3 layered(const OwnLight& light) {
     const Surface& s = light.surface;
     const SurfaceLayers& layers = s.layers;
@@ -136,11 +138,16 @@ glm::dvec3 layered(const OwnLight& light) {
                                    s.base_colour, s.metallic);
     const double f90 = layers.specular + (1 - layers.specular) * s.metallic;
     const auto fresnel = [&](double grazing) { return f0 + (f90 - f0) * grazing; };
-    const glm::dvec3 colour = s.base_colour * (1 - s.metallic);
+    const double nv = std::clamp(facing(s), 0.0, 1.0);
+    // Opaque forms know of no transmission: there is nothing behind.
+    const double transmission = layers.shows_behind ? layers.transmission : 0;
+    const glm::dvec3 body_colour = s.base_colour * (1 - s.metallic), colour = body_colour * (1 - transmission);
+    const glm::dvec3 through = body_colour * transmission * (1.0 - fresnel(std::pow(1 - nv, 5))) *
+                               (layers.behind + transmittance(s) * light.through);
     const glm::dvec3 ambient = light.environment ? glm::dvec3(0) : light.ambient;
     const glm::dvec3 body = colour * (1.0 - fresnel(light.grazing_diffuse)) * light.diffuse +
-                            fresnel(light.grazing_specular) * light.specular + ambient * (colour + f0) + s.emissive;
-    const double nv = std::clamp(facing(s), 0.0, 1.0);
+                            fresnel(light.grazing_specular) * light.specular + ambient * (colour + f0) + s.emissive +
+                            through;
     const double cloth = std::pow(std::max(1 - nv, 0.0001), 1 + 3 * (1 - layers.sheen_roughness));
     const glm::dvec3 sheen = layers.sheen_colour * cloth;
     const double strongest = std::max({sheen.r, sheen.g, sheen.b});

@@ -11,6 +11,7 @@ struct OwnLight {
     glm::dvec3 specular{0}; ///< what a mirror-coloured surface sends on
     glm::dvec3 ambient{
         0}; ///< radiance from everywhere, or what a white wall sends on of the environment; with occlusion
+    glm::dvec3 through{0};                            ///< what lamps behind a transmissive surface send to its front
     double grazing_diffuse = 0, grazing_specular = 0; ///< mean (1 − V·H)⁵
     double exposure = 1;                              ///< for materials whose look depends on how bright the picture is
     const EnvironmentLight* environment = nullptr;

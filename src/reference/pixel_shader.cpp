@@ -31,7 +31,25 @@ Sample shown_by(const Sample& place, const Sample& shaded) {
 std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
     x_ = x;
     y_ = y;
-    look();
+    look(true);
+    shade_surfaces();
+    for (uint32_t i = 0; i < samples().size(); ++i)
+        lay_over(i);
+    return samples();
+}
+
+glm::dvec3 PixelShader::shade_opaque(uint32_t x, uint32_t y) {
+    x_ = x;
+    y_ = y;
+    look(false);
+    shade_surfaces();
+    glm::dvec3 sum(0);
+    for (const Sample& sample : samples())
+        sum += glm::dvec3(sample.colour);
+    return sum / static_cast<double>(samples().size());
+}
+
+void PixelShader::shade_surfaces() {
     const std::span<Sample> all = samples();
     for (uint32_t i = 0; i < all.size(); ++i)
         if (all[i].found)
@@ -49,7 +67,7 @@ std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
         if (!all[i].found) {
             all[i].colour = behind(all[i]);
         } else if (!per_fragment) {
-            shade_material(at_fragments(form_.samples.geometry) ? world_.surface(all[i].hit, x, y, all[i].place)
+            shade_material(at_fragments(form_.samples.geometry) ? world_.surface(all[i].hit, x_, y_, all[i].place)
                                                                 : all[i].surface,
                            all[i].owner, {targets, 1});
         } else if (all[i].owner == i) {
@@ -60,12 +78,9 @@ std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
             shade_material(centres_[i].surface, i, {targets, owned});
         }
     }
-    for (uint32_t i = 0; i < all.size(); ++i)
-        lay_over(i);
-    return all;
 }
 
-void PixelShader::look() {
+void PixelShader::look(bool at_layers) {
     centre_ray_ = world_.lens().ray(x_, y_, pixel_centre);
     const std::span<const glm::dvec2> places = sample_positions(form_.samples.count);
     for (uint32_t i = 0; i < places.size(); ++i) {
@@ -73,7 +88,7 @@ void PixelShader::look() {
         centres_[i].runs_away = false;
         sample.place = places[i];
         sample.ray = world_.lens().ray(x_, y_, sample.place);
-        sample.found = world_.rays().closest(sample.ray, sample.hit, &layers_[i]);
+        sample.found = world_.rays().closest(sample.ray, sample.hit, at_layers ? &layers_[i] : nullptr);
         sample.owner = i;
         for (uint32_t before = i; sample.found && before-- > 0;)
             if (samples_[before].found && samples_[before].hit.draw == sample.hit.draw &&
@@ -111,8 +126,9 @@ glm::vec3 PixelShader::behind(const Sample& sample) const {
 }
 
 /// Lights at some points of the pixel on one material there: their mean.
-Lighting PixelShader::shine(const Surface& material, std::span<const Point> points, bool shadows_at_pixel) {
-    Lighting lighting(form_, material, factor_, world_.environment());
+Lighting PixelShader::shine(const ReferenceForm& form, const Surface& material, std::span<const Point> points,
+                            bool shadows_at_pixel) {
+    Lighting lighting(form, material, factor_, world_.environment());
     for (const auto& [point, share] : points) {
         if (inferred_) {
             lighting.take(point->inferred, share);
@@ -120,7 +136,7 @@ Lighting PixelShader::shine(const Surface& material, std::span<const Point> poin
             continue;
         }
         const Surface lit = lit_as(material, point->surface);
-        Lighting lights(form_, lit, factor_, world_.environment());
+        Lighting lights(form, lit, factor_, world_.environment());
         const Hit* shadows_at = !shadows_at_pixel ? &point->hit : pixel_.found ? &pixel_.hit : nullptr;
         point->shadow_mask = world_.gather(lights, lit, point->hit, shadows_at, reached_);
         point->lit = true;
@@ -151,7 +167,7 @@ void PixelShader::shade_material(const Surface& material, uint32_t owner, std::s
         for (const auto& [point, share] : points)
             seen.visibility += share * point->surface.visibility;
     }
-    Lighting lighting = shine(seen, points, form_.samples.shadows_per_pixel);
+    Lighting lighting = shine(form_, seen, points, form_.samples.shadows_per_pixel);
     const LightSums sums = lighting.sums();
     const auto colour = glm::vec3(lighting.radiance(ambient_) * factor_);
     for (Sample* target : targets) {
@@ -176,6 +192,10 @@ void PixelShader::lay_over(uint32_t index) {
         const Sample& layer = sample.layers.emplace_back(layer_at(index, hit));
         sum += through * layer.surface.alpha * glm::dvec3(layer.colour);
         through *= 1 - layer.surface.alpha;
+        if (world_.rays().draw(hit.draw).transmissive) { // over the picture, whatever else is behind it
+            sum += through * behind_->at(glm::dvec2(x_, y_) + pixel_centre, 0);
+            through = 0;
+        }
     }
     sample.colour = glm::vec3(sum + through * glm::dvec3(sample.colour));
 }
@@ -196,8 +216,14 @@ Sample PixelShader::layer_at(uint32_t index, const Hit& hit) {
     if (!per_fragment)
         shaded.surface = world_.surface(hit, x_, y_, layer.place);
     occlude(shaded, true);
+    if (const Draw& draw = world_.rays().draw(hit.draw); draw.transmissive) {
+        const LookBehind look = look_behind(shaded.surface, world_.lens(), glm::dvec2(x_, y_) + shaded.place);
+        shaded.surface.layers.behind = transmittance(shaded.surface) * behind_->at(look.place, look.level) / factor_;
+        if (draw.material->alpha_mode != AlphaMode::blend)
+            shaded.surface.alpha = 1;
+    }
     const Point point{&shaded, 1};
-    Lighting lighting = shine(shaded.surface, {&point, shaded.surface.unlit ? size_t(0) : 1}, false);
+    Lighting lighting = shine(layer_form_, shaded.surface, {&point, shaded.surface.unlit ? size_t(0) : 1}, false);
     shaded.colour = glm::vec3(lighting.radiance(ambient_) * factor_);
     return shown_by(layer, shaded);
 }

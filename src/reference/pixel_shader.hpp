@@ -3,6 +3,7 @@
 #include <reference/inferred_light.hpp>
 #include <reference/seen_world.hpp>
 #include <reference/shared_surface.hpp>
+#include <reference/transmission.hpp>
 
 namespace prelight::reference {
 
@@ -33,19 +34,25 @@ struct Sample {
 class PixelShader {
 public:
     /// `ambient`: radiance from everywhere; `factor`: exposure. `form` has nothing but defaults in `samples` where
-    /// there is one.
-    /// `inferred`: where lights are not evaluated at the pixel's samples, but found there; null: they are.
+    /// there is one. `inferred`: where lights are not evaluated at the pixel's samples, but found there; null: they
+    /// are. `behind`: the picture that shade_opaque() makes, where something is transmissive.
     PixelShader(const SeenWorld& world, const ReferenceForm& form, glm::dvec3 ambient, double factor,
-                const InferredLight* inferred = nullptr)
-        : world_(world), form_(form), ambient_(ambient), factor_(factor), inferred_(inferred) {}
+                const InferredLight* inferred = nullptr, const Behind* behind = nullptr)
+        : world_(world), form_(form), layer_form_(form), ambient_(ambient), factor_(factor), inferred_(inferred),
+          behind_(behind) {
+        layer_form_.own_shaders = ReferenceForm::OwnShaders::sums; // drawn with all lights at once, whatever is below
+    }
 
     /// The pixel's samples, in Vulkan's order. They stay until the next call.
     std::span<const Sample> shade(uint32_t x, uint32_t y);
+    /// The same without what is blended or transmissive: their mean, exposed.
+    glm::dvec3 shade_opaque(uint32_t x, uint32_t y);
 
 private:
+    void shade_surfaces();
     static bool at_fragments(ReferenceSamples::Rate rate) { return rate == ReferenceSamples::Rate::fragment; }
     std::span<Sample> samples() { return std::span(samples_).first(form_.samples.count); }
-    void look();
+    void look(bool at_layers);
     void take_surfaces(uint32_t index);
     Sample centre_of(const Sample& owner) const;
     Shared share(const Sample& first, const Sample& other, const Likeness& likeness) const;
@@ -64,16 +71,19 @@ private:
         Sample* sample;
         double share;
     };
-    Lighting shine(const Surface& material, std::span<const Point> points, bool shadows_at_pixel);
+    Lighting shine(const ReferenceForm& form, const Surface& material, std::span<const Point> points,
+                   bool shadows_at_pixel);
     void shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets);
     void lay_over(uint32_t index);
     Sample layer_at(uint32_t index, const Hit& hit);
 
     const SeenWorld& world_;
     const ReferenceForm& form_;
+    ReferenceForm layer_form_; ///< of layers
     glm::dvec3 ambient_;
     double factor_;
     const InferredLight* inferred_;
+    const Behind* behind_;
     uint32_t x_ = 0, y_ = 0;
     Ray centre_ray_;
     std::array<Sample, most_samples> samples_;

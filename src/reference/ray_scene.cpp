@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <prelight/error.hpp>
+#include <prelight/material_shader.hpp>
 #include <reference/passed_surfaces.hpp>
 #include <reference/ray_scene.hpp>
 
@@ -110,13 +111,15 @@ RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textur
         previous_to_world[3] -= glm::dvec4(origin, 0);
         for (uint32_t p = 0; p < mesh.primitives.size(); ++p) {
             const Primitive& primitive = mesh.primitives[p];
-            draws_.push_back({i, p, &primitive, &scene.materials.at(primitive.material), to_world, previous_to_world,
-                              normal_matrix(linear, mirrored), mirrored});
+            const Material& material = scene.materials.at(primitive.material);
+            draws_.push_back({i, p, &primitive, &material, to_world, previous_to_world, normal_matrix(linear, mirrored),
+                              mirrored, transparency == Transparency::layers && prelight::transmits(material)});
         }
     }
     for (const Draw& draw : draws_) {
         add(draw, world);
         has_layers_ = has_layers_ || is_layer(draw);
+        transmits_ = transmits_ || draw.transmissive;
     }
     rtcCommitScene(embree_->scene);
     embree_->check();
@@ -166,6 +169,16 @@ void RayScene::add(const Draw& draw, const World& world) {
     embree_->check();
 }
 
+bool RayScene::masked_out(const Draw& draw, uint32_t triangle, glm::dvec2 place) const {
+    if (draw.material->alpha_mode != AlphaMode::mask)
+        return false;
+    Hit tested;
+    tested.draw = static_cast<uint32_t>(&draw - draws_.data());
+    tested.triangle = triangle;
+    tested.weights = {1 - place.x - place.y, place.x, place.y};
+    return base_colour(tested).a < static_cast<double>(draw.material->alpha_cutoff);
+}
+
 void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     const auto& context = *reinterpret_cast<const Context*>(arguments->context);
     const auto& ray = *reinterpret_cast<const RTCRay*>(arguments->ray);
@@ -177,22 +190,15 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
         arguments->valid[0] = 0;
         return;
     }
-    if (context.scene->is_layer(draw) && !context.meets_layers) {
+    if (context.scene->is_layer(draw) && (!context.meets_layers || draw.transmissive)) {
         arguments->valid[0] = 0;
-        if (context.crossed)
+        if (context.crossed && !context.scene->masked_out(draw, hit.primID, {hit.u, hit.v}))
             context.crossed->push_back({ray.tfar, hit.geomID, hit.primID, {hit.u, hit.v}, against > 0});
         return;
     }
     if (context.meets_nothing)
         arguments->valid[0] = 0;
-    if (context.meets_nothing || draw.material->alpha_mode != AlphaMode::mask)
-        return;
-    const glm::dvec2 place(hit.u, hit.v);
-    Hit tested;
-    tested.draw = hit.geomID;
-    tested.triangle = hit.primID;
-    tested.weights = {1 - place.x - place.y, place.x, place.y};
-    if (context.scene->base_colour(tested).a >= static_cast<double>(draw.material->alpha_cutoff))
+    if (context.meets_nothing || !context.scene->masked_out(draw, hit.primID, {hit.u, hit.v}))
         return;
     arguments->valid[0] = 0;
     if (context.holes)
@@ -246,6 +252,10 @@ std::vector<Hit> RayScene::layers_until(const Ray& ray, double limit) const {
         refine(ray, hit, one.place, one.distance);
     }
     front_to_back(layers, limit);
+    const auto last =
+        std::find_if(layers.begin(), layers.end(), [&](const Hit& one) { return draws_[one.draw].transmissive; });
+    if (last != layers.end())
+        layers.erase(last + 1, layers.end());
     return layers;
 }
 
@@ -301,6 +311,8 @@ Passage RayScene::passage(const Ray& ray) const {
     Passage passage;
     leave_one_each(crossed, draws_);
     for (const Crossing& one : crossed) {
+        if (draws_[one.draw].transmissive)
+            continue;
         Hit hit;
         hit.draw = one.draw;
         hit.triangle = one.triangle;

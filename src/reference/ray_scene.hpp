@@ -27,6 +27,7 @@ struct Draw {
     glm::dmat4 previous_to_world; ///< the same at the moment's previous state
     glm::dmat3 normal_to_world;   ///< inverse transpose, up to a positive factor
     bool mirrored;
+    bool transmissive; ///< the picture behind it comes through; it throws no shadow
 };
 
 struct Hit {
@@ -72,7 +73,8 @@ public:
     RayScene& operator=(const RayScene&) = delete;
 
     /// The nearest hit within [near, far]. Returns false when there is none. Layers are not hit. `layers`: set to those
-    /// up to the hit, one that lies on it too, nearest first, at one distance by instance and primitive.
+    /// up to the hit, one that lies on it too, nearest first, at one distance by instance and primitive. A transmissive
+    /// one is the last: what it shows is another ray's.
     bool closest(const Ray& ray, Hit& hit, std::vector<Hit>* layers = nullptr) const;
     /// Where another ray meets the plane of the triangle that was hit, on the triangle or not.
     Hit beside(const Hit& hit, const Ray& ray) const;
@@ -82,6 +84,8 @@ public:
     /// How far the nearest surface lies, of both faces, as a multiple of the direction; infinity: nothing. Layers do
     /// not count.
     double blocked_at(const Ray& ray) const;
+    /// Some surface is Draw::transmissive.
+    bool transmits() const { return transmits_; }
     const Draw& draw(uint32_t index) const { return draws_[index]; }
     size_t draw_count() const { return draws_.size(); }
     /// Base colour RGBA of a point: factor × texture × vertex colour. `shift` moves texture coordinates.
@@ -93,15 +97,18 @@ private:
     /// Nearest first.
     std::vector<Hit> layers_until(const Ray& ray, double limit) const;
     void refine(const Ray& ray, Hit& hit, glm::dvec2 embree_weights, double embree_distance) const;
+    /// Whether the material's mask has a hole there.
+    bool masked_out(const Draw& draw, uint32_t triangle, glm::dvec2 place) const;
     static void filter(const RTCFilterFunctionNArguments* arguments);
     bool is_layer(const Draw& draw) const {
-        return transparency_ == Transparency::layers && draw.material->alpha_mode == AlphaMode::blend;
+        return draw.transmissive ||
+               (transparency_ == Transparency::layers && draw.material->alpha_mode == AlphaMode::blend);
     }
 
     const Textures& textures_;
     Transparency transparency_;
     TransparentShadows transparent_shadows_;
-    bool has_layers_ = false;
+    bool has_layers_ = false, transmits_ = false;
     std::vector<Draw> draws_;
     std::unique_ptr<Embree> embree_;
 };

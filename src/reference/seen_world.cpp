@@ -49,7 +49,7 @@ uint64_t SeenWorld::gather(Lighting& lighting, const Surface& surface, const Hit
     lights_.reach(surface.position, reached);
     for (const uint32_t index : reached) {
         Incident light = lights_.incident(index, surface.position, pixel);
-        if (lighting.cosine(light) <= 0 || light.radiance == glm::dvec3(0))
+        if (!lighting.is_lit_by(light))
             continue;
         if (form_.shadows && light.casts_shadow && shadows_at) {
             const Passage passage =

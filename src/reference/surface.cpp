@@ -209,6 +209,12 @@ void take_layers(const PointReader& read, const Material& material, Surface& sur
     out.sheen_colour = layer_colour(read, material, "sheen_colour", "sheen_colour_map");
     out.sheen_roughness = layer_number(read, material, "sheen_roughness", "sheen_roughness_map", 3);
     out.body_roughness = surface.roughness;
+    out.transmission = layer_number(read, material, "transmission", "transmission_map", 0);
+    out.thickness = layer_number(read, material, "thickness", "thickness_map", 1) *
+                    std::cbrt(std::abs(glm::determinant(glm::dmat3(read.draw().to_world))));
+    out.shows_behind = read.draw().transmissive;
+    out.attenuation_distance = own_number(material, "attenuation_distance");
+    out.attenuation_colour = layer_colour(read, material, "attenuation_colour", "");
     out.coat_roughness = coat_roughness;
     surface.roughness += out.clearcoat * (coat_roughness - surface.roughness); // one sum of light for both
 }

@@ -9,6 +9,11 @@ struct SurfaceLayers {
     glm::dvec3 specular_colour{1}, sheen_colour{0};
     double clearcoat = 0, sheen_roughness = 0;
     double body_roughness = 1, coat_roughness = 0; ///< of each layer by itself
+    double transmission = 0;
+    double thickness = 0, attenuation_distance = 1; ///< metres
+    glm::dvec3 attenuation_colour{1};
+    bool shows_behind = false; ///< it is transmissive, and drawn as such
+    glm::dvec3 behind{0};      ///< radiance from behind, with what the body takes of it
 };
 
 /// What the material `specular-glossiness` is made of.

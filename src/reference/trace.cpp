@@ -85,8 +85,18 @@ public:
         inferred_->find_doubts();
     }
 
+    /// Something shows the picture behind it, which comes first then.
+    bool looks_behind() const { return world_.rays().transmits(); }
+    void trace_behind(uint32_t y) {
+        PixelShader shader(world_, form_, ambient_, factor_, lights_elsewhere());
+        for (uint32_t x = 0; x < picture.linear.width; ++x)
+            picture.linear.at(x, y) = glm::vec3(shader.shade_opaque(x, y));
+    }
+    /// Once all rows are there.
+    void blur_behind() { behind_.emplace(picture.linear); }
+
     void trace_row(uint32_t y) {
-        PixelShader shader(world_, form_, ambient_, factor_, inferred_ ? &*inferred_ : nullptr);
+        PixelShader shader(world_, form_, ambient_, factor_, lights_elsewhere(), behind_ ? &*behind_ : nullptr);
         for (uint32_t x = 0; x < picture.linear.width; ++x) {
             const std::span<const Sample> samples = shader.shade(x, y);
             const size_t at = size_t(y) * picture.linear.width + x;
@@ -166,11 +176,14 @@ private:
                 .shadow_mask = layer.shadow_mask};
     }
 
+    const InferredLight* lights_elsewhere() const { return inferred_ ? &*inferred_ : nullptr; }
+
     ReferenceForm form_;
     SeenWorld world_;
     glm::dvec3 origin_, ambient_;
     double factor_;
     std::optional<InferredLight> inferred_;
+    std::optional<Behind> behind_;                        ///< where something looks behind
     std::vector<SeenSample> seen_;                        ///< of several samples a pixel
     std::vector<std::vector<ReferenceLayer>> row_layers_; ///< empty: BLEND is opaque
     ReferenceBuffers* buffers_;
@@ -184,6 +197,10 @@ ReferencePicture trace(const World& world, const PlacedCamera& camera, uint32_t 
         throw Error(fmt::format("reference: a picture of {}x{} pixels is not rendered", width, height));
     Tracer tracer(world, camera, width, height, exposure, form, buffers);
     tracer.light();
+    if (tracer.looks_behind()) {
+        parallel_for(height, [&](uint32_t row) { tracer.trace_behind(row); });
+        tracer.blur_behind();
+    }
     parallel_for(height, [&](uint32_t row) { tracer.trace_row(row); });
     tracer.gather_layers();
     if (tracer.picture.samples > 1)

@@ -104,8 +104,7 @@ private:
         const reference::Surface surface = reference::evaluate_surface(rays_, textures_, hit, view);
         const reference::Incident sun = lights_.incident(0, hit.position);
         reference::Lighting lighting({.fresnel = ReferenceForm::Fresnel::full}, surface);
-        if (lighting.cosine(sun) <= 0 ||
-            rays_.blocked({hit.position + hit.geometric_normal * hit.offset, sun.to_light}))
+        if (!lighting.is_lit_by(sun) || rays_.blocked({hit.position + hit.geometric_normal * hit.offset, sun.to_light}))
             return glm::dvec3(0);
         lighting.add(sun);
         return lighting.radiance(glm::dvec3(0));
