@@ -98,12 +98,10 @@ public:
             throw UsageError(fmt::format("--msaa {}: the reference takes one of 1, 2, 4", options.msaa));
         stats_.settings = checked_settings(info, options);
         stats_.shading = options.shading.value_or(Shading::ggx);
+        choose_fresnel(options);
         for (const auto& [key, value] : options.settings)
             refuse_without_effect(info, key, value, options.views);
         form_ = form_of(stats_.settings, stats_.shading, options.msaa);
-        if (form_.inferred_scale > 0 && form_.shading == Shading::ggx && form_.fresnel == ReferenceForm::Fresnel::full)
-            throw UsageError("reference: inferred-scale: model=full has Fresnel light by light, which light of a lower "
-                             "resolution does not know (model=weighted does)");
         if (!options.preset.empty())
             throw UsageError(fmt::format("reference: unknown preset {} (it has none)", options.preset));
         if (options.count_pairs)
@@ -194,6 +192,18 @@ private:
             throw Error(fmt::format("reference: a picture of {}x{} pixels", width, height));
     }
 
+    /// Light of another resolution than the picture's knows no Fresnel light by light.
+    void choose_fresnel(const RenderOptions& options) {
+        std::string& model = stats_.settings.at("model");
+        if (stats_.settings.at("inferred-scale") == "none" || model != "full")
+            return;
+        if (options.settings.contains("model"))
+            throw UsageError(
+                "--set model=full: has Fresnel light by light, which the sums of inferred-scale do not know "
+                "(model=weighted does)");
+        model = "weighted";
+    }
+
     void refuse_without_effect(const RendererInfo& info, const std::string& key, const std::string& value,
                                const std::vector<std::string>& views) const {
         const auto setting = std::find_if(info.settings.begin(), info.settings.end(),
@@ -269,8 +279,8 @@ RendererInfo reference_info() {
                 {"inferred-scale",
                  {"none", "1", "3/4", "5/8", "1/2"},
                  "none",
-                 "lights at this share of the picture's width and height, as the renderer inferred has them; not with "
-                 "model=full"},
+                 "lights at this share of the picture's width and height, as the renderer inferred has them; with "
+                 "model=weighted where no other is asked for"},
                 {"msaa-light",
                  {"samples", "edges", "pixel", "fragment"},
                  "samples",

@@ -24,7 +24,13 @@ public:
         : LightBufferRenderer(device, options, std::move(settings), model),
           unmatched_(context(), "unmatched pixels", sizeof(uint32_t),
                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                     gpu::BufferPlace::readback) {}
+                     gpu::BufferPlace::readback) {
+        if (options.msaa != 1)
+            throw UsageError(
+                fmt::format("--msaa {}: renderer inferred has one sample a pixel (light-prepass, deferred, "
+                            "z-prepass and multipass have more)",
+                            options.msaa));
+    }
     ~Inferred() override { finish(); }
 
 private:
@@ -154,10 +160,6 @@ RendererInfo inferred_info() {
 }
 
 std::unique_ptr<Renderer> make_inferred(Device& device, const RenderOptions& options) {
-    if (options.msaa != 1)
-        throw UsageError(fmt::format("--msaa {}: renderer inferred has one sample a pixel (light-prepass, deferred, "
-                                     "z-prepass and multipass have more)",
-                                     options.msaa));
     Settings settings(inferred_info(), options);
     choose_shadow_memory(settings);
     choose_light_culling(settings, device);
