@@ -26,6 +26,15 @@ const architectures = {
     text: "The material's colours c come out of the sums, so that lights need to know normals and roughness alone, and each object may have a shader of its own.",
     cost: "Geometry twice; each light costs the pixels that it reaches.",
   },
+  inferred: {
+    steps: [["Geometry, smaller", "what is seen, and up to three layers of glass in every fourth texel", "depth, normal, roughness, surface"],
+      ["Lights, smaller", "summed at each texel", "diffuse sum D, specular sum S", "each light"],
+      ["Geometry again", "each object's own material, with the light of its own texels", "picture"]],
+    equations: [`${equals("L")}${sub("c", "d")}<mover>${mi("D")}${mo("¯")}</mover>${mo("+")}${sub("c", "s")}<mover>${mi("S")}${mo("¯")}</mover>${rest}`,
+      `<mover>${mi("D")}${mo("¯")}</mover>${mo("=")}<munder>${mo("∑")}<mtext>texels of the surface</mtext></munder>${sub("w", "t")}${sub("D", "t")}`],
+    text: "The light pre-pass with its light at a lower resolution. A pixel takes the mean of those of the four texels around it that show its own surface.",
+    cost: "Geometry twice, once into a smaller buffer; each light costs the texels that it reaches, and blended surfaces cost no light of their own.",
+  },
   deferred: {
     steps: [["Geometry", "what is seen, with its material", "G-buffer: depth, normal, colours"], ["Lights", "whole equation at each pixel", "picture", "each light"]],
     equations: [`${equals("L")}${lightSum()}${brdf}${lit}${rest}`],
