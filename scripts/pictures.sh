@@ -83,6 +83,21 @@ convert "$work"/street-{one,smaa,pixel,edges}.png -crop 60x68+232+148 +repage -s
     -bordercolor white -border 3x0 +append "$work/samples.png"
 keep samples
 
+# Inferred lighting: what does not get better than the light's resolution.
+street --msaa 1 --renderer inferred --set inferred-scale=1 -o "$work/inferred-street-one.png"
+street --msaa 1 --renderer inferred --set inferred-scale=1/2 -o "$work/inferred-street-half.png"
+layers() { "$prelight" render glass --lights 64 --size 640x360 --msaa 1 "$@"; }
+layers --set transparency=lists -o "$work/inferred-glass-one.png"
+layers --renderer inferred --set inferred-scale=1/2 -o "$work/inferred-glass-half.png"
+pair() { # SCENE WHERE NAME
+    convert "$work/inferred-$1-one.png" "$work/inferred-$1-half.png" -crop "$2" +repage -filter point -resize 300% \
+        -bordercolor white -border 4x0 +append "$work/$3.png"
+    keep "$3"
+}
+pair street 110x90+230+245 inferred-normals
+pair glass 110x90+325+100 inferred-layers
+pair glass 110x120+170+70 inferred-slots
+
 # What the forward renderers have: depth, and colour that lights are added to.
 for renderer in multipass z-prepass; do
     "$prelight" render lights --lights 64 --size 640x360 --renderer $renderer -o "$work/$renderer-final.png" \
