@@ -124,7 +124,7 @@ TEST(SamplesBeside, EveryViewOfEveryRenderer) {
     DecalGarden garden;
     garden.add_lights(4, 5, 4);
     for (const RendererInfo& info : renderer_infos()) {
-        if (!info.needs_device)
+        if (!info.needs_device || info.name == "inferred") // which has one sample a pixel
             continue;
         for (const char* light : {"edges", "pixel"}) {
             const bool has = std::any_of(info.settings.begin(), info.settings.end(), [&](const SettingInfo& setting) {

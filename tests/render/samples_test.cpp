@@ -78,7 +78,7 @@ TEST(SamplesOf, AWallAreTheOneSamplePictureBitForBit) {
     wall.add(square(40));
     wall.add_light({.kind = LightKind::point, .intensity = 40, .range = 10}, {0.3, 0.2, 2});
     for (const RendererInfo& info : renderer_infos()) {
-        if (!info.needs_device)
+        if (!info.needs_device || info.name == "inferred") // which has one sample a pixel
             continue;
         Shot shot{.world = &wall.world, .camera = front_camera(5), .width = 96, .height = 54, .renderer = info.name};
         const Image one = view_of(shot, "final"), linear = view_of(shot, "linear");
