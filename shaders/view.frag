@@ -81,6 +81,8 @@ void main() {
 #endif
     } else if (view == VIEW_COUNT) {
         colour = heat(value.g);
+    } else if (view == VIEW_LAYERS) {
+        colour = heat(value.r);
     } else {
         colour = srgb_encode(value.rgb);
     }

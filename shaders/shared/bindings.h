@@ -33,6 +33,7 @@
 #define INPUT_COLOUR 0
 // layers of blended surfaces
 #define INPUT_LAYER_COUNTS 1
+#define INPUT_LAYER_SLOTS 35
 // weighted blended surfaces
 #define INPUT_BLENDED_SUM 0
 #define INPUT_BLENDED_WEIGHT 1
@@ -215,6 +216,8 @@
 #define CONSTANT_FIRST_LAYER 101
 #define CONSTANT_BEHIND_LAST_LEVEL 102
 #define CONSTANT_BEHIND_COPIES 103
+#define CONSTANT_LAYER_SLOTS 104
+#define CONSTANT_LAYER_SLOT 105
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -332,5 +335,6 @@
 #define VIEW_SPECULAR_LIGHT 17  // light by the specular scale
 #define VIEW_SUN_OCCLUSION 18
 #define VIEW_EDGES 19  // how many surfaces an edge pixel has
+#define VIEW_LAYERS 20
 
 #endif

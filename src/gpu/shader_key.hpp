@@ -40,6 +40,7 @@ namespace prelight::gpu {
     X(transmission, "TRANSMISSION") /* what is behind comes through */                                                 \
     X(surface_ids, "SURFACE_IDS")   /* inferred lighting: writes ids of surfaces, or finds light by them */            \
     X(layer, "LAYER")               /* of a blended object, in a slot of the texels */                                 \
+    X(beyond_slots, "BEYOND_SLOTS") /* of them those behind a k-buffer's layers */                                     \
     X(no_normal, "NO_NORMAL")                                                                                          \
     X(no_textures, "NO_TEXTURES")
 

@@ -1,6 +1,7 @@
 #include "view.hpp"
 #include "fullscreen.hpp"
 #include "lighting.hpp"
+#include "resolve.hpp"
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -10,14 +11,28 @@ graph::ImageId view_image(graph::FrameGraph& graph, const resident::View& view, 
     return graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, view.raster()});
 }
 
+graph::ImageId black_view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name) {
+    const graph::ImageId target = view_image(graph, view, name);
+    graph.pass("view-" + name).colour(target, graph::Load::clear, {0, 0, 0, 1}).record([](const graph::PassContext&) {
+    });
+    return target;
+}
+
 } // namespace
 
 graph::ImageId edges_view_pass(graph::FrameGraph& graph, const resident::View& view, const SampledSurfaces& surfaces) {
     if (surfaces.edges)
         return view_pass(graph, view, "edges", ViewKind::edges, surfaces.pixels, surfaces.edges->flags);
-    const graph::ImageId target = view_image(graph, view, "edges");
-    graph.pass("view-edges").colour(target, graph::Load::clear, {0, 0, 0, 1}).record([](const graph::PassContext&) {});
-    return target;
+    return black_view_pass(graph, view, "edges");
+}
+
+graph::ImageId layers_view_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
+                                const std::optional<graph::ImageId>& layers) {
+    if (!layers)
+        return black_view_pass(graph, view, "layers");
+    const graph::ImageId pixels = resolve_pass(graph, view, *layers);
+    // Nothing of the surface is looked at, which may have several samples.
+    return view_pass(graph, view, "layers", ViewKind::layers, {surface.format, pixels, pixels, pixels, pixels}, pixels);
 }
 
 graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name, ViewKind kind,

@@ -20,6 +20,7 @@ enum class ViewKind {
     occlusion = VIEW_OCCLUSION,           ///< visibility as grey
     specular_light = VIEW_SPECULAR_LIGHT, ///< light that is stored by the specular scale
     sun_occlusion = VIEW_SUN_OCCLUSION,   ///< of a G-buffer: RT3's alpha
+    layers = VIEW_LAYERS,                 ///< layer_count_pass(): in the colours of `count`
     edges = VIEW_EDGES,                   ///< SampleEdges::flags: surfaces of an edge pixel, white for four
 };
 
@@ -29,5 +30,9 @@ graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, c
 
 /// Edge pixels, whose samples have light of their own; black where no pixel is one.
 graph::ImageId edges_view_pass(graph::FrameGraph& graph, const resident::View& view, const SampledSurfaces& surfaces);
+
+/// How many blended surfaces lie over each pixel: `layers`, layer_count_pass()'s; black without it.
+graph::ImageId layers_view_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
+                                const std::optional<graph::ImageId>& layers);
 
 } // namespace prelight::passes

@@ -13,7 +13,7 @@ struct Sums {
 };
 
 Sums sums_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
-               const LightLists& lists) {
+               const LightLists& lists, const LayerSlots* nearest) {
     const gpu::Raster raster = graph.raster(inputs.colour);
     const Sums sums{graph.image("blended sum", {VK_FORMAT_R16G16B16A16_SFLOAT, raster}),
                     graph.image("blended weight", {VK_FORMAT_R16_SFLOAT, raster})};
@@ -24,6 +24,14 @@ Sums sums_pass(graph::FrameGraph& graph, const resident::View& view, const Forwa
     desc.blend = gpu::Blend::add_and_cover;
     for (gpu::ShaderKey* shader : {&desc.fragment, &desc.own_fragment})
         shader->variants |= gpu::Variant::weighted;
+    if (nearest) {
+        nearest->declare(pass);
+        for (gpu::ShaderKey* shader : {&desc.fragment, &desc.own_fragment})
+            shader->variants |= gpu::Variant::beyond_slots;
+        for (const auto& constant : nearest->constants())
+            desc.constants.push_back(constant);
+        desc.sample_shading = gpu::SampleShading::sample;
+    }
     // Not back to front, but what shares a pipeline and a material one after another.
     draw_blended(pass, view, desc, BlendedOrder::cheapest, inputs.draws, constants);
     return sums;
@@ -32,8 +40,8 @@ Sums sums_pass(graph::FrameGraph& graph, const resident::View& view, const Forwa
 } // namespace
 
 void weighted_blended_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
-                           const LightLists& lists) {
-    const Sums sums = sums_pass(graph, view, inputs, lists);
+                           const LightLists& lists, const LayerSlots* nearest) {
+    const Sums sums = sums_pass(graph, view, inputs, lists, nearest);
     graph::Pass& pass = graph.pass(inputs.name + " compose");
     pass.colour(inputs.colour, graph::Load::keep)
         .blends()

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <numeric>
 #include <passes/layer_peeler.hpp>
+#include <passes/layer_slots.hpp>
 #include <passes/transmission.hpp>
 #include <passes/weighted_blended.hpp>
 #include <prelight/material_shader.hpp>
@@ -19,9 +20,10 @@ BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context
     lists_possible_ = context.features().shuffle_lanes > 0;
     if (!wanted())
         return;
-    if (transparency_ == Transparency::peeled) {
+    if (draws_layers(transparency_)) {
         asked_layers_ = peeled_layers(settings);
-        asked_light_ = peeled_light(settings);
+        slots_ = k_buffer_layers(settings);
+        asked_light_ = light_of_layers(settings);
         counter_.emplace(context);
     }
     per_draw_ = blended_lights(settings);
@@ -74,10 +76,12 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
     view.find_blended_lights(!by_lists_);
 }
 
-void BlendedSurfaces::add(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
-                          const passes::LightLists* lists, Settings& settings, const LayerLight& layer_light) {
+std::optional<graph::ImageId> BlendedSurfaces::add(graph::FrameGraph& graph, const resident::View& view,
+                                                   passes::ForwardInputs inputs, const passes::LightLists* lists,
+                                                   Settings& settings, const LayerLight& layer_light,
+                                                   bool wants_layers) {
     if (!view.scene().shows_through() || !wanted())
-        return;
+        return {};
     inputs.model = model_;
     inputs.sample_shading = sample_shading_;
     std::optional<passes::LightLists> own;
@@ -89,59 +93,81 @@ void BlendedSurfaces::add(graph::FrameGraph& graph, const resident::View& view, 
         inputs.depth = passes::transmission_passes(graph, view, counted(inputs), lights);
     }
     if (!view.scene().blends())
-        return;
+        return {};
     inputs.name = "blended";
+    const bool peeled = transparency_ == Transparency::peeled,
+               buffered = transparency_ == Transparency::k_buffer && by_lists_;
+    std::optional<graph::ImageId> layers;
+    if (peeled || buffered || wants_layers)
+        layers = passes::layer_count_pass(graph, view, "blended layers", inputs.depth);
     if (by_lists_ && transparency_ == Transparency::weighted)
         passes::weighted_blended_pass(graph, view, counted(inputs), *lists);
-    else if (transparency_ == Transparency::peeled)
-        add_layers(graph, view, inputs, lights, lit_layers(graph, view, settings, layer_light));
+    else if (peeled)
+        add_peeled(graph, view, inputs, {lights, lit_layers(graph, view, settings, layer_light)}, *layers);
+    else if (buffered)
+        add_buffered(graph, view, inputs, {lights, lit_layers(graph, view, settings, layer_light)}, *layers);
     else
         passes::blended_pass(graph, view, counted(inputs), lights);
+    return layers;
 }
 
-void BlendedSurfaces::add_layers(graph::FrameGraph& graph, const resident::View& view,
-                                 const passes::ForwardInputs& inputs, const passes::BlendedLights& lights,
-                                 std::optional<passes::LitLayers> lit) {
+void BlendedSurfaces::add_peeled(graph::FrameGraph& graph, const resident::View& view,
+                                 const passes::ForwardInputs& inputs, LayerLights lights, graph::ImageId layers) {
     if (const uint32_t most = counter_->most(); most > 0)
         known_layers_ = most;
     counting_ = !asked_layers_ && !known_layers_;
     layers_ = counting_ ? 0 : asked_layers_.value_or(std::max(known_layers_.value_or(0), 1u));
-    const graph::ImageId layers = passes::layer_count_pass(graph, view, "blended layers", inputs.depth);
     counter_->count(graph, view, "blended layers sum", layers, layers_);
     if (counting_)
         return;
     passes::LayerPeeler peeler(graph, view, inputs.depth);
-    for (uint32_t layer = 1; layer <= layers_; ++layer) {
-        passes::ForwardInputs one = counted(inputs);
-        one.depth = peeler.next(graph, view, fmt::format("blended peel {}", layer));
-        one.name = fmt::format("blended layer {}", layer);
-        if (lit)
-            lit->add(graph, view, one.name, one.depth, one.colour, one.draws);
-        else
-            passes::blended_pass(graph, view, one, lights, passes::BlendedPart::layer);
-    }
+    for (uint32_t layer = 1; layer <= layers_; ++layer)
+        add_layer(graph, view, inputs, lights, peeler.next(graph, view, fmt::format("blended peel {}", layer)), layer);
     passes::ForwardInputs nearer = counted(inputs);
     nearer.depth = peeler.last();
-    passes::blended_pass(graph, view, nearer, lights, passes::BlendedPart::nearer);
+    passes::blended_pass(graph, view, nearer, lights.forward, passes::BlendedPart::nearer);
+}
+
+void BlendedSurfaces::add_buffered(graph::FrameGraph& graph, const resident::View& view,
+                                   const passes::ForwardInputs& inputs, LayerLights lights, graph::ImageId layers) {
+    passes::LayerSlots slots(graph, view, "blended slots", inputs.depth, slots_);
+    layers_ = slots.count();
+    counter_->count(graph, view, "blended layers sum", layers, layers_);
+    passes::weighted_blended_pass(graph, view, counted(inputs), *lights.forward.lists, &slots);
+    for (uint32_t layer = layers_; layer > 0; --layer)
+        add_layer(graph, view, inputs, lights,
+                  slots.depth(graph, view, fmt::format("blended slot {}", layer), layer - 1), layer);
+}
+
+void BlendedSurfaces::add_layer(graph::FrameGraph& graph, const resident::View& view,
+                                const passes::ForwardInputs& inputs, LayerLights& lights, graph::ImageId depth,
+                                uint32_t number) {
+    passes::ForwardInputs one = counted(inputs);
+    one.name = fmt::format("blended layer {}", number);
+    one.depth = depth;
+    if (lights.lit)
+        lights.lit->add(graph, view, one.name, depth, one.colour, one.draws);
+    else
+        passes::blended_pass(graph, view, one, lights.forward, passes::BlendedPart::layer);
 }
 
 std::optional<passes::LitLayers> BlendedSurfaces::lit_layers(graph::FrameGraph& graph, const resident::View& view,
                                                              Settings& settings, const LayerLight& layer_light) const {
     // Of fewer the lists of each layer cost more than the light itself: docs/transparency.md.
     constexpr size_t many = 64;
-    if (asked_light_ == PeeledLight::lists)
+    if (asked_light_ == LightOfLayers::lists)
         return {};
-    const bool asked = asked_light_ == PeeledLight::light_buffer;
+    const bool asked = asked_light_ == LightOfLayers::light_buffer;
     if (!layer_light.inputs) {
-        resolve_peeled_light(settings, PeeledLight::lists, layer_light.obstacle);
+        resolve_light_of_layers(settings, LightOfLayers::lists, layer_light.obstacle);
         if (asked)
-            graph.note(fmt::format("peeled-light=light-buffer: {}, lists are taken", layer_light.obstacle));
+            graph.note(fmt::format("layer-light=light-buffer: {}, lists are taken", layer_light.obstacle));
         return {};
     }
     const size_t lights = view.lights().placed().size();
     const bool buffer = asked || lights >= many;
-    resolve_peeled_light(settings, buffer ? PeeledLight::light_buffer : PeeledLight::lists,
-                         fmt::format("{} lights", lights));
+    resolve_light_of_layers(settings, buffer ? LightOfLayers::light_buffer : LightOfLayers::lists,
+                            fmt::format("{} lights", lights));
     if (!buffer)
         return {};
     return passes::LitLayers(graph, view, *layer_light.inputs);
@@ -161,7 +187,7 @@ void BlendedSurfaces::forget() {
 }
 
 bool BlendedSurfaces::outgrown(uint32_t slot) const {
-    return layers_ > 0 && !asked_layers_ && counter_->most(slot) > layers_;
+    return transparency_ == Transparency::peeled && layers_ > 0 && !asked_layers_ && counter_->most(slot) > layers_;
 }
 
 void BlendedSurfaces::tell(Stats& stats) const {
@@ -177,11 +203,14 @@ void BlendedSurfaces::tell(Stats& stats) const {
                     .mean = sums.mean,
                     .exact = layers_,
                     .approximate = static_cast<uint64_t>(std::ceil(sums.more))};
-    if (stats.layers->approximate > 0)
-        stats.notes.push_back(fmt::format("transparency=peeled: {} fragments nearer than the {} farthest layers of "
-                                          "their pixels are composed object by "
-                                          "object, approximately; {} layers are the most",
-                                          stats.layers->approximate, layers_, sums.most));
+    if (stats.layers->approximate == 0)
+        return;
+    const bool peeled = transparency_ == Transparency::peeled;
+    stats.notes.push_back(fmt::format(
+        "transparency={}: {} fragments {} the {} {} layers of their pixels are composed {}, "
+        "approximately; {} layers are the most",
+        transparency_word(transparency_), stats.layers->approximate, peeled ? "nearer than" : "behind", layers_,
+        peeled ? "farthest" : "nearest", peeled ? "object by object" : "by their weighted mean", sums.most));
 }
 
 } // namespace prelight

@@ -27,9 +27,10 @@ public:
     void choose(Settings& settings, graph::FrameGraph& graph, resident::View& view);
     /// The passes over the linear picture `inputs.colour`; nothing where the scene has no such surface. `inputs`: but
     /// for what all architectures have alike. `lists`: of a grid over the world, where there are any. Puts into the
-    /// settings what became of `layer_light`.
-    void add(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
-             const passes::LightLists* lists, Settings& settings, const LayerLight& layer_light);
+    /// settings what became of `layer_light`. Returns layer_count_pass()'s image where it is wanted, or there is one.
+    std::optional<graph::ImageId> add(graph::FrameGraph& graph, const resident::View& view,
+                                      passes::ForwardInputs inputs, const passes::LightLists* lists, Settings& settings,
+                                      const LayerLight& layer_light, bool wants_layers);
     /// Of the last recording, which is done: draws and layers, and in a note what of them is not exact.
     void tell(Stats& stats) const;
     /// Whether the slot's last frame, which is done, had more layers than its graph draws one by one, and another graph
@@ -44,8 +45,18 @@ public:
     void forget();
 
 private:
-    void add_layers(graph::FrameGraph& graph, const resident::View& view, const passes::ForwardInputs& inputs,
-                    const passes::BlendedLights& lights, std::optional<passes::LitLayers> lit);
+    /// Where layers find their lights.
+    struct LayerLights {
+        passes::BlendedLights forward;
+        std::optional<passes::LitLayers> lit; ///< in the place of the others
+    };
+    void add_peeled(graph::FrameGraph& graph, const resident::View& view, const passes::ForwardInputs& inputs,
+                    LayerLights lights, graph::ImageId layers);
+    void add_buffered(graph::FrameGraph& graph, const resident::View& view, const passes::ForwardInputs& inputs,
+                      LayerLights lights, graph::ImageId layers);
+    /// What lies at `depth`, as "blended layer NUMBER".
+    void add_layer(graph::FrameGraph& graph, const resident::View& view, const passes::ForwardInputs& inputs,
+                   LayerLights& lights, graph::ImageId depth, uint32_t number);
     std::optional<passes::LitLayers> lit_layers(graph::FrameGraph& graph, const resident::View& view,
                                                 Settings& settings, const LayerLight& layer_light) const;
     /// `inputs` with a place of its own for the number of draws.
@@ -55,7 +66,8 @@ private:
     bool lists_possible_; ///< on this device
     uint32_t per_draw_ = 0;
     std::optional<passes::LayerCounter> counter_;
-    PeeledLight asked_light_ = PeeledLight::lists;
+    LightOfLayers asked_light_ = LightOfLayers::lists;
+    uint32_t slots_ = 0;                   ///< Transparency::k_buffer
     std::optional<uint32_t> asked_layers_; ///< none: as many as there are
     std::optional<uint32_t> known_layers_; ///< of the last frames that were counted
     uint32_t layers_ = 0;                  ///< that the graph draws one by one

@@ -192,7 +192,7 @@ RendererInfo deferred_info() {
              texture_filter_setting(),
              antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "sun-occlusion", "motion",
-                  "light-count", "ambient-occlusion", "edges"},
+                  "light-count", "ambient-occlusion", "edges", "layers"},
         .presets = {"killzone2"},
         .preset_settings = {{"killzone2",
                              {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}},

@@ -96,6 +96,6 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twi
     return own;
 }
 
-std::vector<std::string> forward_views() { return {"final", "linear", "depth", "albedo", "light-count"}; }
+std::vector<std::string> forward_views() { return {"final", "linear", "depth", "albedo", "light-count", "layers"}; }
 
 } // namespace prelight

@@ -126,11 +126,11 @@ RendererInfo light_prepass_info() {
              specular_antialiasing_setting(),
              msaa_light_setting(true),
              msaa_material_setting(),
-             peeled_light_setting(),
+             light_of_layers_setting(),
              texture_filter_setting(),
              antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",
-                  "specular-sum", "albedo", "light-count", "ambient-occlusion", "edges"},
+                  "specular-sum", "albedo", "light-count", "ambient-occlusion", "edges", "layers"},
         .presets = {"engel", "round2", "prelighting"},
         .preset_settings = light_prepass_presets(),
         .preset_shading = {{"engel", Shading::phong}, {"round2", Shading::phong}, {"prelighting", Shading::phong}}};

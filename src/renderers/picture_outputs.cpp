@@ -2,6 +2,7 @@
 #include "device_renderer.hpp"
 #include <passes/background.hpp>
 #include <passes/resolve.hpp>
+#include <passes/view.hpp>
 
 namespace prelight {
 
@@ -14,14 +15,16 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
     over.shadows = shadows(graph, view);
     over.pair_counters = &pair_counters();
     over.count_pairs = options_.count_pairs;
-    blended_.add(graph, view, std::move(over), world_lists(), settings_,
-                 view.scene().blends() ? layer_light(graph, view) : LayerLight{});
+    const std::optional<graph::ImageId> layers =
+        blended_.add(graph, view, std::move(over), world_lists(), settings_,
+                     view.scene().blends() ? layer_light(graph, view) : LayerLight{}, wants("layers"));
     if (filter)
         linear = filter(passes::resolve_pass(graph, view, linear));
     const bool one = graph.raster(linear).samples == 1;
     const graph::ImageId picture = one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
                                        : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap);
     Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
+    add_layers_view(outputs, graph, view, surface, layers);
     if (wants("linear"))
         outputs["linear"] = passes::resolve_pass(graph, view, linear);
     return outputs;
@@ -34,7 +37,16 @@ DeviceRenderer::Outputs DeviceRenderer::picture_outputs(graph::FrameGraph& graph
         return linear_outputs(graph, view, draw({}), surface);
     const graph::ImageId picture = draw(options_.tonemap);
     passes::background_pass(graph, view, picture, surface.depth, options_.tonemap);
-    return Outputs{{"final", post_filter_.add(graph, view, surface, passes::resolve_pass(graph, view, picture))}};
+    Outputs outputs{{"final", post_filter_.add(graph, view, surface, passes::resolve_pass(graph, view, picture))}};
+    add_layers_view(outputs, graph, view, surface, {});
+    return outputs;
+}
+
+void DeviceRenderer::add_layers_view(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                                     const passes::SurfaceBuffers& surface,
+                                     const std::optional<graph::ImageId>& layers) const {
+    if (wants("layers"))
+        outputs["layers"] = passes::layers_view_pass(graph, view, surface, layers);
 }
 
 } // namespace prelight

@@ -64,14 +64,14 @@ TEST_P(GlassScene, PeeledAgreesWithTheReference) {
     shot.renderer = GetParam();
     shot.settings = {{"transparency", "peeled"}};
     if (shot.renderer == "light-prepass")
-        shot.settings["peeled-light"] = "lists";
+        shot.settings["layer-light"] = "lists";
     static References references;
     const ReferencePicture& reference = references.of(shot);
     const Image picture = render_linear(test_device(), shot);
     save_when_wanted(picture, reference);
     expect_within(compare(picture, reference.linear, reference.left_out()), {.left_out = 0.4});
     if (shot.renderer == "light-prepass") { // and each layer with a light pre-pass of its own
-        shot.settings["peeled-light"] = "light-buffer";
+        shot.settings["layer-light"] = "light-buffer";
         expect_within(compare(render_linear(test_device(), shot), reference.linear, reference.left_out()),
                       {.left_out = 0.4});
     }

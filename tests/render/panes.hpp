@@ -60,6 +60,26 @@ inline Shot with(Shot shot, const std::map<std::string, std::string>& settings) 
     return shot;
 }
 
+/// A fan of panes that all cross in one line, each lit.
+struct Fan : TestWorld {
+    explicit Fan(int count) {
+        add_material(unlit_material("wall", {0.4f, 0.3f, 0.2f, 1}, AlphaMode::opaque));
+        add(square(20), placed_at(0, 0, -3));
+        for (int i = 0; i < count; ++i) {
+            const auto t = static_cast<float>(i);
+            Material pane{.name = "pane", .metallic = 0, .roughness = 0.5f, .alpha_mode = AlphaMode::blend};
+            pane.base_colour = {0.5f + 0.45f * std::sin(2 * t), 0.5f + 0.45f * std::cos(3 * t), 0.6f, 0.3f};
+            pane.double_sided = true;
+            add_material(pane);
+            add(square(1.5f), glm::rotate(glm::dmat4(1), 3.0 * (i + 0.5) / count, glm::dvec3(0, 1, 0.1)));
+        }
+        add_light({.kind = LightKind::point, .intensity = 6, .range = 12}, {1, 1, 3});
+        add_light({.kind = LightKind::point, .intensity = 3, .range = 8}, {-1.5, 0.5, -2});
+        world.ambient = glm::vec3(0.1f);
+    }
+    Shot shot() const { return {.world = &world, .camera = front_camera(5), .width = 160, .height = 90}; }
+};
+
 /// A pane of every material property before the garden.
 struct LitPane : Garden {
     explicit LitPane(std::shared_ptr<const MaterialShader> shader = nullptr) {

@@ -15,26 +15,6 @@ Shot peeled(Shot shot, const std::string& renderer = "light-prepass") {
     return with(shot, {{"transparency", "peeled"}});
 }
 
-/// A fan of panes that all cross in one line, each lit.
-struct Fan : TestWorld {
-    explicit Fan(int count) {
-        add_material(unlit_material("wall", {0.4f, 0.3f, 0.2f, 1}, AlphaMode::opaque));
-        add(square(20), placed_at(0, 0, -3));
-        for (int i = 0; i < count; ++i) {
-            const auto t = static_cast<float>(i);
-            Material pane{.name = "pane", .metallic = 0, .roughness = 0.5f, .alpha_mode = AlphaMode::blend};
-            pane.base_colour = {0.5f + 0.45f * std::sin(2 * t), 0.5f + 0.45f * std::cos(3 * t), 0.6f, 0.3f};
-            pane.double_sided = true;
-            add_material(pane);
-            add(square(1.5f), glm::rotate(glm::dmat4(1), 3.0 * (i + 0.5) / count, glm::dvec3(0, 1, 0.1)));
-        }
-        add_light({.kind = LightKind::point, .intensity = 6, .range = 12}, {1, 1, 3});
-        add_light({.kind = LightKind::point, .intensity = 3, .range = 8}, {-1.5, 0.5, -2});
-        world.ambient = glm::vec3(0.1f);
-    }
-    Shot shot() const { return {.world = &world, .camera = front_camera(5), .width = 160, .height = 90}; }
-};
-
 TEST(TransparencyPeeled, PanesThatCrossAgreeWithTheReference) {
     const Fan fan(7);
     References references;
@@ -64,22 +44,22 @@ TEST(TransparencyPeeled, ALightPrePassOfEachLayerAgreesWithTheReference) {
         SCOPED_TRACE(way.begin()->second);
         const Shot shot = with(peeled(fan.shot()), way);
         const ReferencePicture& reference = references.of(shot);
-        const Rendered lists = render_with(fan.world, shot.camera, options_of(with(shot, {{"peeled-light", "lists"}})));
+        const Rendered lists = render_with(fan.world, shot.camera, options_of(with(shot, {{"layer-light", "lists"}})));
         const Rendered own =
-            render_with(fan.world, shot.camera, options_of(with(shot, {{"peeled-light", "light-buffer"}})));
+            render_with(fan.world, shot.camera, options_of(with(shot, {{"layer-light", "light-buffer"}})));
         save_when_wanted(own.linear, reference);
         expect_within(compare(own.linear, reference.linear, reference.left_out()), {.left_out = 0.25});
         expect_within(compare(own.linear, lists.linear), half_float_bound);
-        EXPECT_EQ(own.stats.settings.at("peeled-light"), "light-buffer");
+        EXPECT_EQ(own.stats.settings.at("layer-light"), "light-buffer");
         std::vector<std::string> passes;
         for (const PassStats& pass : own.stats.passes)
             passes.push_back(pass.name);
         EXPECT_THAT(passes, Contains("blended layer 7 light"));
     }
-    const Shot volumes = with(peeled(fan.shot()), {{"light-culling", "volumes"}, {"peeled-light", "light-buffer"}});
+    const Shot volumes = with(peeled(fan.shot()), {{"light-culling", "volumes"}, {"layer-light", "light-buffer"}});
     const Rendered given_way = render_with(fan.world, volumes.camera, options_of(volumes));
-    EXPECT_EQ(given_way.stats.settings.at("peeled-light"), "lists");
-    EXPECT_THAT(given_way.stats.notes, Contains(HasSubstr("peeled-light")));
+    EXPECT_EQ(given_way.stats.settings.at("layer-light"), "lists");
+    EXPECT_THAT(given_way.stats.notes, Contains(HasSubstr("layer-light")));
     expect_validation_clean(test_device());
 }
 
@@ -89,10 +69,10 @@ TEST(TransparencyPeeled, TheLightBufferIsEachLayersOwn) {
     panes.world.ambient = glm::vec3(0);
     for (const double z : {-0.8, -0.4})
         panes.add_light({.kind = LightKind::point, .intensity = 0.5f, .range = 0.6f}, {2 * z + 1.2, 0, z});
-    Shot shot = with(peeled(panes.shot()), {{"peeled-light", "lists"}});
+    Shot shot = with(peeled(panes.shot()), {{"layer-light", "lists"}});
     shot.width = 160, shot.height = 90;
     const Image lists = render_linear(test_device(), shot);
-    shot.settings["peeled-light"] = "light-buffer";
+    shot.settings["layer-light"] = "light-buffer";
     const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
     renderer->set_world(panes.world);
     renderer->render(shot.camera, 3);

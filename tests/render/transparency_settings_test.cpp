@@ -63,7 +63,7 @@ TEST(TransparencyLists, GiveWayWhereTheyTakeSeveralRounds) {
 TEST(TransparencySteadyFrame, MakesNothing) {
     LitPane lit;
     lit.pane().alpha_mode = AlphaMode::blend;
-    for (const char* how : {"lists", "sorted", "peeled"}) {
+    for (const char* how : {"lists", "sorted", "peeled", "k-buffer"}) {
         SCOPED_TRACE(how);
         Shot shot = lit.shot();
         shot.settings = {{"transparency", how}};
@@ -128,7 +128,7 @@ TEST(TransparencyOnSwiftShader, LayersComposeBackToFront) {
     const auto device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
-    for (const char* how : {"lists", "sorted", "peeled"})
+    for (const char* how : {"lists", "sorted", "peeled", "k-buffer"})
         for (const char* name : {"light-prepass", "deferred", "z-prepass", "multipass"}) {
             SCOPED_TRACE(std::string(name) + " " + how);
             Panes panes(4);

@@ -3,36 +3,41 @@
 namespace prelight {
 namespace {
 
-constexpr Choice<Transparency> transparency_words[] = {{"lists", Transparency::lists},
-                                                       {"sorted", Transparency::sorted},
-                                                       {"peeled", Transparency::peeled},
-                                                       {"weighted", Transparency::weighted},
-                                                       {"opaque", Transparency::opaque}};
+constexpr Choice<Transparency> transparency_words[] = {
+    {"lists", Transparency::lists},       {"sorted", Transparency::sorted},     {"peeled", Transparency::peeled},
+    {"k-buffer", Transparency::k_buffer}, {"weighted", Transparency::weighted}, {"opaque", Transparency::opaque}};
 constexpr ChoiceSetting<Transparency> transparency_setting{
     "transparency", transparency_words, "lists",
     "BLEND surfaces, objects back to front: lights by lists of their place, or a few of the object's a draw; peeled: "
-    "layer after layer, exact; weighted: in any order, approximate; or drawn opaque, and what light comes through too"};
+    "layer after layer, exact; k-buffer: so are the nearest ones; weighted: in any order, approximate; or drawn "
+    "opaque, and what light comes through too"};
 
-constexpr Choice<PeeledLight> peeled_light_words[] = {
-    {"auto", PeeledLight::automatic}, {"lists", PeeledLight::lists}, {"light-buffer", PeeledLight::light_buffer}};
-constexpr ChoiceSetting<PeeledLight> peeled_light_set{"peeled-light", peeled_light_words, "auto",
-                                                      "transparency=peeled: a layer's fragments walk lists of their "
-                                                      "place, or each layer has a light pre-pass of its own; "
-                                                      "auto: that where there are many lights"};
+constexpr Choice<LightOfLayers> light_of_layers_words[] = {
+    {"auto", LightOfLayers::automatic}, {"lists", LightOfLayers::lists}, {"light-buffer", LightOfLayers::light_buffer}};
+constexpr ChoiceSetting<LightOfLayers> light_of_layers_set{"layer-light", light_of_layers_words, "auto",
+                                                           "peeled, k-buffer: a layer's fragments walk lists of their "
+                                                           "place, or each layer has a light pre-pass of its own; "
+                                                           "auto: that where there are many lights"};
 
 } // namespace
 
 std::vector<SettingInfo> transparency_settings() {
-    return {transparency_setting.info(),
-            {"blended-lights",
-             {"1", "2", "3", "4", "5", "6", "7", "8"},
-             "8",
-             "transparency=sorted: lights that one draw of a blended object takes"},
-            {"peeled-layers",
-             {"auto", "1 … 256"},
-             "auto",
-             "transparency=peeled: the farthest layers of a pixel that are drawn one by one, nearer ones object by "
-             "object; auto: as many as there are"}};
+    return {
+        transparency_setting.info(),
+        {"blended-lights",
+         {"1", "2", "3", "4", "5", "6", "7", "8"},
+         "8",
+         "transparency=sorted: lights that one draw of a blended object takes"},
+        {"peeled-layers",
+         {"auto", "1 … 256"},
+         "auto",
+         "transparency=peeled: the farthest layers of a pixel that are drawn one by one, nearer ones object by "
+         "object; auto: as many as there are"},
+        {"k-buffer-layers",
+         {"2", "3", "4", "5", "6", "7", "8"},
+         "4",
+         "transparency=k-buffer: the nearest layers of a pixel that are drawn one by one, over the weighted mean of "
+         "the rest"}};
 }
 
 void resolve_transparency(Settings& settings, const gpu::Context& context) {
@@ -54,15 +59,17 @@ std::optional<uint32_t> peeled_layers(const Settings& settings) {
     return static_cast<uint32_t>(settings.number("peeled-layers"));
 }
 
-SettingInfo peeled_light_setting() { return peeled_light_set.info(); }
+SettingInfo light_of_layers_setting() { return light_of_layers_set.info(); }
 
-PeeledLight peeled_light(const Settings& settings) {
-    return settings.has(peeled_light_set.key) ? settings.value(peeled_light_set) : PeeledLight::lists;
+LightOfLayers light_of_layers(const Settings& settings) {
+    return settings.has(light_of_layers_set.key) ? settings.value(light_of_layers_set) : LightOfLayers::lists;
 }
 
-void resolve_peeled_light(Settings& settings, PeeledLight taken, const std::string& why) {
-    settings.resolve(peeled_light_set, taken, why);
+void resolve_light_of_layers(Settings& settings, LightOfLayers taken, const std::string& why) {
+    settings.resolve(light_of_layers_set, taken, why);
 }
+
+uint32_t k_buffer_layers(const Settings& settings) { return static_cast<uint32_t>(settings.number("k-buffer-layers")); }
 
 uint32_t blended_lights(const Settings& settings) { return static_cast<uint32_t>(settings.number("blended-lights")); }
 

@@ -9,12 +9,13 @@ enum class Transparency {
     lists,    ///< back to front, each fragment with the lights of its place in the world
     sorted,   ///< back to front, each object with its own lights, a few a draw
     peeled,   ///< layer after layer of each pixel, the farthest first; lights as with `lists`
+    k_buffer, ///< the nearest layers of each pixel in their order, over the mean of the rest; lights likewise
     weighted, ///< in any order, by the mean of all layers; lights as with `lists`
     opaque    ///< as if they were opaque
 };
 
 /// How a layer's light is found.
-enum class PeeledLight { automatic, lists, light_buffer };
+enum class LightOfLayers { automatic, lists, light_buffer };
 
 /// The settings of every architecture on a device that say how blended surfaces are drawn.
 std::vector<SettingInfo> transparency_settings();
@@ -25,18 +26,22 @@ Transparency transparency(const Settings& settings);
 /// Lights come from lists of a grid over the world.
 inline bool takes_lists(Transparency one) { return one != Transparency::sorted && one != Transparency::opaque; }
 /// Without lists `sorted` takes its place; others are what they are with lights of the object's.
-inline bool needs_lists(Transparency one) { return one == Transparency::lists || one == Transparency::weighted; }
+inline bool needs_lists(Transparency one) { return takes_lists(one) && one != Transparency::peeled; }
+/// Layer after layer of each pixel.
+inline bool draws_layers(Transparency one) { return one == Transparency::peeled || one == Transparency::k_buffer; }
 /// As --set has it.
 std::string transparency_word(Transparency one);
 /// Of Transparency::sorted.
 uint32_t blended_lights(const Settings& settings);
 /// Of Transparency::peeled; none: as many as there are.
 std::optional<uint32_t> peeled_layers(const Settings& settings);
-/// `peeled-light`, of an architecture with a light buffer.
-SettingInfo peeled_light_setting();
+/// Of Transparency::k_buffer.
+uint32_t k_buffer_layers(const Settings& settings);
+/// `layer-light`, of an architecture with a light buffer.
+SettingInfo light_of_layers_setting();
 /// What it says; `lists` where a renderer has no such setting.
-PeeledLight peeled_light(const Settings& settings);
+LightOfLayers light_of_layers(const Settings& settings);
 /// What it came to, `light_buffer` or `lists`.
-void resolve_peeled_light(Settings& settings, PeeledLight taken, const std::string& why);
+void resolve_light_of_layers(Settings& settings, LightOfLayers taken, const std::string& why);
 
 } // namespace prelight

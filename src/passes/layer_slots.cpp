@@ -1,0 +1,60 @@
+#include "layer_slots.hpp"
+#include "blended.hpp"
+#include "fullscreen.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <prelight/error.hpp>
+#include <shared/bindings.h>
+
+namespace prelight::passes {
+
+LayerSlots::LayerSlots(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                       graph::ImageId opaque, uint32_t count)
+    : count_(count), samples_(graph.raster(opaque).samples) {
+    const gpu::Raster raster = graph.raster(opaque);
+    const uint64_t slot_bytes = uint64_t(raster.extent.width) * raster.extent.height * samples_ * sizeof(uint32_t);
+    const uint64_t room = view.context().limits().maxStorageBufferRange / slot_bytes;
+    if (room == 0)
+        throw Error(fmt::format("{}: layers of {}x{} pixels need buffers of {} bytes, and the device's limit is {}",
+                                view.context().name(), raster.extent.width, raster.extent.height, slot_bytes,
+                                view.context().limits().maxStorageBufferRange));
+    if (room < count_)
+        graph.note(
+            fmt::format("{}: a buffer holds {} layers of each sample, not {}", view.context().name(), room, count_));
+    count_ = static_cast<uint32_t>(std::min<uint64_t>(room, count_));
+    buffer_ = std::make_shared<gpu::Buffer>(view.context(), "layer slots", slot_bytes * count_,
+                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                            gpu::BufferPlace::device);
+    slots_ = graph.buffer("layer slots", *buffer_);
+    depth_ = graph.image("layer depth", {VK_FORMAT_D32_SFLOAT, raster});
+    graph.pass(name + " none").copy_to(slots_).record([buffer = buffer_](const graph::PassContext& context) {
+        vkCmdFillBuffer(context.commands, buffer->handle(), 0, VK_WHOLE_SIZE, 0);
+    });
+    graph::Pass& pass = graph.pass(name);
+    pass.depth_test(opaque).storage(INPUT_LAYER_SLOTS, slots_, true);
+    draw_blended(pass, view,
+                 {.name = "layer slots",
+                  .fragment = "layer_slots.frag",
+                  .constants = constants(),
+                  .depth = gpu::DepthTest::behind_or_at,
+                  .sample_shading = gpu::SampleShading::sample,
+                  .positions_only = true,
+                  .blended = true});
+}
+
+graph::ImageId LayerSlots::depth(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                                 uint32_t slot) {
+    graph::Pass& pass = graph.pass(name);
+    pass.depth_write(depth_, graph::Load::discard);
+    declare(pass);
+    gpu::Constants all = constants();
+    all.emplace_back(CONSTANT_LAYER_SLOT, slot);
+    draw_fullscreen(pass, view, "layer_slot_depth.frag", all, gpu::Blend::none, gpu::DepthTest::overwrite);
+    return depth_;
+}
+
+void LayerSlots::declare(graph::Pass& pass) const { pass.storage(INPUT_LAYER_SLOTS, slots_, false); }
+
+gpu::Constants LayerSlots::constants() const { return {{CONSTANT_LAYER_SLOTS, count_}, {CONSTANT_SAMPLES, samples_}}; }
+
+} // namespace prelight::passes
