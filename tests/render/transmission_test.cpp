@@ -164,6 +164,53 @@ TEST(Transmission, AThinSmoothPaneShowsEachPixelTinted) {
     expect_validation_clean(test_device());
 }
 
+// A wall of hard contrasts behind panes of growing roughness, unlit: nothing but the levels of blur decides.
+TEST(Transmission, BlursAsTheReferenceDoes) {
+    TestWorld test;
+    std::vector<uint8_t> noise;
+    for (uint32_t i = 0; i < 32 * 32; ++i) {
+        const uint32_t bits = (i * 2654435761u) >> 24;
+        noise.insert(noise.end(), {static_cast<uint8_t>(bits & 1 ? 255 : 0), static_cast<uint8_t>(bits & 2 ? 200 : 20),
+                                   static_cast<uint8_t>(bits), 255});
+    }
+    Material wall = unlit_material("wall", {1, 1, 1, 1}, AlphaMode::opaque);
+    wall.base_colour_texture = {.image = test.add_image(32, 32, noise)};
+    test.add_material(wall);
+    test.add(square(8), placed_at(0, 0, -2));
+    const float roughnesses[] = {0.1f, 0.25f, 0.4f, 0.6f, 0.8f};
+    for (int i = 0; i < 5; ++i) {
+        test.add_material(see_through("pane", {1, 1, 1}, roughnesses[i], {{"specular", glm::vec4(0)}}));
+        test.add(square(0.62f), glm::scale(placed_at(1.3 * (i - 2), 0, 0), {1, 3, 1}));
+    }
+    Shot shot{.world = &test.world, .camera = front_camera(5), .width = 192, .height = 108};
+    expect_agrees(shot, {.psnr = 60, .left_out = 0.2});
+    // Were the blur another, that would be seen.
+    const ReferencePicture reference = render_reference(test.world, shot.camera, 192, 108, 0, form_of(shot));
+    for (Material& material : test.scene.materials)
+        material.roughness *= 1.04f;
+    EXPECT_LT(compare(render_linear(test_device(), shot), reference.linear, reference.left_out()).psnr, 50);
+}
+
+// What finds out which triangles and objects show asks for opaque ones.
+TEST(Transmission, LessGeometryMakesNoDifference) {
+    const Showcase showcase;
+    for (const char* name : {"light-prepass", "z-prepass"}) {
+        SCOPED_TRACE(name);
+        Shot shot = showcase.shot();
+        shot.renderer = name;
+        shot.settings = {{"index-trimming", "off"}, {"draws", "direct"}, {"frustum-culling", "off"}};
+        const Image all = render_linear(test_device(), shot);
+        for (const std::map<std::string, std::string>& less :
+             {std::map<std::string, std::string>{{"index-trimming", "host"}},
+              {{"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}},
+              {{"draws", "instanced"}, {"material-trimming", "depth"}}}) {
+            shot.settings = less;
+            EXPECT_EQ(render_linear(test_device(), shot).pixels, all.pixels) << less.begin()->second;
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
 std::vector<std::string> pass_names(const Stats& stats) {
     std::vector<std::string> names;
     for (const PassStats& pass : stats.passes)

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <prelight/material_shader.hpp>
+#include <prelight/scene_io.hpp>
 
 namespace prelight {
 namespace {
@@ -92,6 +93,23 @@ TEST(GltfTransmission, IsReadWithItsVolume) {
     EXPECT_TRUE(m.textures.at("transmission_map"));
     EXPECT_EQ(m.textures.at("thickness_map").texcoord, 1u);
     EXPECT_FALSE(material_fault(m));
+}
+
+TEST(GltfTransmission, IsWrittenAndReadBack) {
+    const Scene first = with_extensions(transmission({{"thicknessFactor", 0.5},
+                                                      {"thicknessTexture", {{"index", 0}}},
+                                                      {"attenuationDistance", 2},
+                                                      {"attenuationColor", {0.1, 0.5, 0.9}}}))
+                            .load();
+    const TemporaryFolder folder;
+    save_glb(first, folder.path / "a.glb");
+    const Material m = load_gltf(folder.path / "a.glb").materials.at(0);
+    EXPECT_TRUE(transmits(m));
+    EXPECT_EQ(m.parameters.at("attenuation_colour"), first.materials.at(0).parameters.at("attenuation_colour"));
+    for (const char* number : {"transmission", "thickness", "attenuation_distance"})
+        EXPECT_EQ(m.parameters.at(number).x, first.materials.at(0).parameters.at(number).x) << number;
+    EXPECT_TRUE(m.textures.at("transmission_map"));
+    EXPECT_TRUE(m.textures.at("thickness_map"));
 }
 
 TEST(GltfTransmission, ThatLetsNothingThroughIsNone) {
