@@ -168,7 +168,9 @@ TEST(Settings, WhatWasChosenIsToldWithItsReason) {
             EXPECT_EQ(stats.settings.at(choice.key), choice.taken);
             all.emplace(choice.key, choice);
         }
-        const std::set<std::string> of_a_pass{"light-scale", "list-shading", "depth-bounds"}; // decided pass by pass
+        // Decided pass by pass, or where a scene has layers.
+        const std::set<std::string> of_a_pass{"light-scale", "list-shading", "depth-bounds", "peeled-layers",
+                                              "layer-light"};
         for (const auto& [key, value] : stats.settings) // no other "auto" is left, and none goes without a reason
             EXPECT_TRUE(value != "auto" || of_a_pass.contains(key)) << key;
         return all;
