@@ -1,18 +1,18 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES, WEIGHTED, BEYOND_SLOTS, TRANSMISSION
-// only: SAMPLES with DECALS, TRANSMISSION with OWN_MATERIAL, BEYOND_SLOTS with WEIGHTED
+// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES, WEIGHTED, BEYOND_K_BUFFER, TRANSMISSION
+// only: SAMPLES with DECALS, TRANSMISSION with OWN_MATERIAL, BEYOND_K_BUFFER with WEIGHTED
 // never: WEIGHTED DECALS, TRANSMISSION DECALS, TRANSMISSION WEIGHTED
 // materials: all with OWN_MATERIAL, only layered with OWN_MATERIAL TRANSMISSION
 // Forward shading with the lights of the pixel's cell in a grid over the world. It needs nothing of
 // the screen, so that blended surfaces take the same path; with WEIGHTED they leave sums of colour and weight, and with
-// BEYOND_SLOTS only what lies behind the layers that slots hold.
+// BEYOND_K_BUFFER only what lies behind the layers that slots hold.
 #include "shared/blended_weight.h"
 #include "shared/display.glsl"
 #include "shared/forward_light.glsl"
 #include "shared/reaching_lights.glsl"
-#ifdef BEYOND_SLOTS
-#include "shared/layer_slots.glsl"
+#ifdef BEYOND_K_BUFFER
+#include "shared/k_buffer.glsl"
 #endif
 
 layout(constant_id = CONSTANT_FORWARD_BASE) const bool with_base = true; // ambient and emissive too
@@ -58,8 +58,8 @@ void add_all_lights(inout ForwardSums sums, ForwardSurface s, LightList list, in
 }
 
 void main() {
-#ifdef BEYOND_SLOTS
-    if (floatBitsToUint(gl_FragCoord.z) >= layer_slots[first_slot() + slots_of_sample - 1u])
+#ifdef BEYOND_K_BUFFER
+    if (floatBitsToUint(gl_FragCoord.z) >= k_buffer[first_slot() + slots_of_sample - 1u])
         discard;
 #endif
     ForwardSurface s = forward_surface();

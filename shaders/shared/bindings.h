@@ -33,7 +33,7 @@
 #define INPUT_COLOUR 0
 // layers of blended surfaces
 #define INPUT_LAYER_COUNTS 1
-#define INPUT_LAYER_SLOTS 35
+#define INPUT_K_BUFFER 35
 // weighted blended surfaces
 #define INPUT_BLENDED_SUM 0
 #define INPUT_BLENDED_WEIGHT 1
@@ -216,8 +216,8 @@
 #define CONSTANT_FIRST_LAYER 101
 #define CONSTANT_BEHIND_LAST_LEVEL 102
 #define CONSTANT_BEHIND_COPIES 103
-#define CONSTANT_LAYER_SLOTS 104
-#define CONSTANT_LAYER_SLOT 105
+#define CONSTANT_K_BUFFER_SLOTS 104
+#define CONSTANT_K_BUFFER_SLOT 105
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u

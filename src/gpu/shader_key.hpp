@@ -34,13 +34,13 @@ namespace prelight::gpu {
     X(sample_light, "SAMPLE_LIGHT") /* edge pixels' samples have light of their own */                                 \
     X(textured, "TEXTURED")                                                                                            \
     X(motion, "MOTION")                                                                                                \
-    X(shadow_tile, "SHADOW_TILE")   /* a caster, as a light sees it */                                                 \
-    X(no_world, "NO_WORLD")         /* no point, no normal, no texture coordinates from the vertex shader */           \
-    X(weighted, "WEIGHTED")         /* sums for weighted blended transparency */                                       \
-    X(transmission, "TRANSMISSION") /* what is behind comes through */                                                 \
-    X(surface_ids, "SURFACE_IDS")   /* inferred lighting: writes ids of surfaces, or finds light by them */            \
-    X(layer, "LAYER")               /* of a blended object, in a slot of the texels */                                 \
-    X(beyond_slots, "BEYOND_SLOTS") /* of them those behind a k-buffer's layers */                                     \
+    X(shadow_tile, "SHADOW_TILE")         /* a caster, as a light sees it */                                           \
+    X(no_world, "NO_WORLD")               /* no point, no normal, no texture coordinates from the vertex shader */     \
+    X(weighted, "WEIGHTED")               /* sums for weighted blended transparency */                                 \
+    X(transmission, "TRANSMISSION")       /* what is behind comes through */                                           \
+    X(surface_ids, "SURFACE_IDS")         /* inferred lighting: writes ids of surfaces, or finds light by them */      \
+    X(layer, "LAYER")                     /* of a blended object, in a slot of the texels */                           \
+    X(beyond_k_buffer, "BEYOND_K_BUFFER") /* of them those behind a k-buffer's layers */                               \
     X(no_normal, "NO_NORMAL")                                                                                          \
     X(no_textures, "NO_TEXTURES")
 

@@ -13,7 +13,7 @@ struct Sums {
 };
 
 Sums sums_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
-               const LightLists& lists, const LayerSlots* nearest) {
+               const LightLists& lists, const KBuffer* nearest) {
     const gpu::Raster raster = graph.raster(inputs.colour);
     const Sums sums{graph.image("blended sum", {VK_FORMAT_R16G16B16A16_SFLOAT, raster}),
                     graph.image("blended weight", {VK_FORMAT_R16_SFLOAT, raster})};
@@ -27,7 +27,7 @@ Sums sums_pass(graph::FrameGraph& graph, const resident::View& view, const Forwa
     if (nearest) {
         nearest->declare(pass);
         for (gpu::ShaderKey* shader : {&desc.fragment, &desc.own_fragment})
-            shader->variants |= gpu::Variant::beyond_slots;
+            shader->variants |= gpu::Variant::beyond_k_buffer;
         for (const auto& constant : nearest->constants())
             desc.constants.push_back(constant);
         desc.sample_shading = gpu::SampleShading::sample;
@@ -40,7 +40,7 @@ Sums sums_pass(graph::FrameGraph& graph, const resident::View& view, const Forwa
 } // namespace
 
 void weighted_blended_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
-                           const LightLists& lists, const LayerSlots* nearest) {
+                           const LightLists& lists, const KBuffer* nearest) {
     const Sums sums = sums_pass(graph, view, inputs, lists, nearest);
     graph::Pass& pass = graph.pass(inputs.name + " compose");
     pass.colour(inputs.colour, graph::Load::keep)

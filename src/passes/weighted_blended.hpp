@@ -1,6 +1,6 @@
 #pragma once
 #include "forward.hpp"
-#include "layer_slots.hpp"
+#include "k_buffer.hpp"
 
 namespace prelight::passes {
 
@@ -10,6 +10,6 @@ namespace prelight::passes {
 /// `inputs`: as of blended_pass(). `lists`: of a grid over the world and of one round. `nearest`: layers that others
 /// draw; only what lies behind the last of them is summed up.
 void weighted_blended_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
-                           const LightLists& lists, const LayerSlots* nearest = nullptr);
+                           const LightLists& lists, const KBuffer* nearest = nullptr);
 
 } // namespace prelight::passes

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <passes/k_buffer.hpp>
 #include <passes/layer_peeler.hpp>
-#include <passes/layer_slots.hpp>
 #include <passes/transmission.hpp>
 #include <passes/weighted_blended.hpp>
 #include <prelight/material_shader.hpp>
@@ -130,7 +130,7 @@ void BlendedSurfaces::add_peeled(graph::FrameGraph& graph, const resident::View&
 
 void BlendedSurfaces::add_buffered(graph::FrameGraph& graph, const resident::View& view,
                                    const passes::ForwardInputs& inputs, LayerLights lights, graph::ImageId layers) {
-    passes::LayerSlots slots(graph, view, "blended slots", inputs.depth, slots_);
+    passes::KBuffer slots(graph, view, "blended slots", inputs.depth, slots_);
     layers_ = slots.count();
     counter_->count(graph, view, "blended layers sum", layers, layers_);
     passes::weighted_blended_pass(graph, view, counted(inputs), *lights.forward.lists, &slots);

@@ -1,4 +1,4 @@
-#include "layer_slots.hpp"
+#include "k_buffer.hpp"
 #include "blended.hpp"
 #include "fullscreen.hpp"
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace prelight::passes {
 
-LayerSlots::LayerSlots(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
-                       graph::ImageId opaque, uint32_t count)
+KBuffer::KBuffer(graph::FrameGraph& graph, const resident::View& view, const std::string& name, graph::ImageId opaque,
+                 uint32_t count)
     : count_(count), samples_(graph.raster(opaque).samples) {
     const gpu::Raster raster = graph.raster(opaque);
     const uint64_t slot_bytes = uint64_t(raster.extent.width) * raster.extent.height * samples_ * sizeof(uint32_t);
@@ -22,19 +22,19 @@ LayerSlots::LayerSlots(graph::FrameGraph& graph, const resident::View& view, con
         graph.note(
             fmt::format("{}: a buffer holds {} layers of each sample, not {}", view.context().name(), room, count_));
     count_ = static_cast<uint32_t>(std::min<uint64_t>(room, count_));
-    buffer_ = std::make_shared<gpu::Buffer>(view.context(), "layer slots", slot_bytes * count_,
+    buffer_ = std::make_shared<gpu::Buffer>(view.context(), "k-buffer", slot_bytes * count_,
                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                             gpu::BufferPlace::device);
-    slots_ = graph.buffer("layer slots", *buffer_);
+    slots_ = graph.buffer("k-buffer", *buffer_);
     depth_ = graph.image("layer depth", {VK_FORMAT_D32_SFLOAT, raster});
     graph.pass(name + " none").copy_to(slots_).record([buffer = buffer_](const graph::PassContext& context) {
         vkCmdFillBuffer(context.commands, buffer->handle(), 0, VK_WHOLE_SIZE, 0);
     });
     graph::Pass& pass = graph.pass(name);
-    pass.depth_test(opaque).storage(INPUT_LAYER_SLOTS, slots_, true);
+    pass.depth_test(opaque).storage(INPUT_K_BUFFER, slots_, true);
     draw_blended(pass, view,
-                 {.name = "layer slots",
-                  .fragment = "layer_slots.frag",
+                 {.name = "k-buffer",
+                  .fragment = "k_buffer.frag",
                   .constants = constants(),
                   .depth = gpu::DepthTest::behind_or_at,
                   .sample_shading = gpu::SampleShading::sample,
@@ -42,19 +42,19 @@ LayerSlots::LayerSlots(graph::FrameGraph& graph, const resident::View& view, con
                   .blended = true});
 }
 
-graph::ImageId LayerSlots::depth(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
-                                 uint32_t slot) {
+graph::ImageId KBuffer::depth(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                              uint32_t slot) {
     graph::Pass& pass = graph.pass(name);
     pass.depth_write(depth_, graph::Load::discard);
     declare(pass);
     gpu::Constants all = constants();
-    all.emplace_back(CONSTANT_LAYER_SLOT, slot);
-    draw_fullscreen(pass, view, "layer_slot_depth.frag", all, gpu::Blend::none, gpu::DepthTest::overwrite);
+    all.emplace_back(CONSTANT_K_BUFFER_SLOT, slot);
+    draw_fullscreen(pass, view, "k_buffer_depth.frag", all, gpu::Blend::none, gpu::DepthTest::overwrite);
     return depth_;
 }
 
-void LayerSlots::declare(graph::Pass& pass) const { pass.storage(INPUT_LAYER_SLOTS, slots_, false); }
+void KBuffer::declare(graph::Pass& pass) const { pass.storage(INPUT_K_BUFFER, slots_, false); }
 
-gpu::Constants LayerSlots::constants() const { return {{CONSTANT_LAYER_SLOTS, count_}, {CONSTANT_SAMPLES, samples_}}; }
+gpu::Constants KBuffer::constants() const { return {{CONSTANT_K_BUFFER_SLOTS, count_}, {CONSTANT_SAMPLES, samples_}}; }
 
 } // namespace prelight::passes

@@ -3,8 +3,8 @@
 // A k-buffer: sorts the depths of blended surfaces into their sample's slots, in whatever order they come. Each slot
 // keeps the nearest of what reaches it and hands on the rest, and atomicMax does both at once. A depth that is there
 // already ends at its slot: all surfaces of one depth are one layer.
-#define LAYER_SLOTS_ACCESS
-#include "shared/layer_slots.glsl"
+#define K_BUFFER_ACCESS
+#include "shared/k_buffer.glsl"
 
 layout(early_fragment_tests) in;
 
@@ -12,7 +12,7 @@ void main() {
     uint key = floatBitsToUint(gl_FragCoord.z);
     uint first = first_slot();
     for (uint i = 0u; i < slots_of_sample && key != 0u; ++i) {
-        uint before = atomicMax(layer_slots[first + i], key);
+        uint before = atomicMax(k_buffer[first + i], key);
         key = before == key ? 0u : min(before, key);
     }
 }

@@ -1,15 +1,15 @@
 // The nearest layers of blended surfaces of each sample: bits of their depths, the nearest first, 0 where there is none.
 // Reversed depth: of positive floats the nearer is the greater, and so are its bits.
-#ifndef PRELIGHT_LAYER_SLOTS_GLSL
-#define PRELIGHT_LAYER_SLOTS_GLSL
+#ifndef PRELIGHT_K_BUFFER_GLSL
+#define PRELIGHT_K_BUFFER_GLSL
 #include "shared/pixel_reads.glsl"
 #include "shared/samples.glsl"
 
-#ifndef LAYER_SLOTS_ACCESS
-#define LAYER_SLOTS_ACCESS readonly
+#ifndef K_BUFFER_ACCESS
+#define K_BUFFER_ACCESS readonly
 #endif
-layout(constant_id = CONSTANT_LAYER_SLOTS) const uint slots_of_sample = 4u;
-layout(set = SET_INPUTS, binding = INPUT_LAYER_SLOTS, std430) LAYER_SLOTS_ACCESS buffer SlotBlock { uint layer_slots[]; };
+layout(constant_id = CONSTANT_K_BUFFER_SLOTS) const uint slots_of_sample = 4u;
+layout(set = SET_INPUTS, binding = INPUT_K_BUFFER, std430) K_BUFFER_ACCESS buffer SlotBlock { uint k_buffer[]; };
 
 // Of this invocation's sample; the shader runs once a sample.
 uint first_slot() {
