@@ -93,9 +93,9 @@ void sort_back_to_front(std::vector<VisibleDraw>& draws, const std::vector<Draw>
                         const glm::dvec3& forward) {
     const auto key = [&](const VisibleDraw& one) {
         const Draw& draw = all[one.draw];
-        return std::tuple(-depth_of(draw, eye, forward), draw.object, draw.part);
+        return std::tuple(depth_of(draw, eye, forward), draw.object, draw.part);
     };
-    std::sort(draws.begin(), draws.end(), [&](const VisibleDraw& a, const VisibleDraw& b) { return key(a) < key(b); });
+    std::sort(draws.begin(), draws.end(), [&](const VisibleDraw& a, const VisibleDraw& b) { return key(a) > key(b); });
 }
 
 } // namespace prelight::resident

@@ -12,7 +12,8 @@ bool same_but_place(const Draw& a, const Draw& b);
 void sort_by_distance(std::vector<VisibleDraw>& draws, const std::vector<Draw>& all, const glm::dvec3& eye,
                       const glm::dvec3& forward, std::span<const uint32_t> before);
 
-/// What is behind others first, by the middle of their bounds; at the same depth in the world's order.
+/// What is behind others first, by the middle of their bounds; at the same depth the last of the world first, so that
+/// the first lies on top.
 void sort_back_to_front(std::vector<VisibleDraw>& draws, const std::vector<Draw>& all, const glm::dvec3& eye,
                         const glm::dvec3& forward);
 

@@ -55,6 +55,23 @@ struct Panes : TestWorld {
     Shot shot() const { return {.world = &world, .camera = front_camera(5), .width = 64, .height = 36}; }
 };
 
+/// Three panes at one place before a wall: the world's first one is the nearest.
+struct CoincidentPanes : TestWorld {
+    CoincidentPanes() {
+        add_material(unlit_material("wall", {0.1f, 0.3f, 0.2f, 1}, AlphaMode::opaque));
+        add(square(20), placed_at(0, 0, -3));
+        for (const glm::vec4& colour : {glm::vec4(0.9f, 0.1f, 0.1f, 0.5f), glm::vec4(0.1f, 0.1f, 0.9f, 0.5f),
+                                        glm::vec4(0.1f, 0.9f, 0.1f, 0.5f)}) {
+            add_material(unlit_material("pane", colour));
+            add(square(2), placed_at(0, 0, 0));
+        }
+    }
+    Shot shot() const { return {.world = &world, .camera = front_camera(5), .width = 64, .height = 36}; }
+    static glm::dvec3 in_order() {
+        return laid_over({0.1, 0.3, 0.2}, {{0.1, 0.9, 0.1, 0.5}, {0.1, 0.1, 0.9, 0.5}, {0.9, 0.1, 0.1, 0.5}});
+    }
+};
+
 inline Shot with(Shot shot, const std::map<std::string, std::string>& settings) {
     shot.settings.insert(settings.begin(), settings.end());
     return shot;

@@ -99,17 +99,9 @@ TEST(TransparencyPeeled, SamplesOfPanesThatCrossAgree) {
 
 // Surfaces at one place: the world's first one is the nearest.
 TEST(TransparencyPeeled, SurfacesThatCoincideAreInTheWorldsOrder) {
-    TestWorld test;
-    test.add_material(unlit_material("wall", {0.1f, 0.3f, 0.2f, 1}, AlphaMode::opaque));
-    test.add(square(20), placed_at(0, 0, -3));
-    for (const glm::vec4& colour :
-         {glm::vec4(0.9f, 0.1f, 0.1f, 0.5f), glm::vec4(0.1f, 0.1f, 0.9f, 0.5f), glm::vec4(0.1f, 0.9f, 0.1f, 0.5f)}) {
-        test.add_material(unlit_material("pane", colour));
-        test.add(square(2), placed_at(0, 0, 0));
-    }
-    const Shot shot{.world = &test.world, .camera = front_camera(5), .width = 64, .height = 36};
-    const glm::dvec3 right =
-        laid_over({0.1, 0.3, 0.2}, {{0.1, 0.9, 0.1, 0.5}, {0.1, 0.1, 0.9, 0.5}, {0.9, 0.1, 0.1, 0.5}});
+    const CoincidentPanes test;
+    const Shot shot = test.shot();
+    const glm::dvec3 right = test.in_order();
     expect_layers(middle_of(render_reference(test.world, shot.camera, 64, 36, 0, form_of(peeled(shot))).linear), right,
                   3);
     for (const std::string& name : device_renderers)

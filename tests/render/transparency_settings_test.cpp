@@ -80,8 +80,8 @@ TEST(TransparencySteadyFrame, MakesNothing) {
     expect_validation_clean(test_device());
 }
 
-// Two panes that cross: object by object the later one is over the other on both sides. The reference shows what of
-// that is wrong, and a way that sorts fragments will have to show the same.
+// Two panes that cross, with one middle: object by object the world's first one is over the other on both sides. The
+// reference shows what of that is wrong.
 TEST(TransparencyOrder, IsOfObjectsAndNotOfFragments) {
     TestWorld test;
     const glm::dvec4 red(0.9, 0.1, 0.1, 0.5), blue(0.1, 0.1, 0.9, 0.5);
@@ -96,8 +96,8 @@ TEST(TransparencyOrder, IsOfObjectsAndNotOfFragments) {
     const size_t row = 18 * 64, left = row + 24, middle_right = row + 40;
     const glm::dvec3 blue_over = laid_over(glm::dvec3(0), {red, blue}),
                      red_over = laid_over(glm::dvec3(0), {blue, red});
-    expect_layers(picture.pixels[left], blue_over, 2);
-    expect_layers(picture.pixels[middle_right], blue_over, 2);
+    expect_layers(picture.pixels[left], red_over, 2);
+    expect_layers(picture.pixels[middle_right], red_over, 2);
     expect_layers(right.pixels[left], red_over, 2);
     expect_layers(right.pixels[middle_right], blue_over, 2);
     expect_validation_clean(test_device());

@@ -21,6 +21,12 @@ TEST_P(Transparency, LayersComposeBackToFront) {
     expect_validation_clean(test_device());
 }
 
+TEST_P(Transparency, SurfacesThatCoincideAreInTheWorldsOrder) {
+    const CoincidentPanes panes;
+    expect_layers(middle_of(render_linear(test_device(), in_way(panes.shot(), GetParam()))), panes.in_order(), 3);
+    expect_validation_clean(test_device());
+}
+
 TEST_P(Transparency, ALitPaneIsItsOpaqueSelfByAlpha) {
     LitPane lit;
     const Shot shot = in_way(lit.shot(), GetParam());
