@@ -40,23 +40,26 @@ void BlendedSurfaces::adapt(Settings& settings, resident::ViewSettings& view, co
                      "blended surfaces are lit by all lights at once");
 }
 
+void note_what_is_opaque(graph::FrameGraph& graph, const resident::GpuScene& scene, const std::string& why) {
+    const std::vector<Material>& materials = scene.world().scene->materials;
+    const auto any = [&](auto is) {
+        return std::ranges::any_of(scene.geometry().draws,
+                                   [&](const resident::Draw& draw) { return is(materials[draw.material]); });
+    };
+    if (!scene.blends() && any([](const Material& material) { return material.alpha_mode == AlphaMode::blend; }))
+        graph.note(why + ": surfaces with alphaMode BLEND are drawn opaque");
+    if (any(transmits))
+        graph.note(why + ": nothing is seen through materials with KHR_materials_transmission");
+}
+
 void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resident::View& view) {
     draws_.clear();
     layers_ = 0;
     counting_ = false;
     by_lists_ = false;
     const resident::GpuScene& scene = view.scene();
-    if (settings.has("transparency") && !wanted()) {
-        const std::vector<Material>& materials = scene.world().scene->materials;
-        const auto any = [&](auto is) {
-            return std::ranges::any_of(scene.geometry().draws,
-                                       [&](const resident::Draw& draw) { return is(materials[draw.material]); });
-        };
-        if (any([](const Material& material) { return material.alpha_mode == AlphaMode::blend; }))
-            graph.note("transparency=opaque: surfaces with alphaMode BLEND are drawn opaque");
-        if (any(transmits))
-            graph.note("transparency=opaque: nothing is seen through materials with KHR_materials_transmission");
-    }
+    if (settings.has("transparency") && !wanted())
+        note_what_is_opaque(graph, scene, "transparency=opaque");
     if (!scene.shows_through() || !wanted())
         return;
     const uint32_t rounds = passes::light_rounds(view, passes::LightWalk::fragment).count;

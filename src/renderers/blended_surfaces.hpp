@@ -13,6 +13,9 @@ struct LayerLight {
     std::string obstacle = {};                            ///< why it cannot, a phrase
 };
 
+/// Tells in the graph's notes what of the scene is drawn opaque and is not: with `why`, what has them so.
+void note_what_is_opaque(graph::FrameGraph& graph, const resident::GpuScene& scene, const std::string& why);
+
 /// What is drawn over the opaque picture, transmissive and then blended surfaces: the setting `transparency`, the same
 /// in every architecture.
 class BlendedSurfaces {

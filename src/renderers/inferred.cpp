@@ -65,6 +65,7 @@ private:
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
         const bool layers = view.scene().blends();
         layer_draws_ = 0;
+        note_what_is_opaque(graph, view.scene(), has_layers(settings()) ? "inferred" : "inferred-layers=off");
         // At the light's resolution.
         const resident::View& lit = light_view();
         const auto surface =

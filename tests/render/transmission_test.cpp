@@ -240,6 +240,12 @@ TEST(Transmission, IsDrawnOpaqueWhereThatIsWanted) {
     expect_agrees(shot);
 }
 
+TEST(Transmission, InferredSaysThatItIsDrawnOpaque) {
+    const Showcase showcase;
+    EXPECT_THAT(render_with(showcase.world, showcase.camera, options_of(showcase.shot()), "inferred").stats.notes,
+                Contains(HasSubstr("inferred: nothing is seen through")));
+}
+
 TEST(Transmission, ChangesFromFrameToFrame) {
     Showcase showcase;
     const Shot shot = showcase.shot();
