@@ -89,6 +89,22 @@ World half_of(const World& world) {
     return half;
 }
 
+/// The yardstick scene with as many objects and lights as Kircher and Lawrance counted: 101 and 81.
+std::unique_ptr<LoadedScene> counted_by_kircher() {
+    constexpr size_t objects = 101, lights = 81;
+    auto loaded = load_scene("lights", lights, 1, lights);
+    World& world = loaded->world;
+    world.instances.resize(std::min(world.instances.size(), objects));
+    const std::vector<Instance> all = world.instances;
+    constexpr double above = 2;
+    for (size_t i = all.size(); i < objects; ++i) { // once more, above themselves
+        Instance& more = world.instances.emplace_back(all[i % all.size()]);
+        more.transform[3].y += above;
+    }
+    world.bounds_max.y += above;
+    return loaded;
+}
+
 /// The world under eight directional lights that cast shadows, from all around.
 World under_suns(const World& world) {
     World suns = world;
@@ -133,6 +149,19 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
         sunlit.push_back({count, t.add("light-prepass", suns, size_t(count), shadows),
                           t.add("deferred", suns, size_t(count), shadows)});
     t.run();
+    const auto counted = counted_by_kircher();
+    const World& kircher = counted->world;
+    const ClaimScene other{.device = scene.device,
+                           .world = kircher,
+                           .camera = kircher.cameras.at(0),
+                           .width = scene.width,
+                           .height = scene.height,
+                           .frames = scene.frames,
+                           .software = scene.software};
+    Timing k(other);
+    const size_t forward = k.add("multipass", kircher, kircher.lights.size());
+    const size_t inferred = k.add("inferred", kircher, kircher.lights.size());
+    k.run();
 
     const char* engel = "Engel, ShaderX7 8.5";
     const char* lee = "Lee, Prelighting";
@@ -189,6 +218,14 @@ std::vector<Claim> time_claims(const ClaimScene& scene) {
               .from = 1.3,
               .to = {}},
              t.pass_ms(untrimmed, "depth-normal"), t.pass_ms(trimmed, "depth-normal")),
+        with({.id = "inferred-lighting",
+              .claim = "101 objects, 81 lights: 29.4 ms, forward rendering 167 ms",
+              .source = "Kircher, Lawrance, Inferred Lighting",
+              .how = fmt::format("scene lights, {} objects, {} lights: multipass : inferred at 5/8; {}",
+                                 kircher.instances.size(), kircher.lights.size(), frame_time),
+              .from = 167 / 29.4,
+              .to = {}},
+             k.frame_ms(forward), k.frame_ms(inferred)),
         {.id = "vertices-culled",
          .claim = ">50% of vertices get culled after they already been transformed",
          .source = lee,

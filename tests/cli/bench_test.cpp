@@ -93,7 +93,7 @@ TEST(BenchClaims, PrintsEachClaimAndWritesIt) {
         EXPECT_NE(row["source"], "");
         EXPECT_EQ(row["ratio"].is_null(), row["verdict"] == "not measured");
     }
-    ASSERT_EQ(claims.size(), 18u);
+    ASSERT_EQ(claims.size(), 19u);
     // Sizes are exact; an allocation may round a small picture up, but both of a difference alike.
     EXPECT_DOUBLE_EQ(claims["msaa-target"]["a"], 7.3728);
     EXPECT_DOUBLE_EQ(claims["five-targets"]["a"], 36.864);
@@ -104,7 +104,7 @@ TEST(BenchClaims, PrintsEachClaimAndWritesIt) {
     // Times: a null in JSON is what a figure that is not finite becomes.
     for (const char* id :
          {"depth-against-ambient", "depth-against-normals", "frustum-ray", "ambient-first", "conditional-rendering",
-          "index-trimming", "vertices-culled", "shadowed-directional-1", "shadowed-directional-2",
+          "index-trimming", "vertices-culled", "inferred-lighting", "shadowed-directional-1", "shadowed-directional-2",
           "shadowed-directional-4", "shadowed-directional-8", "more-directionals"}) {
         EXPECT_GT(claims[id]["a"], 0) << id;
         EXPECT_GT(claims[id]["b"], 0) << id;
