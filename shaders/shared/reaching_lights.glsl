@@ -18,7 +18,10 @@ bool is_empty(EntryRange range) { return range.next >= range.end; }
 bool may_reach(uint light, LitPoint p) {
     vec4 sphere = fetched_sphere(light);
     vec3 to_light = sphere.xyz - p.world;
-    bool reaches = dot(to_light, to_light) * (sphere.w * sphere.w) < 1.0 && dot(to_light, p.n) > 0.0;
+    bool reaches = dot(to_light, to_light) * (sphere.w * sphere.w) < 1.0;
+#ifndef TRANSMISSION // which lamps behind the surface shine through
+    reaches = reaches && dot(to_light, p.n) > 0.0;
+#endif
     return reaches || sphere.w == 0.0;
 }
 
