@@ -116,6 +116,24 @@ Rendered render_with(const World& world, const PlacedCamera& camera, const Rende
     return {std::move(linear), made->stats()};
 }
 
+void expect_same_with_less_geometry(Shot shot) {
+    using Ways = std::map<std::string, std::string>;
+    for (const char* name : {"light-prepass", "z-prepass"}) {
+        SCOPED_TRACE(name);
+        shot.renderer = name;
+        shot.settings = {{"index-trimming", "off"}, {"draws", "direct"}, {"frustum-culling", "off"}};
+        const Image all = render_linear(test_device(), shot);
+        for (const Ways& less :
+             {Ways{{"index-trimming", "host"}},
+              Ways{{"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}},
+              Ways{{"draws", "instanced"}, {"material-trimming", "depth"}}}) {
+            shot.settings = less;
+            EXPECT_EQ(render_linear(test_device(), shot).pixels, all.pixels) << less.begin()->second;
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
 Rendered render_counting_pairs(const Shot& shot, uint32_t frames) {
     RenderOptions options = options_of(shot);
     options.count_pairs = true;

@@ -65,6 +65,9 @@ struct Rendered {
 /// With exactly these options.
 Rendered render_with(const World& world, const PlacedCamera& camera, const RenderOptions& options,
                      const std::string& renderer = "light-prepass");
+/// What finds out which triangles and objects show asks for opaque ones, and must leave the picture as it is: in the
+/// renderers that have every way to, whatever the shot's own.
+void expect_same_with_less_geometry(Shot shot);
 /// With pairs of lights and pixels counted.
 Rendered render_counting_pairs(const Shot& shot, uint32_t frames = 1);
 

@@ -191,24 +191,9 @@ TEST(Transmission, BlursAsTheReferenceDoes) {
     EXPECT_LT(compare(render_linear(test_device(), shot), reference.linear, reference.left_out()).psnr, 50);
 }
 
-// What finds out which triangles and objects show asks for opaque ones.
 TEST(Transmission, LessGeometryMakesNoDifference) {
     const Showcase showcase;
-    for (const char* name : {"light-prepass", "z-prepass"}) {
-        SCOPED_TRACE(name);
-        Shot shot = showcase.shot();
-        shot.renderer = name;
-        shot.settings = {{"index-trimming", "off"}, {"draws", "direct"}, {"frustum-culling", "off"}};
-        const Image all = render_linear(test_device(), shot);
-        for (const std::map<std::string, std::string>& less :
-             {std::map<std::string, std::string>{{"index-trimming", "host"}},
-              {{"index-trimming", "device"}, {"material-trimming", "depth"}, {"occlusion", "queries"}},
-              {{"draws", "instanced"}, {"material-trimming", "depth"}}}) {
-            shot.settings = less;
-            EXPECT_EQ(render_linear(test_device(), shot).pixels, all.pixels) << less.begin()->second;
-        }
-    }
-    expect_validation_clean(test_device());
+    expect_same_with_less_geometry(showcase.shot());
 }
 
 std::vector<std::string> pass_names(const Stats& stats) {
