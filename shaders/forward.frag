@@ -32,9 +32,9 @@ void main() {
         out_colour = vec4(float(batch.count), float(contributing), 0.0, 0.0);
         return;
     }
-    float alpha = with_base || has(FEATURE_BLENDED) ? coverage(s) : 0.0;
+    float alpha = with_base || has(FEATURE_BLENDED) ? blended_coverage(s.surface) : 0.0;
     out_colour = vec4(forward_colour(s, sums, with_base, batch.limit), alpha);
 #ifdef TRANSMISSION
-    out_colour = with_base ? vec4(over_picture(out_colour.rgb, alpha), 1.0) : vec4(out_colour.rgb * coverage(s), 0.0);
+    out_colour = with_base ? vec4(over_picture(out_colour.rgb, alpha), 1.0) : vec4(out_colour.rgb * blended_coverage(s.surface), 0.0);
 #endif
 }

@@ -64,7 +64,7 @@ void main() {
 #endif
     ForwardSurface s = forward_surface();
     LightList list = list_of(cell_of(in_world), 0u);
-    if (has(FEATURE_UNLIT) || coverage(s) == 0.0) // nothing of it shows
+    if (has(FEATURE_UNLIT) || blended_coverage(s.surface) == 0.0) // nothing of it shows
         list.count = list.everywhere = 0u;
     ForwardSums sums = no_lights();
     uint contributing = 0u;
@@ -78,7 +78,7 @@ void main() {
         return;
     }
     // Each half of what a half float holds.
-    out_colour = vec4(stored_colour(forward_colour(s, sums, with_base, 32752.0)).rgb, coverage(s));
+    out_colour = vec4(stored_colour(forward_colour(s, sums, with_base, 32752.0)).rgb, blended_coverage(s.surface));
 #ifdef TRANSMISSION
     out_colour = vec4(over_picture(out_colour.rgb, out_colour.a), 1.0);
 #endif

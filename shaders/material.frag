@@ -72,8 +72,7 @@ Light light_of(LightTexels texels, float open, Point p, Surface s) {
 
 // Blended by its alpha; an opaque surface's is 1.
 vec4 covering(Surface s, vec3 colour) {
-    vec4 stored = stored_colour(min(colour, vec3(65504.0)));
-    return has(FEATURE_BLENDED) ? vec4(stored.rgb, clamp(s.alpha, 0.0, 1.0)) : stored;
+    return vec4(stored_colour(min(colour, vec3(65504.0))).rgb, blended_coverage(s));
 }
 
 void main() {

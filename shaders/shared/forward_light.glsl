@@ -27,9 +27,6 @@ struct ForwardSurface {
     float schlick_nv;
 };
 
-// What a blended surface covers of what is behind it; an opaque one all.
-float coverage(ForwardSurface s) { return has(FEATURE_BLENDED) ? clamp(s.surface.alpha, 0.0, 1.0) : 1.0; }
-
 ForwardSurface forward_surface() {
     ForwardSurface s;
     s.at = point();

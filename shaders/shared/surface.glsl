@@ -138,5 +138,7 @@ Surface gltf_surface(Point p) {
     return Surface(shading_normal(p), factors.y, base.a, base.rgb, factors.x, occlusion(p), emissive(p));
 }
 
+// What a blended surface covers of what is behind it; an opaque one all.
+float blended_coverage(Surface s) { return has(FEATURE_BLENDED) ? clamp(s.alpha, 0.0, 1.0) : 1.0; }
 bool is_masked(Surface s) { return has(FEATURE_ALPHA_MASK) && s.alpha < material.emissive.w; }
 #endif
