@@ -2,6 +2,7 @@
 #include "every_way.hpp"
 #include "garden.hpp"
 #include <cmath>
+#include <gpu/context.hpp>
 #include <utility>
 
 namespace prelight {
@@ -115,6 +116,23 @@ struct LitPane : Garden {
     Material& pane() { return scene.materials.back(); }
     static constexpr float alpha = 0.4f;
 };
+
+/// A lit pane where the driver ends loops early, so that lists of lights take several rounds: it is drawn as where
+/// loops run on. With the statistics. `settings`: of `light-prepass`, whose opaque surfaces need no lists.
+inline Stats expect_the_same_in_rounds(const std::map<std::string, std::string>& settings) {
+    const auto device = Device::create({.select = "cpu", .validate = true});
+    dynamic_cast<gpu::Context&>(*device).end_loops_after(24); // a light takes two turns
+    LitPane lit;
+    lit.pane().alpha_mode = AlphaMode::blend;
+    const Shot shot = with(with(lit.shot(), settings), {{"light-culling", "volumes"}});
+    const Image expected = render_linear(test_device(), shot);
+    const auto renderer = create_renderer("light-prepass", device.get(), options_of(shot));
+    renderer->set_world(lit.world);
+    renderer->render(lit.camera);
+    expect_within(compare(renderer->read("linear"), expected), half_float_bound);
+    expect_validation_clean(*device);
+    return renderer->stats();
+}
 
 /// α of the picture with the pane opaque and 1 − α of the one without: what it is where the pane is in front.
 inline Image expected_of(LitPane& lit, const Shot& shot) {
