@@ -72,8 +72,8 @@ struct ReferenceForm {
     /// what light comes through (transmits()) shows the opaque picture behind it as docs/transmission.md has it, and
     /// throws no shadow; else it is opaque too.
     enum class Transparency { opaque, layers } transparency = Transparency::opaque;
-    /// [Transparency::layers] Their shadows: as of what is opaque, less deep by 1 − α at each, or none.
-    enum class TransparentShadows { opaque, filtered, none } transparent_shadows = TransparentShadows::opaque;
+    /// [Transparency::layers] Their shadows: as of what is opaque, or Π(1 − α) of the light comes through, or none.
+    enum class TransparentShadows { opaque, filtered, none } transparent_shadows = TransparentShadows::filtered;
     /// Inferred lighting (docs/inferred.md): lights are evaluated at this share of the picture's width and height, for
     /// what is opaque and for up to three layers, and pixels find them there by their surface. 0: at each pixel; else
     /// 1/8 … 1, with one sample a pixel and another Fresnel than `full`.

@@ -22,6 +22,7 @@ struct ShadowData {
 // Push constants of a tile that is drawn.
 struct ShadowTileConstants {
     mat4 clip_from_centre; // world relative to the world's centre → the tile's clip space; reversed depth
+    uvec4 place;           // xy: the tile's corner in the atlas, texels
 };
 
 SHARED_END

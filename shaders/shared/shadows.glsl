@@ -13,9 +13,12 @@
 #include "shared/shadow.h"
 
 layout(constant_id = CONSTANT_SHADOW_FILTER) const int shadow_filter = SHADOW_FILTER_PCF;
+layout(constant_id = CONSTANT_SHADOWS_TRANSMIT) const bool shadows_transmit = false;
 layout(set = SET_FRAME, binding = FRAME_SHADOWS, std430) readonly buffer ShadowBlock { ShadowData shadow_tiles[]; };
 layout(set = SET_FRAME, binding = FRAME_SHADOW_SAMPLER) uniform samplerShadow shadow_sampler;
 layout(set = SET_INPUTS, binding = INPUT_SHADOW_ATLAS) uniform ONE_SAMPLE_IMAGE shadow_atlas;
+// Beside it, where blended surfaces let light through: the share that all of them leave, and the depth of the nearest.
+layout(set = SET_INPUTS, binding = INPUT_SHADOW_TRANSMITTANCE) uniform ONE_SAMPLE_IMAGE shadow_transmittance;
 
 const int shadow_taps = shadow_filter == SHADOW_FILTER_CONTACT ? 16 : 8;
 const int search_taps = 12;
@@ -57,6 +60,12 @@ vec3 moved_place(ShadowData tile, vec4 at, vec3 n, float sine, float radius) {
 
 vec2 atlas_texel(ShadowData tile, vec2 place) { return tile.place.xy + clamp(place, vec2(0.5), vec2(tile.place.z - 0.5)); }
 
+// What blended surfaces before the place leave of the light. The stored depth is a half float.
+float transmittance(vec2 texel, float depth) {
+    vec4 held = texelFetch(shadow_transmittance, ivec2(texel), 0);
+    return held.a > depth * (1.0 + 1.0 / 1024.0) ? held.r : 1.0;
+}
+
 // Radius of the penumbra, texels, from the mean depth of what lies nearer to the light around the point.
 float penumbra(ShadowData tile, vec4 at, vec3 n, float sine, vec2 turn, bool wanted) {
     float radius = tile.place.w;
@@ -92,8 +101,11 @@ float unshadowed(uint shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     if (shadow_filter == SHADOW_FILTER_HARD) {
         vec3 place = moved_place(tile, at, n, sine, 0.0);
-        float depth = texelFetch(shadow_atlas, ivec2(atlas_texel(tile, place.xy)), 0).r;
-        return wanted && depth > place.z ? 0.0 : 1.0;
+        vec2 texel = atlas_texel(tile, place.xy);
+        float depth = texelFetch(shadow_atlas, ivec2(texel), 0).r, left = depth > place.z ? 0.0 : 1.0;
+        if (shadows_transmit)
+            left *= transmittance(texel, place.z);
+        return wanted ? left : 1.0;
     }
     float radius = least_radius;
     if (shadow_filter == SHADOW_FILTER_CONTACT)
@@ -104,7 +116,10 @@ float unshadowed(uint shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec
     int taps = wanted ? shadow_taps : 0;
     for (int i = 0; i < taps; ++i) {
         vec2 spot = atlas_texel(tile, place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(shadow_taps))));
-        sum += textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * tile.texel.zw, place.z), 0.0);
+        float left = textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * tile.texel.zw, place.z), 0.0);
+        if (shadows_transmit)
+            left *= transmittance(spot, place.z);
+        sum += left;
         turn = next_turn(turn);
     }
     return wanted ? sum / float(shadow_taps) : 1.0;

@@ -35,6 +35,9 @@ layout(location = 5) out vec3 out_previous;
 #ifdef TRANSMISSION
 layout(location = 6) flat out float out_scale;
 #endif
+#ifdef SHADOW_TILE
+layout(location = 6) flat out uint out_caster; // of the triangle: another one for most others
+#endif
 
 void main() {
     vec3 world = vertex_position();
@@ -63,6 +66,9 @@ void main() {
 #endif
 #ifdef TRANSMISSION
     out_scale = in_normal_row[2].w;
+#endif
+#ifdef SHADOW_TILE
+    out_caster = uint(gl_VertexIndex) + uint(gl_InstanceIndex) * 0x9e3779b9u;
 #endif
 #ifdef MOTION
     vec4 previous = vec4(in_previous_position, 1.0);

@@ -71,6 +71,11 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
     if (desc.blend == Blend::add_by_alpha)
         state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
     state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
+    if (desc.blend == Blend::transmit) {
+        state.srcColorBlendFactor = VK_BLEND_FACTOR_DST_COLOR;
+        state.dstColorBlendFactor = VK_BLEND_FACTOR_ZERO;
+        state.alphaBlendOp = VK_BLEND_OP_MAX;
+    }
     state.colorWriteMask = desc.fragment.empty() ? 0 : desc.blend == Blend::alpha_only ? VK_COLOR_COMPONENT_A_BIT : 0xf;
     return std::vector<VkPipelineColorBlendAttachmentState>(desc.attachments.colours.size(), state);
 }

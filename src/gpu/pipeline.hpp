@@ -23,6 +23,7 @@ enum class Blend {
     by_alpha,      ///< glTF's BLEND: colour by its alpha, what is there by 1 − alpha
     add_by_alpha,  ///< colour by its alpha is added; the target's alpha stays
     add_and_cover, ///< colour is added; the target's alpha is multiplied by 1 − alpha
+    transmit,      ///< colour multiplies what is there; the larger alpha stays
     alpha_only,    ///< nothing blends: the target's alpha is replaced, its colour stays
 };
 enum class DepthTest {

@@ -13,7 +13,6 @@ using resident::ShadowTile;
 using resident::VertexAttributes;
 
 // Vertex buffer bindings.
-// Vertex buffers.
 constexpr uint32_t caster_positions = 0, caster_attributes = 1, caster_rows = 2;
 /// Beside the offset along the normal that lighting adds: for normals that are not the triangle's.
 constexpr float slope_bias = 1;
@@ -25,30 +24,42 @@ bool overlap(const resident::ShadowTilePlace& a, const resident::ShadowTilePlace
 
 } // namespace
 
-/// The pipelines of casters: of those without mask, and of each set of features that masks have.
+/// The pipelines of casters: of those without alpha, and of each set of features that alpha has.
 class ShadowDraws::Casters {
 public:
-    Casters(const resident::View& view, VkDescriptorSetLayout inputs) : view_(view) {
+    Casters(const resident::View& view, VkDescriptorSetLayout inputs, ShadowTarget target)
+        : view_(view), blended_(view.shadows()->options().blended), target_(target) {
         gpu::GraphicsPipelineDesc desc;
         desc.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), 3 * sizeof(glm::vec4)};
         desc.instance_binding = caster_rows;
-        desc.attachments.depth = shadow_format;
-        desc.depth = gpu::DepthTest::write_nearer;
+        gpu::GraphicsPipelineDesc clear{.name = "shadow tile clear", .vertex = "fullscreen.vert"};
+        if (target == ShadowTarget::depth) {
+            desc.attachments.depth = shadow_format;
+            desc.depth = gpu::DepthTest::write_nearer;
+            desc.slope_bias = slope_bias;
+            clear.depth = gpu::DepthTest::overwrite;
+        } else {
+            // What lies behind an opaque caster is not drawn: for what is in front of it, it leaves all light.
+            desc.attachments = {.colours = {transmittance_format}, .depth = shadow_format};
+            desc.depth = gpu::DepthTest::behind_or_at;
+            desc.blend = gpu::Blend::transmit;
+            clear.fragment = "shadow_transmittance_clear.frag";
+        }
+        clear.attachments = desc.attachments;
+        clear_ = gpu::GraphicsPipeline(view.context(), clear);
         desc.push_bytes = sizeof(shared::ShadowTileConstants);
-        desc.push_stage = VK_SHADER_STAGE_VERTEX_BIT;
-        desc.slope_bias = slope_bias;
+        desc.push_stage = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
         desc.sets = {view.layout(), inputs, view.scene().materials().layout};
-        clear_ = gpu::GraphicsPipeline(view.context(), {.name = "shadow tile clear",
-                                                        .vertex = "fullscreen.vert",
-                                                        .attachments = {.colours = {}, .depth = shadow_format},
-                                                        .depth = gpu::DepthTest::overwrite});
+        const std::string kind = target == ShadowTarget::depth ? "shadow casters" : "transparent shadow casters";
         for (const Draw& draw : view.scene().geometry().draws) {
             const uint32_t features = key(draw);
-            if (pipelines_.contains(features))
+            if (!casts(draw) || pipelines_.contains(features))
                 continue;
-            desc.name = "shadow casters, features " + std::to_string(features);
+            desc.name = kind + ", features " + std::to_string(features);
             desc.vertex = {features ? "surface.vert" : "depth_only.vert", gpu::Variant::shadow_tile};
-            desc.fragment = features ? "shadow_mask.frag" : "";
+            desc.fragment = target == ShadowTarget::transmittance ? "shadow_transmittance.frag"
+                            : features                            ? "shadow_mask.frag"
+                                                                  : "";
             desc.constants = {{CONSTANT_MATERIAL_FEATURES, features}};
             desc.attributes = attributes_of(features != 0);
             pipelines_.emplace(features, gpu::GraphicsPipeline(view.context(), desc));
@@ -64,8 +75,8 @@ public:
         vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
     }
 
-    /// Depth 0, the far end, all over the viewport. vkCmdClearAttachments makes a software device finish all that was
-    /// drawn into the atlas before.
+    /// As without casters, all over the viewport: depth 0 is the far end. vkCmdClearAttachments makes a software device
+    /// finish all that was drawn into the atlas before.
     void clear(const graph::PassContext& pass) const {
         clear_.bind(pass.commands);
         vkCmdDraw(pass.commands, 3, 1, 0, 0);
@@ -75,16 +86,21 @@ public:
     void draw(const graph::PassContext& pass, const ShadowMap& map) const {
         const std::vector<Draw>& all = view_.scene().geometry().draws;
         const std::vector<uint32_t>& draws = map.casters;
+        const shared::ShadowTileConstants tile{map.clip_from_centre, glm::uvec4(map.place.corner, 0, 0)};
         const gpu::GraphicsPipeline* bound = nullptr;
         uint32_t material = no_image;
         for (size_t i = 0; i < draws.size();) {
             const Draw& first = all[draws[i]];
+            if (!casts(first)) {
+                ++i;
+                continue;
+            }
             const gpu::GraphicsPipeline& pipeline = pipelines_.at(key(first));
             if (&pipeline != bound) {
                 pipeline.bind(pass.commands);
                 pipeline.bind_set(pass.commands, SET_FRAME, view_.set());
                 pipeline.bind_set(pass.commands, SET_INPUTS, pass.inputs);
-                pipeline.push(pass.commands, std::as_bytes(std::span(&map.clip_from_centre, 1)));
+                pipeline.push(pass.commands, std::as_bytes(std::span(&tile, 1)));
                 bound = &pipeline;
                 material = no_image;
             }
@@ -108,27 +124,34 @@ public:
         clear(pass);
         for (const auto& [features, pipeline] : pipelines_)
             for (uint32_t d = 0; d < all.size(); ++d)
-                if (key(all[d]) == features) {
+                if (casts(all[d]) && key(all[d]) == features) {
                     draw(pass, {.casters = {d}});
                     break;
                 }
     }
 
 private:
-    static uint32_t key(const Draw& draw) {
-        return draw.features & FEATURE_ALPHA_MASK ? draw.features & (FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE)
-                                                  : 0;
+    /// Whether the target holds what the draw casts.
+    bool casts(const Draw& draw) const {
+        const bool transmits = draw.blended() && blended_ == resident::TransparentShadows::filtered;
+        return transmits == (target_ == ShadowTarget::transmittance);
     }
-    static bool same_triangles(const Draw& a, const Draw& b) {
+    uint32_t key(const Draw& draw) const {
+        uint32_t alpha = draw.features & FEATURE_ALPHA_MASK;
+        if (draw.blended() && blended_ != resident::TransparentShadows::opaque)
+            alpha |= FEATURE_BLENDED;
+        return alpha ? alpha | (draw.features & FEATURE_BASE_COLOUR_TEXTURE) : 0;
+    }
+    bool same_triangles(const Draw& a, const Draw& b) const {
         return key(a) == key(b) && a.material == b.material && a.first_index == b.first_index &&
                a.index_count == b.index_count && a.vertex_offset == b.vertex_offset;
     }
-    static std::vector<gpu::VertexAttribute> attributes_of(bool masked) {
+    static std::vector<gpu::VertexAttribute> attributes_of(bool alpha) {
         std::vector<gpu::VertexAttribute> out{{VERTEX_POSITION, caster_positions, VK_FORMAT_R32G32B32_SFLOAT, 0}};
         for (uint32_t row = 0; row < 3; ++row)
             out.push_back({VERTEX_WORLD_ROW + row, caster_rows, VK_FORMAT_R32G32B32A32_SFLOAT,
                            static_cast<uint32_t>(row * sizeof(glm::vec4))});
-        if (masked) {
+        if (alpha) {
             out.push_back(
                 {VERTEX_COLOUR, caster_attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
             out.push_back({VERTEX_TEXCOORD_0, caster_attributes, VK_FORMAT_R32G32_SFLOAT,
@@ -140,12 +163,17 @@ private:
     }
 
     const resident::View& view_;
+    resident::TransparentShadows blended_;
+    ShadowTarget target_;
     gpu::GraphicsPipeline clear_;
-    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: without mask
+    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: without alpha
 };
 
-ShadowDraws::ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows)
-    : view_(view), counts_(*shadows.counts), held_(shadows.held), casters_(std::make_unique<Casters>(view, inputs)) {}
+ShadowDraws::ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows,
+                         ShadowTarget target)
+    : view_(view), counts_(target == ShadowTarget::depth ? shadows.counts : nullptr),
+      held_(target == ShadowTarget::depth ? shadows.held : shadows.transmittance_held),
+      casters_(std::make_unique<Casters>(view, inputs, target)) {}
 ShadowDraws::~ShadowDraws() = default;
 
 void ShadowDraws::record(const graph::PassContext& pass) {
@@ -181,10 +209,10 @@ void ShadowDraws::record_light(const graph::PassContext& pass, uint32_t light) {
 }
 
 void ShadowDraws::draw_anew(const graph::PassContext& pass, const ShadowMap& map) {
-    if (view_.shadows()->options().cached && held(map))
-        ++counts_.tiles_reused;
-    else
+    if (!view_.shadows()->options().cached || !held(map))
         draw(pass, map);
+    else if (counts_)
+        ++counts_->tiles_reused;
 }
 
 bool ShadowDraws::held(const ShadowMap& map) const {
@@ -203,8 +231,10 @@ void ShadowDraws::draw(const graph::PassContext& pass, const ShadowMap& map) {
     vkCmdSetScissor(pass.commands, 0, 1, &area);
     casters_->clear(pass);
     casters_->draw(pass, map);
-    ++counts_.tiles_drawn;
-    counts_.casters_drawn += map.casters.size();
+    if (!counts_)
+        return;
+    ++counts_->tiles_drawn;
+    counts_->casters_drawn += map.casters.size();
 }
 
 } // namespace prelight::passes

@@ -9,12 +9,16 @@ struct HeldMaps {
     std::map<std::pair<uint32_t, uint32_t>, resident::ShadowMap> maps;
 };
 
+/// Which image of the two that Shadows has.
+enum class ShadowTarget { depth, transmittance };
+
 /// Draws the maps that resident::ShadowPlan lists, and knows which ones the image holds already. Records into a pass
 /// that writes the image, or between the draws of one.
 class ShadowDraws {
 public:
     /// `inputs`: the pass's, of which nothing is read.
-    ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows);
+    ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows,
+                ShadowTarget target = ShadowTarget::depth);
     ~ShadowDraws();
     /// All tiles of the frame.
     void record(const graph::PassContext& pass);
@@ -29,7 +33,7 @@ private:
     void draw(const graph::PassContext& pass, const resident::ShadowMap& map);
 
     const resident::View& view_;
-    ShadowCounts& counts_;
+    ShadowCounts* counts_; ///< null: another counts the same tiles
     std::shared_ptr<HeldMaps> held_;
     std::unique_ptr<Casters> casters_;
 };

@@ -3,6 +3,21 @@
 #include <shared/bindings.h>
 
 namespace prelight::passes {
+namespace {
+
+void draw_pass(graph::Pass& pass, const resident::View& view, const Shadows& shadows, ShadowTarget target) {
+    auto draws = std::make_shared<std::optional<ShadowDraws>>();
+    pass.prepare(
+        [=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface.inputs, shadows, target); });
+    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+}
+
+bool transmits(const resident::View& view) {
+    const resident::ShadowOptions& options = view.shadows()->options();
+    return options.blended == resident::TransparentShadows::filtered && !options.reuse && view.scene().blends();
+}
+
+} // namespace
 
 Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, ShadowCounts& counts) {
     if (!view.shadows())
@@ -11,18 +26,27 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
     const graph::ImageId atlas = graph.image("shadow atlas", {shadow_format, {size.x, size.y}});
     graph.persist(atlas);
     graph.before_frame([&counts] { counts = {}; });
+    const graph::ImageId transmittance =
+        graph.image("shadow transmittance",
+                    {transmittance_format, transmits(view) ? VkExtent2D{size.x, size.y} : VkExtent2D{1, 1}});
+    graph.persist(transmittance);
     const Shadows shadows{.atlas = atlas,
+                          .transmittance = transmittance,
                           .counts = &counts,
                           .held = std::make_shared<HeldMaps>(),
+                          .transmittance_held = std::make_shared<HeldMaps>(),
                           .reused = view.shadows()->options().reuse};
     if (shadows.reused)
         return shadows;
     graph::Pass& pass = graph.pass("shadows");
     pass.depth_write(atlas, graph::Load::keep);
-    auto draws = std::make_shared<std::optional<ShadowDraws>>();
-    pass.prepare(
-        [=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface.inputs, shadows); });
-    pass.record([draws](const graph::PassContext& context) { (*draws)->record(context); });
+    draw_pass(pass, view, shadows, ShadowTarget::depth);
+    if (!transmits(view))
+        return shadows;
+    graph::Pass& blended = graph.pass("transparent shadows");
+    blended.colour(transmittance, graph::Load::keep).blends();
+    blended.depth_test(atlas);
+    draw_pass(blended, view, shadows, ShadowTarget::transmittance);
     return shadows;
 }
 
@@ -31,11 +55,15 @@ void declare_shadows(graph::Pass& pass, const Shadows& shadows) {
         pass.draws_between(INPUT_SHADOW_ATLAS, shadows.atlas);
     else if (shadows)
         pass.sample(INPUT_SHADOW_ATLAS, shadows.atlas);
+    if (shadows)
+        pass.sample(INPUT_SHADOW_TRANSMITTANCE, shadows.transmittance);
 }
 
 void add_shadow_constants(gpu::Constants& constants, const resident::View& view) {
-    if (view.shadows())
-        constants.emplace_back(CONSTANT_SHADOW_FILTER, static_cast<uint32_t>(view.shadows()->options().filter));
+    if (!view.shadows())
+        return;
+    constants.emplace_back(CONSTANT_SHADOW_FILTER, static_cast<uint32_t>(view.shadows()->options().filter));
+    constants.emplace_back(CONSTANT_SHADOWS_TRANSMIT, transmits(view));
 }
 
 gpu::Variants shadow_variant(const Shadows& shadows) { return gpu::when(bool(shadows), gpu::Variant::shadows); }

@@ -7,14 +7,19 @@
 namespace prelight::passes {
 
 inline constexpr VkFormat shadow_format = VK_FORMAT_D32_SFLOAT;
+inline constexpr VkFormat transmittance_format = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 struct ShadowCounts;
 struct HeldMaps;
 /// What a pass that evaluates lights needs to know of shadows; default: there are none.
 struct Shadows {
     graph::ImageId atlas{}; ///< depth of all tiles: resident::ShadowPlan says which lies where
+    /// Beside it, of blended surfaces: the share of light that they leave, and the depth of the nearest to the light
+    /// (TransparentShadows::filtered); else of one texel, which nothing is read from.
+    graph::ImageId transmittance{};
     ShadowCounts* counts = nullptr;
-    std::shared_ptr<HeldMaps> held = nullptr; ///< which maps the atlas holds, for all who draw into it
+    /// Which maps each image holds, for all who draw into it.
+    std::shared_ptr<HeldMaps> held = nullptr, transmittance_held = nullptr;
     /// The passes themselves draw each light's maps before the light, into the same memory for all of them
     /// (shadow-memory=reuse, Lee's way).
     bool reused = false;
@@ -30,8 +35,10 @@ struct ShadowCounts {
 
 /// Shadow maps: a pass "shadows" that draws the tiles of View::shadows() into one depth image, each with the
 /// casters that its light may see. Both faces of every triangle cast, masked ones where they are not masked out.
-/// A tile that the image holds already is left as it is. With ShadowOptions::reuse there is no such pass: see
-/// Shadows::reused. Nothing without shadows. `counts` lives as long as the graph.
+/// A tile that the image holds already is left as it is. Blended surfaces cast as TransparentShadows says; with
+/// `filtered`, and where there are any, a pass "transparent shadows" draws them into an image of their own. With
+/// ShadowOptions::reuse there is no such pass: see Shadows::reused. Nothing without shadows. `counts` lives as long as
+/// the graph.
 Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, ShadowCounts& counts);
 
 /// Makes `pass` read the atlas; nothing without shadows.

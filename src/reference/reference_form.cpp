@@ -80,9 +80,9 @@ ReferenceForm reference_form(Shading shading, const InForce& settings, uint32_t 
     if (is("inferred-layers", "on"))
         form.transparency = ReferenceForm::Transparency::layers;
     using Shadows = ReferenceForm::TransparentShadows;
-    form.transparent_shadows = is("transparent-shadows", "filtered") ? Shadows::filtered
-                               : is("transparent-shadows", "none")   ? Shadows::none
-                                                                     : Shadows::opaque;
+    form.transparent_shadows = is("transparent-shadows", "opaque") ? Shadows::opaque
+                               : is("transparent-shadows", "none") ? Shadows::none
+                                                                   : Shadows::filtered;
     form.samples = samples_form(settings, samples);
     if (samples > 1 && form.transparency == ReferenceForm::Transparency::layers && !is("msaa-layers", "sample"))
         form.samples.layers = ReferenceSamples::Rate::fragment;

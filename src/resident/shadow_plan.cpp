@@ -50,7 +50,11 @@ void ShadowPlan::find_moved() {
 }
 
 bool ShadowPlan::casts(const Frustum& sight, uint32_t draw) const {
-    return draws_[draw].visible && !draws_[draw].transmissive() && sight.may_show(draws_[draw], world_.centre());
+    if (!draws_[draw].visible || draws_[draw].transmissive())
+        return false;
+    if (options_.blended == TransparentShadows::none && draws_[draw].blended())
+        return false;
+    return sight.may_show(draws_[draw], world_.centre());
 }
 
 std::vector<uint32_t> ShadowPlan::casters_still(const ShadowSight& sight, std::vector<uint32_t> before) const {

@@ -13,9 +13,18 @@ namespace prelight::resident {
 /// The setting `shadow-filter`, in the order of SHADOW_FILTER_….
 enum class ShadowFilter { hard, pcf, contact };
 
+/// The setting `transparent-shadows`: what blended surfaces cast.
+enum class TransparentShadows {
+    opaque,     ///< the shadows of opaque ones
+    filtered,   ///< they leave 1 − alpha of the light, behind the nearest of them what all leave together
+    stochastic, ///< they cast in as many texels as alpha says
+    none
+};
+
 struct ShadowOptions {
     bool on = false;
     ShadowFilter filter = ShadowFilter::pcf;
+    TransparentShadows blended = TransparentShadows::opaque;
     uint64_t budget = 1u << 24; ///< texels of the atlas
     double detail = 2;          ///< texels of a map that a pixel asks for
     bool reuse = false;         ///< each light has the whole atlas, one after the other

@@ -29,7 +29,8 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"volume-depth-test", {"light-culling", {"volumes"}}},
         {"depth-bounds", {"light-culling", {"rectangles"}}},
         {"transparent-shadows", {"shadows", {"on"}}},
-        {"transparent-shadows", {"transparency", {"layers"}}},
+        {"transparent-shadows",
+         {"transparency", {"layers", "lists", "sorted", "peeled", "k-buffer", "weighted", "half-samples"}}},
         {"shadow-filter", {"shadows", {"on"}}},
         {"shadow-budget", {"shadows", {"on"}}},
         {"shadow-detail", {"shadows", {"on"}}},
@@ -56,13 +57,20 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
     return found;
 }
 
-/// Of them, what concerns a renderer with these settings.
+/// Of them, what concerns a renderer with these settings, with the values that it knows.
 inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vector<SettingInfo>& settings) {
-    std::vector<SettingNeed> found = needs_of(key);
-    std::erase_if(found, [&](const SettingNeed& need) {
-        return !need.of_options() && std::none_of(settings.begin(), settings.end(),
-                                                  [&](const SettingInfo& one) { return one.key == need.key; });
-    });
+    std::vector<SettingNeed> found;
+    for (SettingNeed need : needs_of(key)) {
+        const auto of =
+            std::find_if(settings.begin(), settings.end(), [&](const SettingInfo& one) { return one.key == need.key; });
+        if (of != settings.end())
+            std::erase_if(need.values, [&](const std::string& value) {
+                return std::find(of->values.begin(), of->values.end(), value) == of->values.end();
+            });
+        else if (!need.of_options())
+            continue;
+        found.push_back(std::move(need));
+    }
     return found;
 }
 
@@ -85,6 +93,8 @@ inline std::optional<std::string> why_without_effect(const std::string& key,
         };
         if (has(need.values, value) || (!need.or_view.empty() && has(views, need.or_view)))
             continue;
+        if (need.values.size() > 4)
+            return fmt::format("needs another {} than {}", need.key, value);
         return fmt::format("needs {}{}{}, and it is {}", need.of_options() ? "--" + need.key + " " : need.key + "=",
                            fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view,
                            value);

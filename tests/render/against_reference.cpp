@@ -71,6 +71,10 @@ ReferenceForm form_of(const Shot& shot) {
     form.reflection_vector = is(shot, "specular-vector", "reflection");
     form.ambient_as_light = is(shot, "ambient", "light");
     form.shadows = is(shot, "shadows", "on");
+    using Through = ReferenceForm::TransparentShadows;
+    form.transparent_shadows = is(shot, "transparent-shadows", "opaque") ? Through::opaque
+                               : is(shot, "transparent-shadows", "none") ? Through::none
+                                                                         : Through::filtered;
     form.specular_antialiasing = !is(shot, "specular-antialiasing", "off") && form.specular == Specular::stored;
     if (shot.settings.contains("ssao") && !is(shot, "ssao", "off"))
         form.occlusion_radius = shot.settings.contains("ssao-radius") ? std::stod(shot.settings.at("ssao-radius")) : 1;

@@ -13,12 +13,24 @@ constexpr ChoiceSetting<ShadowFilter> filter_setting{
     "shadow-filter", filter_words, "pcf",
     "one texel; a disc of 1.5 texels; a disc as wide as the light and its distance make the penumbra"};
 
+using resident::TransparentShadows;
+
+constexpr Choice<TransparentShadows> transparent_words[] = {{"opaque", TransparentShadows::opaque},
+                                                            {"filtered", TransparentShadows::filtered},
+                                                            {"stochastic", TransparentShadows::stochastic},
+                                                            {"none", TransparentShadows::none}};
+constexpr ChoiceSetting<TransparentShadows> transparent_setting{
+    "transparent-shadows", transparent_words, "filtered",
+    "shadows of BLEND surfaces: as of opaque ones; less deep by alpha, by a map of what they leave of the light, or "
+    "by chance from texel to texel; or none"};
+
 } // namespace
 
 std::vector<SettingInfo> shadow_settings(bool light_by_light) {
     std::vector<SettingInfo> settings{
         {"shadows", {"off", "on"}, "off", "shadow maps of every light that casts a shadow"},
         filter_setting.info(),
+        transparent_setting.info(),
         {"shadow-budget",
          {"1 … 268435456"},
          "16777216",
@@ -55,6 +67,7 @@ resident::ShadowOptions shadow_options(const Settings& settings) {
         return {};
     return {.on = settings.is("shadows", "on"),
             .filter = settings.value(filter_setting),
+            .blended = settings.value(transparent_setting),
             .budget = static_cast<uint64_t>(settings.number("shadow-budget")),
             .detail = settings.number("shadow-detail"),
             .reuse = settings.has("shadow-memory") && settings.is("shadow-memory", "reuse"),
