@@ -16,6 +16,7 @@
 #define FRAME_DISTRIBUTION_MAPS 9
 // FRAME_LIGHTS as texels
 #define FRAME_LIGHT_TEXELS 10
+#define FRAME_SHADOW_TEXELS 11 // and FRAME_SHADOWS
 
 #define SET_INPUTS 1
 #define INPUT_RASTER 63  // in every pass

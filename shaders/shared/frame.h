@@ -20,7 +20,7 @@ struct FrameConstants {
                            // y: exposure factor; z: x of specular light
     mat4 previous_clip_from_world;  // what clip_from_world was one interval earlier, for positions
                                     // relative to this frame's camera; the same when it stood still
-    vec4 sun;  // the first directional light with a shadow: x: number of its first tile + 1, 0 without one; y: its number
+    vec4 sun;  // the first directional light with a shadow: x: its LightData::shadow, 0 without one; y: its number
 };
 
 // One light; directional ones are point lights whose vector to the light is constant.
@@ -34,7 +34,7 @@ struct LightData {
     float shininess;
     vec2 cone;            // scale and offset of the cone's falloff; scale 0 where there is no cone
     float outer_angle;    // radians
-    uint shadow;          // number of its first shadow tile + 1; 0 without a shadow
+    uint shadow;          // number of its first shadow tile: see shadow.h; 0 without a shadow
 };
 
 // What a light sends in which direction: a cookie, a measured profile, or both. Maps lie in one image, level by level

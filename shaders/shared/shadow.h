@@ -9,15 +9,22 @@ SHARED_BEGIN
 #define SHADOW_CASCADES 1
 #define SHADOW_FACES 2
 
-// What lighting knows of one tile. LightData::shadow says which is a light's first.
+// LightData::shadow, and frame.sun.x: the number of a light's first tile plus 1, times this, and SHADOW_…; 0: no shadow.
+#define SHADOW_KINDS 4u
+
+// What lighting knows of one tile. Its first three are rows of a matrix over (x, y, z, 1), camera-relative world. A
+// software device pays for each member that a filter reads.
 struct ShadowData {
-    mat4 texel_from_world; // camera-relative world → texels of the tile × w, depth × w, w
+    vec4 across; // texels of the tile × w
+    vec4 down;   // likewise
+    vec4 away;   // w; of cascades, whose w is 1, depth
     vec4 place;  // xy: the tile's corner in the atlas, texels; z: its side; w: largest radius of the filter, texels
-    vec4 texel;  // metres that a texel covers: x + y · w; zw: 1 / size of the atlas
+    vec4 scale;  // metres that a texel covers: x + y · w; z: metres from depth 0 to depth 1 (cascades), else 0;
+                 // w: depth × w (near plane), metres
     vec4 ends;   // cascades: view depths where they end
-    vec4 source; // x: metres from depth 0 to depth 1 (cascades), else 0; y: depth × w (near plane), metres;
-                 // z: size of the light: metres, or metres per metre (cascades); w: SHADOW_…
+    vec4 light;  // x: size of the light: metres, or metres per metre (cascades)
 };
+#define SHADOW_TEXELS 7 // members, as texels
 
 // Push constants of a tile that is drawn.
 struct ShadowTileConstants {

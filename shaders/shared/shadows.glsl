@@ -15,6 +15,7 @@
 layout(constant_id = CONSTANT_SHADOW_FILTER) const int shadow_filter = SHADOW_FILTER_PCF;
 layout(constant_id = CONSTANT_SHADOWS_TRANSMIT) const bool shadows_transmit = false;
 layout(set = SET_FRAME, binding = FRAME_SHADOWS, std430) readonly buffer ShadowBlock { ShadowData shadow_tiles[]; };
+layout(set = SET_FRAME, binding = FRAME_SHADOW_TEXELS) uniform samplerBuffer shadow_texels; // as light_texels
 layout(set = SET_FRAME, binding = FRAME_SHADOW_SAMPLER) uniform samplerShadow shadow_sampler;
 layout(set = SET_INPUTS, binding = INPUT_SHADOW_ATLAS) uniform ONE_SAMPLE_IMAGE shadow_atlas;
 // Beside it, where blended surfaces let light through: the share that all of them leave, and the depth of the nearest.
@@ -34,27 +35,40 @@ vec2 disc_turn(vec2 pixel) {
 
 vec2 next_turn(vec2 t) { return vec2(t.x * golden_cos - t.y * golden_sin, t.x * golden_sin + t.y * golden_cos); }
 
-// Which of a light's tiles the point lies in; `from_light`: from the light to the point.
-uint tile_of(uint first, vec3 world, vec3 from_light) {
-    float kind = shadow_tiles[first].source.w;
-    uint tile = first;
+// Members of a tile: what no one reads is not fetched.
+vec4 tile_member(uint tile, int member) { return texelFetch(shadow_texels, SHADOW_TEXELS * int(tile) + member); }
+ShadowData shadow_tile(uint tile) {
+    if (!lights_as_texels)
+        return shadow_tiles[tile];
+    return ShadowData(tile_member(tile, 0), tile_member(tile, 1), tile_member(tile, 2), tile_member(tile, 3),
+                      tile_member(tile, 4), tile_member(tile, 5), tile_member(tile, 6));
+}
+
+// Which of the light's tiles the point lies in; `from_light`: from the light to the point.
+uint tile_of(uint shadow, vec3 world, vec3 from_light) {
+    uint kind = shadow % SHADOW_KINDS, first = shadow / SHADOW_KINDS - 1u, tile = first;
     if (may_be(LIGHT_KIND_DIRECTIONAL)) {
-        vec4 beyond = vec4(greaterThan(vec4(dot(world, frame.forward.xyz)), shadow_tiles[first].ends));
-        tile += kind == float(SHADOW_CASCADES) ? uint(beyond.x + beyond.y + beyond.z) : 0u;
+        vec4 beyond = vec4(greaterThan(vec4(dot(world, frame.forward.xyz)), shadow_tile(first).ends));
+        tile += kind == SHADOW_CASCADES ? uint(beyond.x + beyond.y + beyond.z) : 0u;
     }
     vec3 size = abs(from_light);
     bool x = size.x >= size.y && size.x >= size.z, y = size.y >= size.z;
     uint face = x ? (from_light.x < 0.0 ? 1u : 0u) : y ? (from_light.y < 0.0 ? 3u : 2u) : (from_light.z < 0.0 ? 5u : 4u);
-    return tile + (kind == float(SHADOW_FACES) ? face : 0u);
+    return tile + (kind == SHADOW_FACES ? face : 0u);
 }
 
-// Place in the tile and depth of a point moved off its surface for a disc of this radius.
-vec3 moved_place(ShadowData tile, vec4 at, vec3 n, float sine, float radius) {
-    float offset = (tile.texel.x + tile.texel.y * max(at.w, 0.0)) * (radius + margin) * sine;
-    at += tile.texel_from_world * vec4(n * offset, 0.0);
-    vec3 place = at.xyz / max(at.w, 1e-6);
+bool is_cascade(ShadowData tile) { return tile.scale.z > 0.0; }
+float w_of(ShadowData tile, vec3 at) { return is_cascade(tile) ? 1.0 : at.z; }
+
+// Place in the tile and depth of a point moved off its surface for a disc of this radius. `at`: what the tile's rows make
+// of the point.
+vec3 moved_place(ShadowData tile, vec3 at, vec3 n, float sine, float radius) {
+    float offset = (tile.scale.x + tile.scale.y * max(w_of(tile, at), 0.0)) * (radius + margin) * sine;
+    at += offset * vec3(dot(tile.across.xyz, n), dot(tile.down.xyz, n), dot(tile.away.xyz, n));
+    float w = max(w_of(tile, at), 1e-6);
+    vec3 place = vec3(at.xy, is_cascade(tile) ? at.z : tile.scale.w) / w;
     // What rounding does to depth. SwiftShader divides by w to about 12 bits: 0.7 mm a metre.
-    place.z += tile.source.x > 0.0 ? 2e-6 : 7e-4 * place.z;
+    place.z += is_cascade(tile) ? 2e-6 : 7e-4 * place.z;
     return place;
 }
 
@@ -67,7 +81,7 @@ float transmittance(vec2 texel, float depth) {
 }
 
 // Radius of the penumbra, texels, from the mean depth of what lies nearer to the light around the point.
-float penumbra(ShadowData tile, vec4 at, vec3 n, float sine, vec2 turn, bool wanted) {
+float penumbra(ShadowData tile, vec3 at, vec3 n, float sine, vec2 turn, bool wanted) {
     float radius = tile.place.w;
     vec3 place = moved_place(tile, at, n, sine, radius);
     float sum = 0.0, found = 0.0;
@@ -83,21 +97,19 @@ float penumbra(ShadowData tile, vec4 at, vec3 n, float sine, vec2 turn, bool wan
     if (found < 0.5)
         return least_radius;
     float blocker = sum / found;
-    float metres = tile.source.x > 0.0
-                       ? (blocker - place.z) * tile.source.x * tile.source.z
-                       : (at.w - tile.source.y / blocker) * tile.source.z / max(tile.source.y / blocker, 1e-4);
-    return clamp(metres / (tile.texel.x + tile.texel.y * at.w), least_radius, max(radius, least_radius));
+    float w = w_of(tile, at), size = tile.light.x, nearest = tile.scale.w / blocker;
+    float metres = is_cascade(tile) ? (blocker - place.z) * tile.scale.z * size : (w - nearest) * size / max(nearest, 1e-4);
+    return clamp(metres / (tile.scale.x + tile.scale.y * w), least_radius, max(radius, least_radius));
 }
 
-// 1: nothing between the light and the point. `shadow`: number of the light's first tile plus 1, 0 without a
-// shadow; `nl`: N·L; where not `wanted` nothing is looked up.
+// 1: nothing between the light and the point. `shadow`: as in LightData; `nl`: N·L; where not `wanted` nothing is looked up.
 float unshadowed(uint shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec2 turn, bool wanted) {
     wanted = wanted && shadow > 0u;
-    ShadowData tile = shadow_tiles[tile_of(wanted ? shadow - 1u : 0u, world, from_light)];
-    vec4 at = tile.texel_from_world * vec4(world, 1.0);
+    ShadowData tile = shadow_tile(tile_of(wanted ? shadow : SHADOW_KINDS, world, from_light));
+    vec4 homogeneous = vec4(world, 1.0);
+    vec3 at = vec3(dot(tile.across, homogeneous), dot(tile.down, homogeneous), dot(tile.away, homogeneous));
     // Parallel light comes along the axis; else the axis is what w grows along.
-    vec3 axis = vec3(tile.texel_from_world[0].w, tile.texel_from_world[1].w, tile.texel_from_world[2].w);
-    float cosine = tile.source.x > 0.0 ? nl : dot(n, axis);
+    float cosine = is_cascade(tile) ? nl : dot(n, tile.away.xyz);
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     if (shadow_filter == SHADOW_FILTER_HARD) {
         vec3 place = moved_place(tile, at, n, sine, 0.0);
@@ -112,16 +124,17 @@ float unshadowed(uint shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec
         radius = penumbra(tile, at, n, sine, turn, wanted);
     radius = min(radius, tile.place.w);
     vec3 place = moved_place(tile, at, n, sine, radius);
+    vec2 of_atlas = 1.0 / vec2(textureSize(shadow_atlas, 0));
     float sum = 0.0;
-    int taps = wanted ? shadow_taps : 0;
-    for (int i = 0; i < taps; ++i) {
+    int i = 0, taps = wanted ? shadow_taps : 1;
+    do { // a software device would run the body once more with the condition in front
         vec2 spot = atlas_texel(tile, place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(shadow_taps))));
-        float left = textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * tile.texel.zw, place.z), 0.0);
+        float left = textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * of_atlas, place.z), 0.0);
         if (shadows_transmit)
             left *= transmittance(spot, place.z);
         sum += left;
         turn = next_turn(turn);
-    }
+    } while (++i < taps);
     return wanted ? sum / float(shadow_taps) : 1.0;
 }
 #endif

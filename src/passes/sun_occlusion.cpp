@@ -17,6 +17,7 @@ public:
         desc.constants = surface.constants();
         add_shadow_constants(desc.constants, view);
         desc.constants.emplace_back(CONSTANT_LIGHT_KINDS, view.lights().kinds());
+        desc.constants.emplace_back(CONSTANT_LIGHTS_AS_TEXELS, view.context().features().fast_texel_buffers);
         desc.blend = gpu::Blend::alpha_only;
         desc.attachments = interface.attachments;
         desc.sets = {view.layout(), interface.inputs};

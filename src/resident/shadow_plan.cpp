@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace prelight::resident {
 namespace {
@@ -160,15 +161,17 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 2; ++row)
             m[column][row] = half * (m[column][row] + m[column][3]);
+    const glm::dmat4 rows = glm::transpose(m);
+    const bool directional = light.kind == LightKind::directional;
     shared::ShadowData out{};
-    out.texel_from_world = glm::mat4(m);
+    out.across = glm::vec4(rows[0]);
+    out.down = glm::vec4(rows[1]);
+    out.away = glm::vec4(rows[directional ? 2 : 3]);
     const double radius = options_.filter == ShadowFilter::contact ? 10 : 1.5;
     out.place = glm::vec4(place.corner, place.side, std::min(radius, guard / 2.0));
-    out.texel = glm::vec4(view.texel, view.texel_per_w, 1.0 / atlas_.size().x, 1.0 / atlas_.size().y);
-    const bool directional = light.kind == LightKind::directional;
+    out.scale = glm::vec4(view.texel, view.texel_per_w, view.depth_range, view.near);
     out.ends = directional ? glm::vec4(cascade_ends(camera, world_)) : glm::vec4(0);
-    out.source =
-        glm::vec4(view.depth_range, view.near, directional ? sun_radius : double(light.size), shadow_kind(light));
+    out.light.x = directional ? static_cast<float>(sun_radius) : light.size;
     return out;
 }
 
@@ -238,7 +241,7 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
         const PlacedLight& light = lights[wish.light];
         const uint32_t guard = guard_of(wish.side);
         find_shadow_views(light, camera, aspect, world_, wish.side, guard, views);
-        lights_.push_back({wish.light, static_cast<uint32_t>(tiles_.size())});
+        lights_.push_back({wish.light, static_cast<uint32_t>(tiles_.size()), shadow_kind(light.light)});
         if (!sun_ && light.light.kind == LightKind::directional)
             sun_ = lights_.back();
         const std::span own = std::span(places).subspan(tiles_.size(), views.size());

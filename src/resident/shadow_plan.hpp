@@ -6,6 +6,7 @@
 #include <optional>
 #include <prelight/renderer.hpp>
 #include <shared/frame.h>
+#include <shared/shadow.h>
 #include <span>
 
 namespace prelight::resident {
@@ -60,6 +61,9 @@ struct ShadowTile {
 struct ShadowedLight {
     uint32_t light = 0;
     uint32_t first_tile = 0; ///< of its tiles, which follow one another
+    uint32_t kind = 0;       ///< SHADOW_…
+    /// As LightData::shadow has it.
+    uint32_t number() const { return (first_tile + 1) * SHADOW_KINDS + kind; }
 };
 
 /// Which lights of a frame have shadows, in tiles of which size, with which casters, and what shaders know of them.

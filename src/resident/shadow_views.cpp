@@ -77,14 +77,14 @@ ShadowView cascade(const Basis& b, glm::dvec3 middle, double radius, const World
 
 } // namespace
 
-int shadow_kind(const Light& light) {
+uint32_t shadow_kind(const Light& light) {
     if (light.kind == LightKind::directional)
         return SHADOW_CASCADES;
     return light.kind == LightKind::spot && double(light.outer_cone) <= widest_tile ? SHADOW_SPOT : SHADOW_FACES;
 }
 
 uint32_t shadow_tiles(const Light& light) {
-    const int kind = shadow_kind(light);
+    const uint32_t kind = shadow_kind(light);
     return kind == SHADOW_CASCADES ? 4 : kind == SHADOW_FACES ? 6 : 1;
 }
 

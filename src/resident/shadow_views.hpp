@@ -17,7 +17,7 @@ struct ShadowView {
 };
 
 /// How many tiles a light has: SHADOW_SPOT 1, SHADOW_CASCADES 4, SHADOW_FACES 6.
-int shadow_kind(const Light& light);
+uint32_t shadow_kind(const Light& light);
 uint32_t shadow_tiles(const Light& light);
 
 /// The view depths where a camera's four cascades end. They depend on the world's box and the camera's lens, and

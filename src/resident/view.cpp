@@ -114,7 +114,10 @@ void View::make_light_buffers(const LightSet& lights) {
             slot.distributions =
                 make_upload(context(), "light distributions", room, sizeof(shared::DistributionData), storage);
         if (shadows_) // as if all were point lights, for each may become one
-            slot.shadows = make_upload(context(), "shadow tiles", 6 * room, sizeof(shared::ShadowData), storage);
+            slot.shadows = make_upload(context(), "shadow tiles", 6 * room, sizeof(shared::ShadowData),
+                                       storage | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+        if (shadows_)
+            slot.shadow_texels = gpu::make_texel_view(context(), "shadow tiles as texels", slot.shadows);
     }
     std::vector<std::vector<gpu::Binding>> sets;
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
@@ -137,6 +140,7 @@ void View::make_light_buffers(const LightSet& lights) {
     }
     for (uint32_t s = 0; shadows_ && s < gpu::frames_in_flight; ++s) {
         sets[s].push_back(gpu::Binding::storage(FRAME_SHADOWS, made[s].shadows.handle()));
+        sets[s].push_back(gpu::Binding::texel_buffer(FRAME_SHADOW_TEXELS, made[s].shadow_texels));
         sets[s].push_back(gpu::Binding::sampler_only(FRAME_SHADOW_SAMPLER, shadow_sampler_));
     }
     if (!layout_)
@@ -148,6 +152,7 @@ void View::make_light_buffers(const LightSet& lights) {
         slots_[s].order = std::move(made[s].order);
         slots_[s].bounds = std::move(made[s].bounds);
         slots_[s].shadows = std::move(made[s].shadows);
+        slots_[s].shadow_texels = std::move(made[s].shadow_texels);
         slots_[s].distributions = std::move(made[s].distributions);
     }
 }
@@ -203,7 +208,7 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
 void View::update_shadows(const PlacedCamera& camera, shared::FrameConstants& constants) {
     shadows_->update(lights_.placed(), groups_.order, camera, aspect(), raster().extent.width, raster().extent.height);
     if (const auto sun = shadows_->sun())
-        constants.sun = glm::vec4(sun->first_tile + 1, sun->light, 0, 0);
+        constants.sun = glm::vec4(sun->number(), sun->light, 0, 0);
     const std::vector<shared::ShadowData>& records = shadows_->records();
     std::copy(records.begin(), records.end(), slots_[slot_].shadows.mapped<shared::ShadowData>());
 }
@@ -223,7 +228,7 @@ void View::write_lights() {
             record.kind |= ++distributed << LIGHT_DISTRIBUTION_SHIFT;
         }
         if (!shadowed.empty() && shadowed.front().light == i) {
-            record.shadow = shadowed.front().first_tile + 1;
+            record.shadow = shadowed.front().number();
             shadowed = shadowed.subspan(1);
         }
         records[i] = record;

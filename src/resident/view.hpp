@@ -119,8 +119,8 @@ private:
     /// What the host writes for one frame.
     struct Slot {
         gpu::Buffer lights, order, bounds, shadows, distributions;
-        gpu::UniqueBufferView light_texels; ///< of `lights`
-        gpu::Buffer commands;               ///< what find_visible() writes
+        gpu::UniqueBufferView light_texels, shadow_texels; ///< of `lights` and `shadows`
+        gpu::Buffer commands;                              ///< what find_visible() writes
     };
     gpu::PerFrame<Slot> slots_;
     gpu::PerFrame<gpu::Buffer> constants_;
