@@ -13,6 +13,7 @@
 #define NO_NORMAL
 #endif
 #include "shared/display.glsl"
+#include "shared/half_samples.h"
 #include "shared/light_buffer.glsl"
 #include "shared/material_interface.glsl"
 #include "shared/shininess.glsl"
@@ -20,6 +21,7 @@
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
 layout(constant_id = CONSTANT_MATERIAL_OUTPUT) const int material_output = MATERIAL_OUTPUT_SHADED;
 layout(constant_id = CONSTANT_AMBIENT_AS_LIGHT) const bool ambient_as_light = false;
+layout(constant_id = CONSTANT_HALF_SAMPLES) const bool in_half_samples = false; // a blended surface that is not blended yet
 #ifdef OCCLUSION
 layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform ONE_SAMPLE_IMAGE visibility_buffer;
 #endif
@@ -72,7 +74,8 @@ Light light_of(LightTexels texels, float open, Point p, Surface s) {
 
 // Blended by its alpha; an opaque surface's is 1.
 vec4 covering(Surface s, vec3 colour) {
-    return vec4(stored_colour(min(colour, vec3(65504.0))).rgb, blended_coverage(s));
+    float alpha = blended_coverage(s);
+    return vec4(stored_colour(min(colour, vec3(65504.0))).rgb, in_half_samples ? half_samples_alpha(alpha) : alpha);
 }
 
 void main() {

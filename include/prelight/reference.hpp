@@ -72,6 +72,11 @@ struct ReferenceForm {
     /// what light comes through (transmits()) shows the opaque picture behind it as docs/transmission.md has it, and
     /// throws no shadow; else it is opaque too.
     enum class Transparency { opaque, layers } transparency = Transparency::opaque;
+    /// [Transparency::layers, four samples] Samples 1 and 2 show the nearest layer that has an alpha of 1/16 or more
+    /// there, as if it were opaque, all of it at each sample but for the light; the others show none. Then the layer of
+    /// each is laid over the other sample of its half of the pixel, and both show that. Where something is
+    /// transmissive, layers are as without.
+    bool half_samples = false;
     /// [Transparency::layers] Their shadows: as of what is opaque, or Π(1 − α) of the light comes through, or none.
     enum class TransparentShadows { opaque, filtered, none } transparent_shadows = TransparentShadows::filtered;
     /// Inferred lighting (docs/inferred.md): lights are evaluated at this share of the picture's width and height, for
@@ -143,13 +148,12 @@ struct ReferencePicture {
 /// renderer lacks has its usual meaning (Fresnel of each light, the material's exponent for each light, N·L as a
 /// factor, half vector, ambient in the material).
 /// `transparency`: BLEND is opaque in a renderer that lacks it or says so, and layers with every other value, however
-/// they are drawn; `transparent-shadows`. Layers of several samples a pixel are evaluated once a fragment unless
-/// `msaa-layers` says otherwise.
-/// `inferred-scale` (1, 3/4, 5/8, 1/2) and `inferred-layers`, of the renderer `inferred`.
-/// `samples`: a pixel. With several: `msaa-light`, `msaa-material`
-/// and `msaa-shadows`, each per sample unless it says otherwise; `msaa-geometry`, which renderers on a device lack, for
-/// they store a normal once a fragment. A renderer without `msaa-light` is a forward one: all once a fragment, unless
-/// `msaa-material` says per sample.
+/// they are drawn; with four samples `half-samples` is a form of its own; `transparent-shadows`. Layers of several
+/// samples a pixel are evaluated once a fragment unless `msaa-layers` says otherwise. `inferred-scale` (1, 3/4, 5/8,
+/// 1/2) and `inferred-layers`, of the renderer `inferred`. `samples`: a pixel. With several: `msaa-light`,
+/// `msaa-material` and `msaa-shadows`, each per sample unless it says otherwise; `msaa-geometry`, which renderers on a
+/// device lack, for they store a normal once a fragment. A renderer without `msaa-light` is a forward one: all once a
+/// fragment, unless `msaa-material` says per sample.
 ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings, uint32_t samples = 1);
 
 /// Ray-casts the world with Embree and shades in double precision. Deterministic. Throws Error, also for a number of

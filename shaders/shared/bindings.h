@@ -221,6 +221,8 @@
 #define CONSTANT_BEHIND_COPIES 103
 #define CONSTANT_K_BUFFER_SLOTS 104
 #define CONSTANT_K_BUFFER_SLOT 105
+#define CONSTANT_HALF_SAMPLES 106
+#define CONSTANT_RESOLVED 107
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -256,6 +258,11 @@
 #define COOKIE_SPOT 1
 #define COOKIE_SPHERE 2
 #define COOKIE_CUBE 3
+
+// Which of a pixel's samples count, and as what.
+#define RESOLVED_ALL 0
+#define RESOLVED_HALVES 1  // shared/half_samples.h: blended surfaces over what is opaque
+#define RESOLVED_OPAQUE 2  // of them those that show what is opaque
 
 #define NORMAL_OCT24 0
 #define NORMAL_OCT32 1

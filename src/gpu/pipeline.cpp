@@ -124,6 +124,9 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.attachments.samples);
     samples.sampleShadingEnable = per_sample;
     samples.minSampleShading = 1;
+    const VkSampleMask mask = desc.sample_mask;
+    if (mask != ~0u)
+        samples.pSampleMask = &mask;
     VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc.depth);
     depth.depthBoundsTestEnable = desc.depth_bounds;
     set_stencil(depth, desc.stencil);

@@ -3,6 +3,7 @@
 #include "layer_draws.hpp"
 #include "resolve.hpp"
 #include <shared/bindings.h>
+#include <shared/half_samples.h>
 
 namespace prelight::passes {
 namespace {
@@ -74,10 +75,16 @@ void draw(graph::FrameGraph& graph, const resident::View& view, const MaterialIn
                   declare(graph, pass, view, inputs, output, display_constants(display, graph.desc(target).format)));
 }
 
+/// For what is blended.
+MaterialInputs without_what_lies_on_opaque(MaterialInputs inputs) {
+    inputs.decals = {};
+    inputs.visibility = {};
+    return inputs;
+}
+
 void draw_over(graph::FrameGraph& graph, const resident::View& view, MaterialInputs inputs, const resident::View& slots,
                const std::string& name, graph::ImageId target, uint32_t output, uint64_t* drawn = nullptr) {
-    inputs.decals = {}; // they lie on what is opaque, and so does occlusion
-    inputs.visibility = {};
+    inputs = without_what_lies_on_opaque(std::move(inputs));
     graph::Pass& pass = graph.pass(name);
     pass.colour(target, graph::Load::keep).blends();
     SurfaceDraws::Desc desc =
@@ -89,6 +96,9 @@ void draw_over(graph::FrameGraph& graph, const resident::View& view, MaterialInp
         shader->variants |= gpu::Variant::layer;
     draw_layers(pass, view, std::move(desc), slots, drawn);
 }
+
+/// Of a view, which shows what is opaque.
+Resolved resolved(const MaterialInputs& inputs) { return inputs.half_samples ? Resolved::opaque : Resolved::all; }
 
 } // namespace
 
@@ -110,12 +120,27 @@ void blended_material_pass(graph::FrameGraph& graph, const resident::View& view,
     draw_blended(pass, view, desc, BlendedOrder::layer, drawn);
 }
 
+void half_material_pass(graph::FrameGraph& graph, const resident::View& view, MaterialInputs inputs,
+                        graph::ImageId target, uint64_t* drawn) {
+    inputs = without_what_lies_on_opaque(std::move(inputs));
+    graph::Pass& pass = graph.pass("blended");
+    pass.colour(target, graph::Load::keep);
+    gpu::Constants constants = display_constants({}, graph.desc(target).format);
+    constants.emplace_back(CONSTANT_HALF_SAMPLES, true);
+    SurfaceDraws::Desc desc = declare(graph, pass, view, inputs, MATERIAL_OUTPUT_SHADED, std::move(constants));
+    desc.name = pass.name();
+    desc.sample_mask = HALF_SAMPLES_BLENDED;
+    desc.sample_shading = gpu::SampleShading::sample; // as half_surfaces_pass() drew them
+    desc.blended = true;
+    draw_blended(pass, view, desc, BlendedOrder::layer, drawn);
+}
+
 graph::ImageId light_sum_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                               bool specular) {
     const char* name = specular ? "specular-sum" : "diffuse-sum";
     const graph::ImageId target = graph.image(name, {VK_FORMAT_R32G32B32A32_SFLOAT, view.surface_raster()});
     draw(graph, view, inputs, name, target, specular ? MATERIAL_OUTPUT_SPECULAR_SUM : MATERIAL_OUTPUT_DIFFUSE_SUM);
-    return resolve_pass(graph, view, target);
+    return resolve_pass(graph, view, target, resolved(inputs));
 }
 
 void clear_unmatched_pass(graph::FrameGraph& graph, const gpu::Buffer& unmatched) {
@@ -143,7 +168,7 @@ graph::ImageId unmatched_view_pass(graph::FrameGraph& graph, const resident::Vie
 graph::ImageId albedo_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs) {
     const graph::ImageId target = graph.image("albedo", {VK_FORMAT_R16G16B16A16_SFLOAT, view.surface_raster()});
     draw(graph, view, inputs, "albedo", target, MATERIAL_OUTPUT_ALBEDO);
-    return resolve_pass(graph, view, target);
+    return resolve_pass(graph, view, target, resolved(inputs));
 }
 
 } // namespace prelight::passes

@@ -14,6 +14,8 @@ struct MaterialInputs {
     gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
     std::optional<SampleEdges> edges = {}; ///< whose samples' light is in `sample_light`; `depth` has several samples
     LightBuffer sample_light = {};
+    bool half_samples =
+        false; ///< half_surfaces_pass() has drawn into `depth`: opaque surfaces have two of four samples
     std::optional<graph::ImageId> visibility = {}; ///< ambient_occlusion_passes()'; none: ambient light is not occluded
     /// Light and visibility are of these surfaces, with ids and at another resolution, and are found by
     /// shaders/shared/inferred_light.glsl.
@@ -30,6 +32,11 @@ graph::ImageId material_pass(graph::FrameGraph& graph, const resident::View& vie
 /// pass `name`. `drawn` gets the number of draws.
 void blended_material_pass(graph::FrameGraph& graph, const resident::View& view, const MaterialInputs& inputs,
                            const std::string& name, graph::ImageId target, uint64_t* drawn);
+
+/// The same of the blended surfaces that half_surfaces_pass() drew into `inputs.depth`: a pass "blended", into their
+/// samples of `target`, unblended, for Resolved::halves.
+void half_material_pass(graph::FrameGraph& graph, const resident::View& view, MaterialInputs inputs,
+                        graph::ImageId target, uint64_t* drawn);
 
 /// The light buffer's sums as a material receives them, exposed and scene-linear, in full floats:
 /// diffuse light, or specular light with the material's own shininess.

@@ -88,6 +88,7 @@ SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterfac
         interface.attachments.stencil == VK_FORMAT_UNDEFINED ? gpu::Stencil::none : gpu::Stencil::exported;
     pipeline.depth = desc.depth;
     pipeline.blend = desc.blend;
+    pipeline.sample_mask = desc.sample_mask;
     pipeline.push_bytes = desc.push_bytes;
     pipeline.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
     for (const resident::Draw& draw : view.scene().geometry().draws) {

@@ -29,7 +29,8 @@ public:
         gpu::Variants vertex = {};
         /// What has an alpha mask is shaded once a sample wherever the mask is asked, and so is what reads decals.
         gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
-        bool depth_only = false; ///< materials without mask get positions and no shader
+        uint32_t sample_mask = ~0u; ///< gpu::GraphicsPipelineDesc::sample_mask
+        bool depth_only = false;    ///< materials without mask get positions and no shader
         /// Every material gets positions, and `fragment`, which reads nothing of it.
         bool positions_only = false;
         Decals decals = Decals::none;

@@ -44,11 +44,14 @@ bool one_surface(const SeenWorld& world, const Hit& a, const Ray& ray_a, const H
            same_direction(world.normal(a, ray_a), world.normal(b, ray_b));
 }
 
-/// Whether a ray this close to the sample's sees another surface.
-bool turns(const SeenWorld& world, const Sample& sample, const Ray& ray) {
+/// Whether a ray through a place this close to the sample's sees another surface.
+bool turns(const SeenWorld& world, uint32_t x, uint32_t y, const Sample& sample, glm::dvec2 place) {
+    const Ray ray = world.lens().ray(x, y, place);
     Hit hit;
     std::vector<Hit> layers;
-    if (world.rays().closest(ray, hit, &layers) != sample.found || hit.mask_outcome != sample.hit.mask_outcome)
+    bool found = world.rays().closest(ray, hit, &layers);
+    leave_shown(world, sample.shows, x, y, place, found, hit, layers);
+    if (found != sample.found || hit.mask_outcome != sample.hit.mask_outcome)
         return true;
     const auto same = [&](const Sample& own, const Hit& other) {
         return one_surface(world, own.hit, own.ray, other, ray);
@@ -77,7 +80,7 @@ SeenSample remember(const SeenWorld& world, uint32_t x, uint32_t y, const Sample
     seen.mask_outcome = sample.hit.mask_outcome;
     for (const glm::dvec2& aside :
          {glm::dvec2(near, 0), glm::dvec2(-near, 0), glm::dvec2(0, near), glm::dvec2(0, -near)})
-        seen.near_edge = seen.near_edge || turns(world, sample, world.lens().ray(x, y, sample.place + aside));
+        seen.near_edge = seen.near_edge || turns(world, x, y, sample, sample.place + aside);
     if (sample.found) {
         seen.opaque = seen_surface(sample);
         seen.runs_away = sample.runs_away;

@@ -28,6 +28,26 @@ Sample shown_by(const Sample& place, const Sample& shaded) {
 
 } // namespace
 
+bool leave_shown(const SeenWorld& world, Sample::Shows shows, uint32_t x, uint32_t y, glm::dvec2 place, bool& found,
+                 Hit& hit, std::vector<Hit>& layers) {
+    if (shows == Sample::Shows::all)
+        return false;
+    constexpr double least_alpha = 1.0 / 16;
+    const auto first =
+        shows == Sample::Shows::opaque ? layers.end() : std::find_if(layers.begin(), layers.end(), [&](const Hit& one) {
+            return world.surface(one, x, y, place).alpha >= least_alpha;
+        });
+    const bool layer = first != layers.end();
+    if (layer) {
+        const uint64_t masks = hit.mask_outcome;
+        hit = *first;
+        hit.mask_outcome = masks;
+        found = true;
+    }
+    layers.clear();
+    return layer;
+}
+
 std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
     x_ = x;
     y_ = y;
@@ -35,6 +55,7 @@ std::span<const Sample> PixelShader::shade(uint32_t x, uint32_t y) {
     shade_surfaces();
     for (uint32_t i = 0; i < samples().size(); ++i)
         lay_over(i);
+    lay_over_halves();
     return samples();
 }
 
@@ -66,7 +87,7 @@ void PixelShader::shade_surfaces() {
         Sample* targets[most_samples] = {&all[i]};
         if (!all[i].found) {
             all[i].colour = behind(all[i]);
-        } else if (!per_fragment) {
+        } else if (!per_fragment || all[i].layer) {
             shade_material(at_fragments(form_.samples.geometry) ? world_.surface(all[i].hit, x_, y_, all[i].place)
                                                                 : all[i].surface,
                            all[i].owner, {targets, 1});
@@ -89,6 +110,11 @@ void PixelShader::look(bool at_layers) {
         sample.place = places[i];
         sample.ray = world_.lens().ray(x_, y_, sample.place);
         sample.found = world_.rays().closest(sample.ray, sample.hit, at_layers ? &layers_[i] : nullptr);
+        if (at_layers && form_.half_samples && !world_.rays().transmits()) {
+            sample.shows = i == 1 || i == 2 ? Sample::Shows::nearest : Sample::Shows::opaque;
+            sample.layer =
+                leave_shown(world_, sample.shows, x_, y_, sample.place, sample.found, sample.hit, layers_[i]);
+        }
         sample.owner = i;
         for (uint32_t before = i; sample.found && before-- > 0;)
             if (samples_[before].found && samples_[before].hit.draw == sample.hit.draw &&
@@ -110,7 +136,7 @@ void PixelShader::take_surfaces(uint32_t index) {
             occlude(centre);
     }
     const bool masked = world_.rays().draw(sample.hit.draw).material->alpha_mode == AlphaMode::mask;
-    if (geometry_at_fragments && !masked) { // the normal is stored once, depth for each sample
+    if (geometry_at_fragments && !masked && !sample.layer) { // the normal is stored once, depth for each sample
         sample.surface = centre.surface;
         sample.surface.position = sample.hit.position;
         sample.surface.view = glm::normalize(-sample.ray.direction);
@@ -174,6 +200,7 @@ void PixelShader::shade_material(const Surface& material, uint32_t owner, std::s
         const Sample& point = point_of(*target);
         target->colour = colour;
         target->base_colour = material.base_colour;
+        target->alpha = material.alpha;
         target->sums = sums;
         target->runs_away = centres_[owner].runs_away;
         target->lit = point.lit;
@@ -198,6 +225,18 @@ void PixelShader::lay_over(uint32_t index) {
         }
     }
     sample.colour = glm::vec3(sum + through * glm::dvec3(sample.colour));
+}
+
+/// [ReferenceForm::half_samples] The upper half of the pixel has samples 0 and 1, the lower one 2 and 3.
+void PixelShader::lay_over_halves() {
+    for (const auto& [layer, opaque] : {std::pair(1, 0), std::pair(2, 3)}) {
+        const Sample& over = samples_[layer];
+        if (!over.layer)
+            continue;
+        const auto mixed =
+            glm::vec3(over.alpha * glm::dvec3(over.colour) + (1 - over.alpha) * glm::dvec3(samples_[opaque].colour));
+        samples_[layer].colour = samples_[opaque].colour = mixed;
+    }
 }
 
 /// A blended surface in front of a sample, shaded.

@@ -15,6 +15,10 @@ struct Sample {
     Ray ray;
     Hit hit; ///< without `found` only its mask_outcome
     bool found = false;
+    /// [ReferenceForm::half_samples] What it shows of what its ray meets.
+    enum class Shows { all, opaque, nearest } shows = Shows::all;
+    bool layer = false; ///< the hit is a layer, seen as if it were opaque
+    double alpha = 1;   ///< of the material that gave the colour
     uint32_t owner = 0; ///< the pixel's first sample on the same triangle
     Surface surface;    ///< as lights see it
     bool lit = false;   ///< lights were evaluated for it, at a place of its own
@@ -29,6 +33,11 @@ struct Sample {
     LightSums sums;              ///< which that material met
     std::vector<Sample> layers;  ///< blended surfaces in front of it, nearest first; its colour shows them
 };
+
+/// Leaves of what the ray through this place of the pixel met what a sample shows. Returns whether `hit` is a layer
+/// now.
+bool leave_shown(const SeenWorld& world, Sample::Shows shows, uint32_t x, uint32_t y, glm::dvec2 place, bool& found,
+                 Hit& hit, std::vector<Hit>& layers);
 
 /// Casts a pixel's rays and shades what they hit, in the form's own way.
 class PixelShader {
@@ -75,6 +84,7 @@ private:
                    bool shadows_at_pixel);
     void shade_material(const Surface& material, uint32_t owner, std::span<Sample*> targets);
     void lay_over(uint32_t index);
+    void lay_over_halves();
     Sample layer_at(uint32_t index, const Hit& hit);
 
     const SeenWorld& world_;

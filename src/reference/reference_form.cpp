@@ -79,6 +79,7 @@ ReferenceForm reference_form(Shading shading, const InForce& settings, uint32_t 
         form.inferred_scale = inferred_scale(scale->second);
     if (is("inferred-layers", "on"))
         form.transparency = ReferenceForm::Transparency::layers;
+    form.half_samples = samples == 4 && is("transparency", "half-samples");
     using Shadows = ReferenceForm::TransparentShadows;
     form.transparent_shadows = is("transparent-shadows", "opaque") ? Shadows::opaque
                                : is("transparent-shadows", "none") ? Shadows::none

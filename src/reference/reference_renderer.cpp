@@ -83,8 +83,9 @@ ReferenceForm form_of(const Settings& settings, Shading shading, uint32_t sample
         .occlusion_radius = settings.at("ambient-occlusion") == "on" ? radius_of(settings) : 0,
         .bilinear_level0 = settings.at("texture-filter") == "bilinear",
         .specular = ways.at(settings.at("specular")),
-        .transparency = settings.at("transparency") == "layers" ? ReferenceForm::Transparency::layers
-                                                                : ReferenceForm::Transparency::opaque,
+        .transparency = settings.at("transparency") == "opaque" ? ReferenceForm::Transparency::opaque
+                                                                : ReferenceForm::Transparency::layers,
+        .half_samples = settings.at("transparency") == "half-samples",
         .transparent_shadows = shadows.at(settings.at("transparent-shadows")),
         .inferred_scale = reference_form(shading, {{"inferred-scale", settings.at("inferred-scale")}}).inferred_scale,
         .samples = samples_of(settings, samples)};
@@ -101,6 +102,8 @@ public:
         choose_fresnel(options);
         for (const auto& [key, value] : options.settings)
             refuse_without_effect(info, key, value, options.views);
+        if (stats_.settings.at("transparency") == "half-samples")
+            check_half_samples(options.msaa);
         form_ = form_of(stats_.settings, stats_.shading, options.msaa);
         if (!options.preset.empty())
             throw UsageError(fmt::format("reference: unknown preset {} (it has none)", options.preset));
@@ -258,9 +261,10 @@ RendererInfo reference_info() {
                  "ambient as a term of the material, or as a light in the diffuse sum"},
                 {"shadows", {"off", "on"}, "off", "a shadow ray for every light that casts a shadow"},
                 {"transparency",
-                 {"layers", "opaque"},
+                 {"layers", "half-samples", "opaque"},
                  "layers",
-                 "materials that are blended: each layer of a pixel in its order, or drawn opaque"},
+                 "materials that are blended: each layer of a pixel in its order, the nearest in half of the samples "
+                 "(--msaa 4), or drawn opaque"},
                 {"transparent-shadows",
                  {"filtered", "opaque", "none"},
                  "filtered",

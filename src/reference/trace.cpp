@@ -27,6 +27,9 @@ glm::dvec3 previous_position(const Draw& draw, const Hit& hit) {
 ReferenceForm plain_form(ReferenceForm form) {
     if (form.samples.count != 1 && form.samples.count != 2 && form.samples.count != 4)
         throw Error(fmt::format("reference: {} samples a pixel: there are 1, 2 and 4", form.samples.count));
+    if (form.half_samples && form.samples.count != 4)
+        throw Error(
+            fmt::format("reference: layers in half of {} samples a pixel: there have to be 4", form.samples.count));
     if (form.samples.count == 1)
         form.samples = {};
     if (form.inferred_scale != 0 && (form.inferred_scale < 0.125 || form.inferred_scale > 1))
@@ -101,10 +104,12 @@ public:
             const std::span<const Sample> samples = shader.shade(x, y);
             const size_t at = size_t(y) * picture.linear.width + x;
             put_surface(at, samples[0]);
-            for (const Sample& layer : samples[0].layers)
+            const std::span<const Sample> layers =
+                samples.size() > 1 && samples[1].layer ? samples.subspan(1, 1) : std::span(samples[0].layers);
+            for (const Sample& layer : layers)
                 row_layers_[y].push_back(layer_of(layer));
             if (!row_layers_.empty())
-                picture.layer_count[at] = static_cast<uint32_t>(samples[0].layers.size());
+                picture.layer_count[at] = static_cast<uint32_t>(layers.size());
             picture.linear.pixels[at] = samples[0].colour;
             if (inferred_) {
                 bool unclear = samples[0].light_unclear;

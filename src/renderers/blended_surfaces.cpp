@@ -13,9 +13,9 @@
 
 namespace prelight {
 
-BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context) {
-    resolve_transparency(settings, context);
-    transparency_ = transparency(settings);
+BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context, uint32_t samples) {
+    resolve_transparency(settings, context, samples);
+    transparency_ = taken_ = transparency(settings);
     reused_shadows_ = settings.has("shadow-memory") && settings.is("shadow-memory", "reuse");
     lists_possible_ = context.features().shuffle_lanes > 0;
     if (!wanted())
@@ -24,8 +24,9 @@ BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context
         asked_layers_ = peeled_layers(settings);
         slots_ = k_buffer_layers(settings);
         asked_light_ = light_of_layers(settings);
-        counter_.emplace(context);
     }
+    if (draws_layers(transparency_) || transparency_ == Transparency::half_samples)
+        counter_.emplace(context);
     per_draw_ = blended_lights(settings);
     if (settings.has("msaa-material"))
         sample_shading_ = material_shading(settings);
@@ -55,36 +56,60 @@ void note_what_is_opaque(graph::FrameGraph& graph, const resident::GpuScene& sce
 void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resident::View& view) {
     draws_.clear();
     layers_ = 0;
+    counted_.reset();
     counting_ = false;
     by_lists_ = false;
+    in_half_samples_ = false;
+    taken_ = transparency_;
     const resident::GpuScene& scene = view.scene();
     if (settings.has("transparency") && !wanted())
         note_what_is_opaque(graph, scene, "transparency=opaque");
     if (!scene.shows_through() || !wanted())
         return;
-    const uint32_t rounds = passes::light_rounds(view, passes::LightWalk::fragment).count;
-    by_lists_ = takes_lists(transparency_) && lists_possible_ && rounds == 1;
     if (reused_shadows_ && view.shadows())
         graph.note("shadow-memory=reuse: blended surfaces are lit by all lights at once, atlas is taken");
-    if (takes_lists(transparency_) && lists_possible_) {
-        const std::string word = transparency_word(transparency_);
-        const std::string why =
-            fmt::format("{} lights take {} rounds of lists, which cannot be blended", view.lights().capacity(), rounds);
-        const bool sorted = !by_lists_ && needs_lists(transparency_);
-        if (!by_lists_)
-            graph.note(fmt::format("transparency={}: {}, {}", word, why,
-                                   sorted ? "sorted is taken" : "lights are found object by object"));
-        settings.resolve("transparency", sorted ? "sorted" : word, why);
+    if (transparency_ == Transparency::half_samples && scene.transmits()) {
+        taken_ = lists_possible_ ? Transparency::lists : Transparency::sorted;
+        const std::string why = "light that comes through materials shows the picture behind them",
+                          word = transparency_word(taken_);
+        graph.note(fmt::format("transparency=half-samples: {}, {} is taken", why, word));
+        settings.resolve("transparency", word, why);
+    } else if (transparency_ == Transparency::half_samples) {
+        in_half_samples_ = true;
+        settings.resolve("transparency", transparency_word(taken_), {});
     }
-    view.find_blended_lights(!by_lists_);
+    choose_lists(settings, graph, view);
+    view.find_blended_lights(!by_lists_ && !in_half_samples_);
+}
+
+void BlendedSurfaces::choose_lists(Settings& settings, graph::FrameGraph& graph, const resident::View& view) {
+    if (!takes_lists(taken_) || !lists_possible_)
+        return;
+    const uint32_t rounds = passes::light_rounds(view, passes::LightWalk::fragment).count;
+    by_lists_ = rounds == 1;
+    const std::string word = transparency_word(taken_);
+    const std::string why =
+        fmt::format("{} lights take {} rounds of lists, which cannot be blended", view.lights().capacity(), rounds);
+    const bool sorted = !by_lists_ && needs_lists(taken_);
+    if (!by_lists_)
+        graph.note(fmt::format("transparency={}: {}, {}", word, why,
+                               sorted ? "sorted is taken" : "lights are found object by object"));
+    if (sorted || taken_ == transparency_)
+        settings.resolve("transparency", sorted ? "sorted" : word, why);
+}
+
+void BlendedSurfaces::count_layers(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth) {
+    counted_ = passes::layer_count_pass(graph, view, "blended layers", depth);
+    layers_ = 1;
+    counter_->count(graph, view, "blended layers sum", *counted_, layers_);
 }
 
 std::optional<graph::ImageId> BlendedSurfaces::add(graph::FrameGraph& graph, const resident::View& view,
                                                    passes::ForwardInputs inputs, const passes::LightLists* lists,
                                                    Settings& settings, const LayerLight& layer_light,
                                                    bool wants_layers) {
-    if (!view.scene().shows_through() || !wanted())
-        return {};
+    if (!view.scene().shows_through() || !wanted() || in_half_samples_)
+        return counted_;
     inputs.model = model_;
     inputs.sample_shading = sample_shading_;
     std::optional<passes::LightLists> own;
@@ -98,12 +123,11 @@ std::optional<graph::ImageId> BlendedSurfaces::add(graph::FrameGraph& graph, con
     if (!view.scene().blends())
         return {};
     inputs.name = "blended";
-    const bool peeled = transparency_ == Transparency::peeled,
-               buffered = transparency_ == Transparency::k_buffer && by_lists_;
+    const bool peeled = taken_ == Transparency::peeled, buffered = taken_ == Transparency::k_buffer && by_lists_;
     std::optional<graph::ImageId> layers;
     if (peeled || buffered || wants_layers)
         layers = passes::layer_count_pass(graph, view, "blended layers", inputs.depth);
-    if (by_lists_ && transparency_ == Transparency::weighted)
+    if (by_lists_ && taken_ == Transparency::weighted)
         passes::weighted_blended_pass(graph, view, counted(inputs), *lists);
     else if (peeled)
         add_peeled(graph, view, inputs, {lights, lit_layers(graph, view, settings, layer_light)}, *layers);
@@ -177,7 +201,7 @@ std::optional<passes::LitLayers> BlendedSurfaces::lit_layers(graph::FrameGraph& 
 }
 
 passes::ForwardInputs BlendedSurfaces::counted(passes::ForwardInputs inputs) {
-    inputs.draws = &draws_.emplace_back(0);
+    inputs.draws = count_draws();
     return inputs;
 }
 
@@ -196,7 +220,7 @@ bool BlendedSurfaces::outgrown(uint32_t slot) const {
 void BlendedSurfaces::tell(Stats& stats) const {
     const uint64_t draws = std::accumulate(draws_.begin(), draws_.end(), uint64_t(0));
     stats.draws += draws;
-    if (transparency_ == Transparency::weighted && by_lists_ && draws > 0)
+    if (taken_ == Transparency::weighted && by_lists_ && draws > 0)
         stats.notes.push_back(fmt::format(
             "transparency=weighted: {} draws of blended surfaces are composed without order, approximately", draws));
     if (layers_ == 0)
@@ -208,11 +232,18 @@ void BlendedSurfaces::tell(Stats& stats) const {
                     .approximate = static_cast<uint64_t>(std::ceil(sums.more))};
     if (stats.layers->approximate == 0)
         return;
-    const bool peeled = transparency_ == Transparency::peeled;
+    if (in_half_samples_) {
+        stats.notes.push_back(fmt::format(
+            "transparency=half-samples: {} fragments behind the nearest layer of their pixels are left out; {} layers "
+            "are the most",
+            stats.layers->approximate, sums.most));
+        return;
+    }
+    const bool peeled = taken_ == Transparency::peeled;
     stats.notes.push_back(fmt::format(
         "transparency={}: {} fragments {} the {} {} layers of their pixels are composed {}, "
         "approximately; {} layers are the most",
-        transparency_word(transparency_), stats.layers->approximate, peeled ? "nearer than" : "behind", layers_,
+        transparency_word(taken_), stats.layers->approximate, peeled ? "nearer than" : "behind", layers_,
         peeled ? "farthest" : "nearest", peeled ? "object by object" : "by their weighted mean", sums.most));
 }
 

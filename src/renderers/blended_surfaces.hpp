@@ -20,7 +20,8 @@ void note_what_is_opaque(graph::FrameGraph& graph, const resident::GpuScene& sce
 /// in every architecture.
 class BlendedSurfaces {
 public:
-    BlendedSurfaces(Settings& settings, const gpu::Context& context);
+    /// `samples`: a pixel. Throws UsageError where the setting needs others.
+    BlendedSurfaces(Settings& settings, const gpu::Context& context, uint32_t samples);
     /// For GpuSceneSettings::blends.
     bool wanted() const { return transparency_ != Transparency::opaque; }
     /// What a view of the scene needs: all shadow maps at once.
@@ -28,6 +29,13 @@ public:
     /// For a graph that is built now: how lights are found. Puts what is in force into the settings, and what is not as
     /// asked for into the graph's notes.
     void choose(Settings& settings, graph::FrameGraph& graph, resident::View& view);
+    /// In the graph that is built blended surfaces stand in half of the samples: the architecture draws and lights them
+    /// with what is opaque, and add() draws nothing.
+    bool in_half_samples() const { return in_half_samples_; }
+    /// Before they are drawn into it: counts the layers before `depth`, that of opaque surfaces.
+    void count_layers(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth);
+    /// A place for a number of draws that tell() adds up.
+    uint64_t* count_draws() { return &draws_.emplace_back(0); }
     /// The passes over the linear picture `inputs.colour`; nothing where the scene has no such surface. `inputs`: but
     /// for what all architectures have alike. `lists`: of a grid over the world, where there are any. Puts into the
     /// settings what became of `layer_light`. Returns layer_count_pass()'s image where it is wanted, or there is one.
@@ -64,17 +72,21 @@ private:
                                                 Settings& settings, const LayerLight& layer_light) const;
     /// `inputs` with a place of its own for the number of draws.
     passes::ForwardInputs counted(passes::ForwardInputs inputs);
-    Transparency transparency_;
-    bool reused_shadows_; ///< asked for
-    bool lists_possible_; ///< on this device
+    /// Says in notes and settings how lights are found, where that is not as asked for.
+    void choose_lists(Settings& settings, graph::FrameGraph& graph, const resident::View& view);
+    Transparency transparency_; ///< asked for
+    Transparency taken_;        ///< by the graph that is built
+    bool reused_shadows_;       ///< asked for
+    bool lists_possible_;       ///< on this device
     uint32_t per_draw_ = 0;
     std::optional<passes::LayerCounter> counter_;
     LightOfLayers asked_light_ = LightOfLayers::lists;
-    uint32_t slots_ = 0;                   ///< Transparency::k_buffer
-    std::optional<uint32_t> asked_layers_; ///< none: as many as there are
-    std::optional<uint32_t> known_layers_; ///< of the last frames that were counted
-    uint32_t layers_ = 0;                  ///< that the graph draws one by one
-    bool counting_ = false;
+    uint32_t slots_ = 0;                    ///< Transparency::k_buffer
+    std::optional<uint32_t> asked_layers_;  ///< none: as many as there are
+    std::optional<uint32_t> known_layers_;  ///< of the last frames that were counted
+    uint32_t layers_ = 0;                   ///< that the graph draws one by one
+    std::optional<graph::ImageId> counted_; ///< count_layers()
+    bool counting_ = false, in_half_samples_ = false;
     gpu::SampleShading sample_shading_ = gpu::SampleShading::fragment;
     passes::LightModel model_;
     bool by_lists_ = false;     ///< of the graph that is built

@@ -10,7 +10,7 @@
 #include "settings/texture_settings.hpp"
 #include "settings/transparency_settings.hpp"
 #include <passes/decals.hpp>
-#include <passes/gbuffer.hpp>
+#include <passes/half_samples.hpp>
 #include <passes/light_pass.hpp>
 #include <passes/light_scale.hpp>
 #include <passes/motion_blur.hpp>
@@ -91,6 +91,11 @@ private:
             find_light_scale(graph, view, maps);
         const auto drawn = passes::gbuffer_pass(graph, view, format());
         passes::decal_geometry_pass(graph, view, drawn, passes::decal_pass(graph, view, drawn.surface));
+        const bool halves = blended().in_half_samples();
+        if (halves) {
+            blended().count_layers(graph, view, drawn.surface.depth);
+            passes::half_geometry_pass(graph, view, drawn);
+        }
         passes::GBufferColours colours{drawn.light, drawn.motion, drawn.albedo};
         const passes::SampledSurfaces surfaces = sampled(graph, view, drawn.surface, &colours);
         passes::GBuffer gbuffer = drawn;
@@ -128,7 +133,11 @@ private:
         if (scale_)
             scale_->count_clipped(graph, view, gbuffer.light, gbuffer.light);
         const auto resolve = [&](passes::Display display) {
-            return passes::light_resolve_pass(graph, view, gbuffer, display, samples ? &*samples : nullptr);
+            const graph::ImageId picture =
+                passes::light_resolve_pass(graph, view, gbuffer, display, samples ? &*samples : nullptr);
+            if (halves)
+                passes::half_coverage_pass(graph, view, drawn, picture, blended().count_draws());
+            return picture;
         };
         const auto blur = [&](graph::ImageId linear) { return passes::motion_blur_pass(graph, view, gbuffer, linear); };
         const passes::SurfaceBuffers& shown = samples ? drawn.surface : gbuffer.surface;
@@ -198,7 +207,7 @@ RendererInfo deferred_info() {
                              {{"g-buffer", "killzone2"}, {"accumulation", "rgba8"}, {"specular-antialiasing", "off"}}}},
         .preset_shading = {{"killzone2", Shading::phong}}};
     for (const auto& more : {light_culling_settings(), draw_settings(false), shadow_settings(true),
-                             occlusion_settings(), volume_settings(), transparency_settings()})
+                             occlusion_settings(), volume_settings(), transparency_settings(true)})
         info.settings.insert(info.settings.end(), more.begin(), more.end());
     return info;
 }

@@ -92,6 +92,8 @@ protected:
     passes::SampledSurfaces sampled(graph::FrameGraph& graph, const resident::View& view,
                                     const passes::SurfaceBuffers& surface, passes::GBufferColours* colours = nullptr);
     const gpu::Buffer& pair_counters() const { return pair_counters_->buffer(); }
+    /// For an architecture that draws blended surfaces in half of the samples.
+    BlendedSurfaces& blended() { return blended_; }
 
 private:
     /// update_world(). Throws Error, and has taken in some of it.

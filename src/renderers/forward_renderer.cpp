@@ -91,7 +91,7 @@ std::vector<SettingInfo> forward_settings(std::vector<SettingInfo> own, bool twi
         light_sums_setting(),    specular_antialiasing_setting(), texture_filter_setting(),
         msaa_material_setting(), antialiasing_setting()};
     own.insert(own.end(), common.begin(), common.end());
-    for (const auto& more : {draw_settings(twice), shadow_settings(), transparency_settings()})
+    for (const auto& more : {draw_settings(twice), shadow_settings(), transparency_settings(false)})
         own.insert(own.end(), more.begin(), more.end());
     return own;
 }

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <gpu/context.hpp>
 #include <passes/decals.hpp>
+#include <passes/half_samples.hpp>
 #include <passes/view.hpp>
 #include <prelight/error.hpp>
 
@@ -78,6 +79,11 @@ private:
         const auto drawn = passes::depth_normal_pass(graph, view, surface_format(settings()));
         const auto decals = passes::decal_pass(graph, view, drawn);
         passes::decal_normal_pass(graph, view, drawn, decals);
+        const bool halves = blended().in_half_samples();
+        if (halves) {
+            blended().count_layers(graph, view, drawn.depth);
+            passes::half_surfaces_pass(graph, view, drawn);
+        }
         const passes::SampledSurfaces surfaces = sampled(graph, view, drawn);
         const LightStage stage = light_stage(graph, view, surfaces);
         passes::MaterialInputs materials{.depth = drawn.depth,
@@ -86,12 +92,16 @@ private:
                                          .decals = decals,
                                          .sample_shading = material_shading(settings()),
                                          .edges = surfaces.edges,
-                                         .sample_light = stage.sample_light};
+                                         .sample_light = stage.sample_light,
+                                         .half_samples = halves};
         const auto visibility = this->visibility(graph, view, surfaces.pixels);
         if (occludes())
             materials.visibility = visibility;
         Outputs outputs = picture_outputs(graph, view, drawn, [&](passes::Display display) {
-            return passes::material_pass(graph, view, materials, display);
+            const graph::ImageId picture = passes::material_pass(graph, view, materials, display);
+            if (halves)
+                passes::half_material_pass(graph, view, materials, picture, blended().count_draws());
+            return picture;
         });
         add_light_views(outputs, graph, view, stage, visibility);
         add_material_views(outputs, graph, view, surfaces.pixels, materials);
@@ -135,7 +145,7 @@ RendererInfo light_prepass_info() {
         .preset_settings = light_prepass_presets(),
         .preset_shading = {{"engel", Shading::phong}, {"round2", Shading::phong}, {"prelighting", Shading::phong}}};
     for (const auto& more : {light_culling_settings(), draw_settings(true), shadow_settings(true), occlusion_settings(),
-                             volume_settings(), light_model_settings(), transparency_settings()})
+                             volume_settings(), light_model_settings(), transparency_settings(true)})
         info.settings.insert(info.settings.end(), more.begin(), more.end());
     return info;
 }

@@ -18,15 +18,18 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
     const std::optional<graph::ImageId> layers =
         blended_.add(graph, view, std::move(over), world_lists(), settings_,
                      view.scene().blends() ? layer_light(graph, view) : LayerLight{}, wants("layers"));
-    if (filter)
-        linear = filter(passes::resolve_pass(graph, view, linear));
+    auto which = blended_.in_half_samples() ? passes::Resolved::halves : passes::Resolved::all;
+    if (filter) {
+        linear = filter(passes::resolve_pass(graph, view, linear, which));
+        which = passes::Resolved::all;
+    }
     const bool one = graph.raster(linear).samples == 1;
     const graph::ImageId picture = one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
-                                       : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap);
+                                       : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap, which);
     Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
     add_layers_view(outputs, graph, view, surface, layers);
     if (wants("linear"))
-        outputs["linear"] = passes::resolve_pass(graph, view, linear);
+        outputs["linear"] = passes::resolve_pass(graph, view, linear, which);
     return outputs;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <map>
 #include <optional>
+#include <prelight/error.hpp>
 #include <prelight/renderer.hpp>
 #include <string>
 #include <vector>
@@ -72,6 +73,12 @@ inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vect
         found.push_back(std::move(need));
     }
     return found;
+}
+
+/// Of transparency=half-samples. Throws UsageError for another number of samples a pixel than it needs.
+inline void check_half_samples(uint32_t msaa) {
+    if (msaa != 4)
+        throw UsageError(fmt::format("--set transparency=half-samples: needs --msaa 4, and it is {}", msaa));
 }
 
 inline const char* shading_name(Shading shading) { return shading == Shading::ggx ? "ggx" : "phong"; }

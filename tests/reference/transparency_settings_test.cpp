@@ -115,7 +115,7 @@ TEST(TransparencySettings, OfAnyRendererNameTheForm) {
     };
     EXPECT_EQ(of({}).transparency, Transparency::opaque);
     EXPECT_EQ(of({{"transparency", "opaque"}}), of({}));
-    for (const char* way : {"layers", "lists", "sorted", "peeled", "weighted"})
+    for (const char* way : {"layers", "lists", "sorted", "peeled", "weighted", "half-samples"})
         EXPECT_EQ(of({{"transparency", way}}).transparency, Transparency::layers) << way;
     EXPECT_EQ(of({{"transparency", "lists"}}).transparent_shadows, Shadows::filtered);
     EXPECT_EQ(of({{"transparency", "lists"}, {"transparent-shadows", "none"}}).transparent_shadows, Shadows::none);
@@ -126,6 +126,9 @@ TEST(TransparencySettings, OfAnyRendererNameTheForm) {
     EXPECT_EQ(of({{"transparency", "lists"}, {"msaa-layers", "sample"}}, 4).samples.layers, SampleRate::sample);
     EXPECT_EQ(of({{"transparency", "opaque"}}, 4).samples.layers, SampleRate::sample);
     EXPECT_EQ(of({{"transparency", "lists"}}, 1).samples, ReferenceSamples{});
+    EXPECT_TRUE(of({{"transparency", "half-samples"}}, 4).half_samples);
+    EXPECT_FALSE(of({{"transparency", "half-samples"}}, 1).half_samples);
+    EXPECT_FALSE(of({{"transparency", "lists"}}, 4).half_samples);
 }
 
 } // namespace

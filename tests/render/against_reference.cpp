@@ -96,6 +96,7 @@ ReferenceForm form_of(const Shot& shot) {
     const ReferenceForm known = reference_form(shot.shading, in_force, shot.samples);
     form.samples = known.samples;
     form.transparency = known.transparency;
+    form.half_samples = known.half_samples;
     form.inferred_scale = known.inferred_scale;
     return form;
 }

@@ -46,6 +46,8 @@ std::string form_name(const ReferenceForm& form) {
             : form.specular == Way::luminance     ? ", specular=luminance"
             : form.specular == Way::bent          ? ", specular=bent"
                                                   : "";
+    if (form.half_samples)
+        name += ", the nearest layer in half of the samples";
     if (form.samples.count > 1)
         name += samples_name(form.samples);
     return name;

@@ -1,16 +1,20 @@
 #include "transparency_settings.hpp"
+#include <setting_values/needs.hpp>
 
 namespace prelight {
 namespace {
 
 constexpr Choice<Transparency> transparency_words[] = {
-    {"lists", Transparency::lists},       {"sorted", Transparency::sorted},     {"peeled", Transparency::peeled},
-    {"k-buffer", Transparency::k_buffer}, {"weighted", Transparency::weighted}, {"opaque", Transparency::opaque}};
+    {"lists", Transparency::lists},       {"sorted", Transparency::sorted},
+    {"peeled", Transparency::peeled},     {"k-buffer", Transparency::k_buffer},
+    {"weighted", Transparency::weighted}, {"half-samples", Transparency::half_samples},
+    {"opaque", Transparency::opaque}};
 constexpr ChoiceSetting<Transparency> transparency_setting{
     "transparency", transparency_words, "lists",
     "BLEND surfaces, objects back to front: lights by lists of their place, or a few of the object's a draw; peeled: "
-    "layer after layer, exact; k-buffer: so are the nearest ones; weighted: in any order, approximate; or drawn "
-    "opaque, and what light comes through too"};
+    "layer after layer, exact; k-buffer: so are the nearest ones; weighted: in any order, approximate; half-samples: "
+    "the nearest layer lit as if it were opaque, in two of four samples (--msaa 4); or drawn opaque, and what light "
+    "comes through too"};
 
 constexpr Choice<LightOfLayers> light_of_layers_words[] = {
     {"auto", LightOfLayers::automatic}, {"lists", LightOfLayers::lists}, {"light-buffer", LightOfLayers::light_buffer}};
@@ -21,9 +25,12 @@ constexpr ChoiceSetting<LightOfLayers> light_of_layers_set{"layer-light", light_
 
 } // namespace
 
-std::vector<SettingInfo> transparency_settings() {
+std::vector<SettingInfo> transparency_settings(bool lit_later) {
+    SettingInfo transparency = transparency_setting.info();
+    if (!lit_later)
+        std::erase(transparency.values, transparency_setting.word(Transparency::half_samples));
     return {
-        transparency_setting.info(),
+        transparency,
         {"blended-lights",
          {"1", "2", "3", "4", "5", "6", "7", "8"},
          "8",
@@ -40,7 +47,9 @@ std::vector<SettingInfo> transparency_settings() {
          "the rest"}};
 }
 
-void resolve_transparency(Settings& settings, const gpu::Context& context) {
+void resolve_transparency(Settings& settings, const gpu::Context& context, uint32_t samples) {
+    if (transparency(settings) == Transparency::half_samples)
+        check_half_samples(samples);
     if (needs_lists(transparency(settings)) && context.features().shuffle_lanes == 0)
         settings.fall_back(transparency_setting.key, transparency_setting.word(Transparency::sorted),
                            context.name() +
