@@ -141,9 +141,12 @@ std::string builtin_names() {
 void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
     bool named = false;
     for (const std::string& text : texts) {
-        if (text.find('=') != std::string::npos) {
-            auto [view, file] = parse_pair("--view", text);
-            command.more_views.push_back({std::move(view), std::move(file)});
+        // The name of a single layer holds a = itself: layer=N, layer=N=FILE.
+        const size_t equals = text.find('=', text.starts_with("layer=") ? std::string_view("layer=").size() : 0);
+        if (equals != std::string::npos) {
+            if (equals == 0 || equals + 1 == text.size())
+                refuse("--view", text, "not of the form BUFFER=FILE");
+            command.more_views.push_back({text.substr(0, equals), text.substr(equals + 1)});
         } else if (named || text.empty()) {
             refuse("--view", text, "a second buffer needs a file of its own: BUFFER=FILE.png");
         } else {

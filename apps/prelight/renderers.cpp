@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
+#include <prelight/views.hpp>
 
 namespace prelight::app {
 namespace {
@@ -21,7 +22,7 @@ void print_one(const RendererInfo& info) {
                        fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view);
     }
     if (!info.views.empty())
-        fmt::print("\nviews (--view): {}\n", fmt::join(info.views, ", "));
+        fmt::print("\nviews (--view): {}\n", names_of_views(info));
     if (!info.presets.empty())
         fmt::print("\npresets (--preset): {}\n", fmt::join(info.presets, ", "));
     for (const auto& [preset, settings] : info.preset_settings) {

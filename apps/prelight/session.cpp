@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
+#include <prelight/views.hpp>
 
 namespace prelight::app {
 namespace {
@@ -87,8 +88,8 @@ std::vector<std::filesystem::path> inputs_of(const RenderCommand& command) {
 
 void check_views(const RenderCommand& command, const RendererInfo& info) {
     for (const std::string& view : command.options.views)
-        if (view != "final" && view != "linear" && std::ranges::find(info.views, view) == info.views.end())
-            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
+        if (view != "final" && view != "linear" && !has_view(info, view))
+            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, names_of_views(info)));
 }
 
 std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& command) {

@@ -11,14 +11,14 @@ graph::ImageId view_image(graph::FrameGraph& graph, const resident::View& view, 
     return graph.image("view " + name, {VK_FORMAT_R8G8B8A8_UNORM, view.raster()});
 }
 
+} // namespace
+
 graph::ImageId black_view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name) {
     const graph::ImageId target = view_image(graph, view, name);
     graph.pass("view-" + name).colour(target, graph::Load::clear, {0, 0, 0, 1}).record([](const graph::PassContext&) {
     });
     return target;
 }
-
-} // namespace
 
 graph::ImageId edges_view_pass(graph::FrameGraph& graph, const resident::View& view, const SampledSurfaces& surfaces) {
     if (surfaces.edges)

@@ -31,6 +31,9 @@ graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, c
 /// Edge pixels, whose samples have light of their own; black where no pixel is one.
 graph::ImageId edges_view_pass(graph::FrameGraph& graph, const resident::View& view, const SampledSurfaces& surfaces);
 
+/// A view of nothing: black.
+graph::ImageId black_view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name);
+
 /// How many blended surfaces lie over each pixel: `layers`, layer_count_pass()'s; black without it.
 graph::ImageId layers_view_pass(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
                                 const std::optional<graph::ImageId>& layers);

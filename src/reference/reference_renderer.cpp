@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
 #include <prelight/light_distribution.hpp>
+#include <prelight/views.hpp>
 #include <reference/reference_renderer.hpp>
 #include <reference/reference_views.hpp>
 #include <reference/trace.hpp>
@@ -111,11 +112,10 @@ public:
             throw UsageError("--count-pairs: the reference evaluates no light volumes to count");
         check_size(options.width, options.height);
         for (const std::string& view : options.views)
-            if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
-                throw UsageError(
-                    fmt::format("reference: unknown view {} (there are: {})", view, fmt::join(info.views, ", ")));
+            take_view(info, view);
         if (std::find(options.views.begin(), options.views.end(), "ambient-occlusion") != options.views.end())
             buffers_.visibility_radius = radius_of(stats_.settings);
+        buffers_.curve = options.tonemap;
         stats_.device = "CPU";
         stats_.driver = "Embree 3";
     }
@@ -193,6 +193,18 @@ private:
     static void check_size(uint32_t width, uint32_t height) {
         if (width == 0 || height == 0)
             throw Error(fmt::format("reference: a picture of {}x{} pixels", width, height));
+    }
+
+    void take_view(const RendererInfo& info, const std::string& view) {
+        if (!has_view(info, view))
+            throw UsageError(fmt::format("reference: unknown view {} (there are: {})", view, names_of_views(info)));
+        const auto layer = layer_of_view(view);
+        if (layer && form_.half_samples)
+            throw UsageError(fmt::format("--view {}: transparency=half-samples draws one layer, as if it were opaque "
+                                         "(with any other value all are shown)",
+                                         view));
+        if (layer)
+            buffers_.layers[*layer];
     }
 
     /// Light of another resolution than the picture's knows no Fresnel light by light.

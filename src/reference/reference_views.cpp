@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <prelight/error.hpp>
+#include <prelight/views.hpp>
 #include <reference/reference_views.hpp>
 
 namespace prelight::reference {
@@ -67,6 +68,8 @@ Image draw_view(std::string_view view, const ReferencePicture& picture, const Re
         return draw_counts(picture.linear, picture.layer_count);
     if (view == "ambient-occlusion")
         return buffers.visibility;
+    if (const auto number = layer_of_view(view))
+        return tonemap(buffers.layers.at(*number), Tonemap::none);
     throw UsageError("reference: no view is named " + std::string(view));
 }
 

@@ -10,8 +10,8 @@ namespace prelight::reference {
 /// `normal`: world-space shading normal, −1 … 1 → 0 … 1; `albedo`: base colour, sRGB;
 /// `diffuse-light`, `specular-light`: the light sums times `exposure_factor` / π, tone-mapped;
 /// `light-count`: lights with attenuation and N·L above zero, black, blue, cyan, green, yellow, red,
-/// white at 0, 1, 4, 16, 64, 256, 1,024; `layers`: blended surfaces in front, in the same colours. All others show
-/// what is opaque.
+/// white at 0, 1, 4, 16, 64, 256, 1,024; `layers`: blended surfaces in front, in the same colours; `layer=N`: the Nth
+/// of them by its alpha over black, tone-mapped. All others show what is opaque.
 Image draw_view(std::string_view view, const ReferencePicture& picture, const ReferenceBuffers& buffers,
                 double exposure_factor);
 

@@ -75,6 +75,8 @@ public:
             return;
         buffers->albedo = buffers->diffuse_light = buffers->specular_light = Image(width, height);
         buffers->light_count.assign(pixels, 0);
+        for (auto& [number, image] : buffers->layers)
+            image = Image(width, height);
         buffers->visibility = buffers->visibility_radius > 0 ? Image(width, height) : Image();
         for (glm::vec3& one : buffers->visibility.pixels)
             one = glm::vec3(1);
@@ -111,6 +113,7 @@ public:
             if (!row_layers_.empty())
                 picture.layer_count[at] = static_cast<uint32_t>(layers.size());
             picture.linear.pixels[at] = samples[0].colour;
+            show_layers(at, samples);
             if (inferred_) {
                 bool unclear = samples[0].light_unclear;
                 for (const Sample& layer : samples[0].layers)
@@ -167,6 +170,19 @@ private:
                 glm::vec3(form_.occlusion_radius == radius && form_.samples.light != ReferenceSamples::Light::fragment
                               ? sample.surface.visibility
                               : ray_visibility(world_.rays(), hit, sample.surface.normal, radius));
+    }
+
+    void show_layers(size_t at, std::span<const Sample> samples) {
+        if (!buffers_)
+            return;
+        for (auto& [number, image] : buffers_->layers)
+            for (const Sample& sample : samples)
+                if (number <= sample.layers.size()) {
+                    const Sample& layer = sample.layers[number - 1];
+                    image.pixels[at] +=
+                        display_light(static_cast<float>(layer.surface.alpha) * layer.colour, buffers_->curve) /
+                        static_cast<float>(samples.size());
+                }
     }
 
     ReferenceLayer layer_of(const Sample& layer) const {

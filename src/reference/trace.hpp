@@ -1,15 +1,19 @@
 #pragma once
+#include <map>
 #include <prelight/reference.hpp>
 
 namespace prelight::reference {
 
-/// What `ReferenceRenderer` shows beside the picture; all linear, not exposed.
+/// What `ReferenceRenderer` shows beside the picture; all linear, and but for layers not exposed.
 struct ReferenceBuffers {
     Image albedo;                 ///< base colour
     Image diffuse_light;          ///< LightSums::diffuse
     Image specular_light;         ///< LightSums::specular
     Image visibility;             ///< of ambient light, in all three channels; empty unless visibility_radius says so
     double visibility_radius = 0; ///< metres, to be set before: how far surfaces occlude; 0: do not look
+    /// Of layers by number, to be named before: α times their light, as `curve` displays it, the mean of the samples.
+    std::map<uint32_t, Image> layers;
+    Tonemap curve = Tonemap::pbr_neutral;
     std::vector<uint32_t> light_count; ///< lights with attenuation and N·L above zero, unblocked
 };
 

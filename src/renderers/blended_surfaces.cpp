@@ -9,13 +9,24 @@
 #include <passes/layer_peeler.hpp>
 #include <passes/transmission.hpp>
 #include <passes/weighted_blended.hpp>
+#include <prelight/error.hpp>
 #include <prelight/material_shader.hpp>
+#include <prelight/views.hpp>
 
 namespace prelight {
 
-BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context, uint32_t samples) {
-    resolve_transparency(settings, context, samples);
+BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context, const RenderOptions& options) {
+    resolve_transparency(settings, context, options.msaa);
     transparency_ = taken_ = transparency(settings);
+    for (const std::string& view : options.views)
+        if (const auto number = layer_of_view(view)) {
+            if (transparency_ == Transparency::half_samples)
+                throw UsageError(
+                    fmt::format("--view {}: transparency=half-samples draws one layer, as if it were opaque "
+                                "(with any other value all are shown)",
+                                view));
+            asked_views_.insert(*number);
+        }
     reused_shadows_ = settings.has("shadow-memory") && settings.is("shadow-memory", "reuse");
     lists_possible_ = context.features().shuffle_lanes > 0;
     if (!wanted())
@@ -57,6 +68,7 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
     draws_.clear();
     layers_ = 0;
     counted_.reset();
+    shown_layers_.clear();
     counting_ = false;
     by_lists_ = false;
     in_half_samples_ = false;
@@ -122,6 +134,7 @@ std::optional<graph::ImageId> BlendedSurfaces::add(graph::FrameGraph& graph, con
     }
     if (!view.scene().blends())
         return {};
+    show_layers(graph, view, inputs, lights);
     inputs.name = "blended";
     const bool peeled = taken_ == Transparency::peeled, buffered = taken_ == Transparency::k_buffer && by_lists_;
     std::optional<graph::ImageId> layers;
@@ -136,6 +149,24 @@ std::optional<graph::ImageId> BlendedSurfaces::add(graph::FrameGraph& graph, con
     else
         passes::blended_pass(graph, view, counted(inputs), lights);
     return layers;
+}
+
+void BlendedSurfaces::show_layers(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
+                                  const passes::BlendedLights& lights) {
+    if (asked_views_.empty())
+        return;
+    passes::LayerPeeler peeler(graph, view, inputs.depth, passes::LayerPeeler::First::nearest);
+    inputs.count_pairs = false; // of the picture
+    const graph::ImageDesc desc = graph.desc(inputs.colour);
+    for (uint32_t number = 1; number <= *asked_views_.rbegin(); ++number) {
+        inputs.name = fmt::format("view-layer {}", number);
+        inputs.depth = peeler.next(graph, view, inputs.name + " peel");
+        if (!asked_views_.contains(number))
+            continue;
+        inputs.colour = shown_layers_[number] = graph.image(inputs.name, desc);
+        graph.pass(inputs.name + " none").colour(inputs.colour, graph::Load::clear).record([](const auto&) {});
+        passes::blended_pass(graph, view, inputs, lights, passes::BlendedPart::layer);
+    }
 }
 
 void BlendedSurfaces::add_peeled(graph::FrameGraph& graph, const resident::View& view,

@@ -1,9 +1,11 @@
 #pragma once
 #include "settings/transparency_settings.hpp"
 #include <list>
+#include <map>
 #include <passes/blended.hpp>
 #include <passes/layer_counter.hpp>
 #include <passes/lit_layers.hpp>
+#include <set>
 
 namespace prelight {
 
@@ -20,8 +22,8 @@ void note_what_is_opaque(graph::FrameGraph& graph, const resident::GpuScene& sce
 /// in every architecture.
 class BlendedSurfaces {
 public:
-    /// `samples`: a pixel. Throws UsageError where the setting needs others.
-    BlendedSurfaces(Settings& settings, const gpu::Context& context, uint32_t samples);
+    /// Throws UsageError where the setting needs another number of samples, or cannot show single layers.
+    BlendedSurfaces(Settings& settings, const gpu::Context& context, const RenderOptions& options);
     /// For GpuSceneSettings::blends.
     bool wanted() const { return transparency_ != Transparency::opaque; }
     /// What a view of the scene needs: all shadow maps at once.
@@ -42,6 +44,8 @@ public:
     std::optional<graph::ImageId> add(graph::FrameGraph& graph, const resident::View& view,
                                       passes::ForwardInputs inputs, const passes::LightLists* lists, Settings& settings,
                                       const LayerLight& layer_light, bool wants_layers);
+    /// What "layer=N" of RenderOptions::views shows, by N, in the graph that is built; those that it lacks are black.
+    const std::map<uint32_t, graph::ImageId>& shown_layers() const { return shown_layers_; }
     /// Of the last recording, which is done: draws and layers, and in a note what of them is not exact.
     void tell(Stats& stats) const;
     /// Whether the slot's last frame, which is done, had more layers than its graph draws one by one, and another graph
@@ -72,8 +76,13 @@ private:
                                                 Settings& settings, const LayerLight& layer_light) const;
     /// `inputs` with a place of its own for the number of draws.
     passes::ForwardInputs counted(passes::ForwardInputs inputs);
+    /// Fills shown_layers(): passes "view-layer …" that peel and shade, whatever draws the picture.
+    void show_layers(graph::FrameGraph& graph, const resident::View& view, passes::ForwardInputs inputs,
+                     const passes::BlendedLights& lights);
     /// Says in notes and settings how lights are found, where that is not as asked for.
     void choose_lists(Settings& settings, graph::FrameGraph& graph, const resident::View& view);
+    std::set<uint32_t> asked_views_; ///< numbers of layers
+    std::map<uint32_t, graph::ImageId> shown_layers_;
     Transparency transparency_; ///< asked for
     Transparency taken_;        ///< by the graph that is built
     bool reused_shadows_;       ///< asked for

@@ -18,7 +18,7 @@ namespace prelight {
 
 DeviceRenderer::DeviceRenderer(Device& device, const RenderOptions& options, Settings settings)
     : context_(dynamic_cast<gpu::Context&>(device)), options_(options), settings_(std::move(settings)),
-      light_sums_(settings_), blended_(settings_, context_, options.msaa), post_filter_(settings_, context_) {
+      light_sums_(settings_), blended_(settings_, context_, options), post_filter_(settings_, context_) {
     resolve_draw_settings(settings_, context_);
     resolve_texture_filter(settings_, context_);
     settings_.refuse_without_effect();

@@ -98,9 +98,9 @@ protected:
 private:
     /// update_world(). Throws Error, and has taken in some of it.
     void take_changes(const WorldChanges& changes);
-    /// Where it was asked for. `layers`: none where nothing is blended.
-    void add_layers_view(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
-                         const passes::SurfaceBuffers& surface, const std::optional<graph::ImageId>& layers) const;
+    /// How many layers there are, and single ones, where that was asked for. `layers`: none where nothing is blended.
+    void add_layers_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                          const passes::SurfaceBuffers& surface, const std::optional<graph::ImageId>& layers) const;
     /// Throws Error.
     void check_size(uint32_t width, uint32_t height) const;
     /// Of a pixel. Throws UsageError for a number that no renderer knows, Error for one that the device lacks.

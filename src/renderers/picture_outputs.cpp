@@ -3,6 +3,7 @@
 #include <passes/background.hpp>
 #include <passes/resolve.hpp>
 #include <passes/view.hpp>
+#include <prelight/views.hpp>
 
 namespace prelight {
 
@@ -27,7 +28,7 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
     const graph::ImageId picture = one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
                                        : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap, which);
     Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
-    add_layers_view(outputs, graph, view, surface, layers);
+    add_layers_views(outputs, graph, view, surface, layers);
     if (wants("linear"))
         outputs["linear"] = passes::resolve_pass(graph, view, linear, which);
     return outputs;
@@ -41,15 +42,26 @@ DeviceRenderer::Outputs DeviceRenderer::picture_outputs(graph::FrameGraph& graph
     const graph::ImageId picture = draw(options_.tonemap);
     passes::background_pass(graph, view, picture, surface.depth, options_.tonemap);
     Outputs outputs{{"final", post_filter_.add(graph, view, surface, passes::resolve_pass(graph, view, picture))}};
-    add_layers_view(outputs, graph, view, surface, {});
+    add_layers_views(outputs, graph, view, surface, {});
     return outputs;
 }
 
-void DeviceRenderer::add_layers_view(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
-                                     const passes::SurfaceBuffers& surface,
-                                     const std::optional<graph::ImageId>& layers) const {
+void DeviceRenderer::add_layers_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                                      const passes::SurfaceBuffers& surface,
+                                      const std::optional<graph::ImageId>& layers) const {
     if (wants("layers"))
         outputs["layers"] = passes::layers_view_pass(graph, view, surface, layers);
+    const std::map<uint32_t, graph::ImageId>& shown = blended_.shown_layers();
+    for (const std::string& name : options_.views) {
+        const auto number = layer_of_view(name);
+        if (!number)
+            continue;
+        const auto one = shown.find(*number);
+        outputs[name] = one == shown.end() ? passes::black_view_pass(graph, view, name)
+                        : graph.raster(one->second).samples > 1
+                            ? passes::resolve_tonemapped_pass(graph, view, one->second, options_.tonemap)
+                            : passes::tonemap_pass(graph, view, one->second, options_.tonemap);
+    }
 }
 
 } // namespace prelight

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <prelight/error.hpp>
+#include <prelight/views.hpp>
 
 namespace prelight::app::viewer {
 
@@ -38,7 +39,7 @@ struct Handlers {
         });
         if (std::ranges::find(next.presets, s.look_.options.preset) == next.presets.end())
             s.look_.options.preset.clear();
-        if (s.look_.buffer != "final" && std::ranges::find(next.views, s.look_.buffer) == next.views.end())
+        if (s.look_.buffer != "final" && !has_view(next, s.look_.buffer))
             s.show_buffer("final");
         dirty_look(s);
     }
@@ -329,8 +330,8 @@ void Session::take_key(const std::string& key, bool down) {
 
 void Session::show_buffer(const std::string& name) {
     const RendererInfo info = Handlers::info(look_.renderer);
-    if (name != "final" && (name == "linear" || std::ranges::find(info.views, name) == info.views.end()))
-        throw Error(fmt::format("{} has no buffer {} ({})", info.name, name, fmt::join(info.views, ", ")));
+    if (name != "final" && (name == "linear" || !has_view(info, name)))
+        throw Error(fmt::format("{} has no buffer {} ({})", info.name, name, names_of_views(info)));
     look_.buffer = name;
     look_.options.views = {name};
     changes_.look = changes_.picture = true;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
+#include <prelight/views.hpp>
 
 namespace prelight::app {
 namespace {
@@ -31,8 +32,8 @@ void check_files(const ViewCommand& command) {
 void run(const ViewCommand& command) {
     const RendererInfo info = find_renderer(command.render.renderer);
     const std::string& view = command.render.view;
-    if (view != "final" && (view == "linear" || std::ranges::find(info.views, view) == info.views.end()))
-        throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
+    if (view != "final" && (view == "linear" || !has_view(info, view)))
+        throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, names_of_views(info)));
     check_scene_name(command.render.scene);
     check_files(command);
     if (command.play.empty() || command.render.output.empty())

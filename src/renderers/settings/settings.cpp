@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
+#include <prelight/views.hpp>
 #include <setting_values/allows.hpp>
 #include <setting_values/needs.hpp>
 
@@ -37,8 +38,8 @@ Settings::Settings(const RendererInfo& info, const RenderOptions& options)
     for (const auto& [key, value] : options.settings)
         given_.insert(key);
     for (const std::string& view : options.views)
-        if (std::find(info.views.begin(), info.views.end(), view) == info.views.end())
-            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, fmt::join(info.views, ", ")));
+        if (!has_view(info, view))
+            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, names_of_views(info)));
     if (!options.preset.empty() &&
         std::find(info.presets.begin(), info.presets.end(), options.preset) == info.presets.end())
         throw UsageError(fmt::format("--preset {}: {} has {}", options.preset, info.name,
