@@ -13,6 +13,7 @@
 #include <map>
 #include <prelight/error.hpp>
 #include <prelight/material_shader.hpp>
+#include <set>
 #include <shared/bindings.h>
 #include <tuple>
 
@@ -41,6 +42,13 @@ VertexAttributes attributes_at(const Primitive& primitive, size_t v) {
     return a;
 }
 
+void append_attributes(const Primitive& primitive, std::vector<VertexAttributes>& all) {
+    const size_t before = all.size(), count = primitive.positions.size();
+    all.resize(before + count);
+    for (size_t v = 0; v < count; ++v)
+        all[before + v] = attributes_at(primitive, v);
+}
+
 template <class T>
 std::span<const std::byte> bytes(const std::vector<T>& values) {
     return std::as_bytes(std::span(values));
@@ -50,6 +58,13 @@ std::span<const std::byte> bytes(const std::vector<T>& values) {
 class Vertices {
 public:
     Vertices(bool motion, bool groups) : motion_(motion), grouped_(groups) {}
+
+    /// Room for what add() will bring, so that large scenes are not copied again and again.
+    void reserve(size_t vertex_count, size_t index_count) {
+        positions.reserve(vertex_count);
+        attributes.reserve(vertex_count);
+        indices.reserve(index_count);
+    }
 
     std::vector<Placement> add(const Mesh& mesh) {
         std::vector<Placement> places;
@@ -80,8 +95,7 @@ private:
             previous.insert(previous.end(), source.begin(), source.end());
         }
         positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
-        const std::vector<VertexAttributes> own = attributes_of(primitive);
-        attributes.insert(attributes.end(), own.begin(), own.end());
+        append_attributes(primitive, attributes);
         indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
         if (grouped_) {
             const std::vector<uint32_t> smooth = smooth_groups(primitive);
@@ -93,6 +107,21 @@ private:
     bool motion_, grouped_;
     bool moved_ = false; ///< a primitive was elsewhere before
 };
+
+void reserve_for(const World& world, Vertices& vertices) {
+    std::set<std::pair<const Mesh*, std::optional<uint32_t>>> shown;
+    size_t vertex_count = 0, index_count = 0;
+    for (const Instance& instance : world.instances) {
+        const Mesh& mesh = drawn_mesh(world, instance);
+        if (!shown.insert({&mesh, instance.deformed}).second)
+            continue;
+        for (const Primitive& primitive : mesh.primitives) {
+            vertex_count += primitive.positions.size();
+            index_count += primitive.indices.size();
+        }
+    }
+    vertices.reserve(vertex_count, index_count);
+}
 
 bool device_deforms(const World& world) {
     for (const Instance& instance : world.instances)
@@ -116,9 +145,7 @@ bool VertexRange::fits(const Primitive& primitive) const {
 
 std::vector<VertexAttributes> attributes_of(const Primitive& primitive) {
     std::vector<VertexAttributes> all;
-    all.reserve(primitive.positions.size());
-    for (size_t v = 0; v < primitive.positions.size(); ++v)
-        all.push_back(attributes_at(primitive, v));
+    append_attributes(primitive, all);
     return all;
 }
 
@@ -151,6 +178,7 @@ void Draw::place(const Instance& instance) {
 Geometry upload_geometry(const gpu::Context& context, const World& world, const GpuSceneSettings& settings,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals) {
     Vertices vertices(settings.motion, settings.surface_ids);
+    reserve_for(world, vertices);
     // Of the meshes that are shown; the device writes vertices of its own for each deformed one.
     std::map<std::pair<const Mesh*, std::optional<uint32_t>>, std::vector<Placement>> placements;
     const bool on_device = device_deforms(world);

@@ -65,15 +65,25 @@ float alpha_at(const TextureImage& image, const Sampler& sampler, double u, doub
     return (1 - t) * row(static_cast<int>(top)) + t * row(static_cast<int>(top) + 1);
 }
 
-/// Coverage half-way between two levels, at points that are spread evenly (M. Roberts' R2 sequence).
-double coverage_between(const TextureImage& fine, const TextureImage& coarse, float cutoff, const Sampler& sampler) {
-    constexpr uint32_t points = 8192;
-    uint32_t passed = 0;
-    for (uint32_t i = 1; i <= points; ++i) {
-        const double u = std::fmod(i * 0.7548776662466927, 1), v = std::fmod(i * 0.5698402909980532, 1);
-        passed += alpha_at(fine, sampler, u, v) + alpha_at(coarse, sampler, u, v) >= 2 * cutoff * 255.0f ? 1 : 0;
+/// Alpha in codes at points that are spread evenly (M. Roberts' R2 sequence).
+std::vector<float> alpha_at_points(const TextureImage& image, const Sampler& sampler) {
+    std::vector<float> alpha(8192);
+    for (size_t i = 0; i < alpha.size(); ++i) {
+        const double number = static_cast<double>(i + 1), u = number * 0.7548776662466927,
+                     v = number * 0.5698402909980532;
+        alpha[i] = alpha_at(image, sampler, u - std::floor(u), v - std::floor(v));
     }
-    return static_cast<double>(passed) / points;
+    return alpha;
+}
+
+/// Coverage half-way between two levels; `fine`: at the points.
+double coverage_between(const std::vector<float>& fine, const TextureImage& coarse, float cutoff,
+                        const Sampler& sampler) {
+    const std::vector<float> other = alpha_at_points(coarse, sampler);
+    uint32_t passed = 0;
+    for (size_t i = 0; i < fine.size(); ++i)
+        passed += fine[i] + other[i] >= 2 * cutoff * 255.0f ? 1 : 0;
+    return static_cast<double>(passed) / static_cast<double>(fine.size());
 }
 
 /// Scales the image's alpha, which `level` holds, until the coverage is what it is to be; false where that cannot be.
@@ -84,11 +94,12 @@ bool keep_coverage(TextureImage& image, const MaskLevel& level, const TextureIma
     float best = 1;
     double off = 2;
     bool good = false;
+    const bool mixed = sampler.mip == MipFilter::linear;
+    const std::vector<float> fine = mixed ? alpha_at_points(finer, sampler) : std::vector<float>();
     const auto coverage = [&](float factor) {
         scale_alpha(image, level, factor);
         const double here = mask_coverage(image, cutoff, sampler, sampler.min);
-        const double between =
-            sampler.mip == MipFilter::linear ? coverage_between(finer, image, cutoff, sampler) : here;
+        const double between = mixed ? coverage_between(fine, image, cutoff, sampler) : here;
         const double mean = (2 * here + between) / 3;
         if (std::abs(mean - wanted) < off) {
             off = std::abs(mean - wanted);

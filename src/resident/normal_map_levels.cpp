@@ -10,17 +10,10 @@ namespace {
 
 using NormalLevel = ImageLevel<glm::vec3>; ///< mean unit normals
 
-NormalLevel unit_normals(const TextureImage& image) {
-    NormalLevel level{image.width, image.height, std::vector<glm::vec3>(size_t(image.width) * image.height)};
-    parallel_for(image.height, [&](uint32_t y) {
-        for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i) {
-            const glm::vec3 n =
-                glm::vec3(image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]) / 127.5f - 1.0f;
-            const float length = glm::length(n);
-            level.texels[i] = length > 0 ? n / length : glm::vec3(0, 0, 1);
-        }
-    });
-    return level;
+glm::vec3 unit_normal(const uint8_t* texel) {
+    const glm::vec3 n = glm::vec3(texel[0], texel[1], texel[2]) / 127.5f - 1.0f;
+    const float length = glm::length(n);
+    return length > 0 ? n / length : glm::vec3(0, 0, 1);
 }
 
 TextureImage texels_of(const NormalLevel& level, const std::string& name) {
@@ -40,13 +33,21 @@ TextureImage texels_of(const NormalLevel& level, const std::string& name) {
 } // namespace
 
 std::vector<TextureImage> normal_map_levels(const TextureImage& image) {
-    std::vector<TextureImage> levels{image};
+    std::vector<TextureImage> levels;
+    levels.push_back(image);
     for (size_t alpha = 3; alpha < levels[0].rgba.size(); alpha += 4)
         levels[0].rgba[alpha] = 0;
-    NormalLevel level = unit_normals(image);
-    while (level.width > 1 || level.height > 1) {
-        level = halved(level);
+    if (image.width == 1 && image.height == 1)
+        return levels;
+    // The picture's own normals are never there as a whole: they would take three times its memory.
+    NormalLevel level = halved<glm::vec3>(image.width, image.height, [&](uint32_t u, uint32_t v) {
+        return unit_normal(&image.rgba[4 * (size_t(v) * image.width + u)]);
+    });
+    for (;;) {
         levels.push_back(texels_of(level, image.name));
+        if (level.width == 1 && level.height == 1)
+            break;
+        level = halved(level);
     }
     return levels;
 }
