@@ -1,4 +1,5 @@
 #include "environment.hpp"
+#include "row_sums.hpp"
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -68,6 +69,10 @@ Image widen(const Image& source, uint32_t wide) {
 
 Image resize(const Image& source, uint32_t wide) { return widen(shrink(source, wide), wide); }
 
+bool is_grey(const Image& image) {
+    return std::ranges::all_of(image.pixels, [](const glm::vec3& p) { return p.r == p.g && p.g == p.b; });
+}
+
 /// Step 0 is a mirror, step 1 has a roughness of 1/8; four steps double it, so that a lobe is twice as wide after two.
 double roughness_of(uint32_t step) { return step == 0 ? 0 : std::exp2((step - 1) / 4.0) / 8; }
 
@@ -77,44 +82,6 @@ double radical_inverse(uint32_t bits) {
         value += (bits & 1) * half;
     return value;
 }
-
-/// A map with the sums of its rows from the left, over two turns: a difference is the sum of columns, round the edge
-/// too.
-class RowSums {
-public:
-    explicit RowSums(const Image& image) : width_(image.width), height_(image.height) {
-        sums_.reserve(stride() * height_);
-        for (uint32_t y = 0; y < height_; ++y) {
-            glm::dvec3 sum(0);
-            for (uint32_t x = 0; x <= 2 * width_; ++x) {
-                sums_.push_back(sum);
-                sum += glm::dvec3(image.at(x % width_, y));
-            }
-        }
-    }
-    uint32_t width() const { return width_; }
-    uint32_t height() const { return height_; }
-    /// out[i] += weight · the sum of a row's columns from 0 to `from` + i · step, parts of columns too.
-    void add(std::span<glm::dvec3> out, uint32_t row, double from, uint32_t step, double weight) const {
-        const double turns = std::floor(from / width_), within = from - turns * width_;
-        const auto first = std::min(uint32_t(within), width_ - 1);
-        const glm::dvec3* sums = &sums_[stride() * row];
-        const double right = weight * (within - first), left = weight - right;
-        const glm::dvec3 before = weight * turns * sums[width_];
-        sums += first;
-        if (step == 1)
-            for (size_t i = 0; i < out.size(); ++i)
-                out[i] += before + left * sums[i] + right * sums[i + 1];
-        else
-            for (size_t i = 0; i < out.size(); ++i)
-                out[i] += before + left * sums[i * step] + right * sums[i * step + 1];
-    }
-
-private:
-    size_t stride() const { return 2 * size_t(width_) + 1; }
-    uint32_t width_, height_;
-    std::vector<glm::dvec3> sums_;
-};
 
 /// One direction of a lobe.
 struct LobeSample {
@@ -150,15 +117,18 @@ std::vector<LobeSample> lobe(double roughness, uint32_t samples) {
 /// is neither missed nor seen as many (Křivánek and Colbert, "Real-time Shading with Filtered Importance Sampling",
 /// 2008): rows of a map as coarse as that, and of them as many columns, which near the poles are narrow. All normals of
 /// a row look at the same places beside them, one sample is added to all at once. All widths are powers of two.
-Image rough(const std::vector<RowSums>& maps, double roughness, uint32_t samples, uint32_t wide) {
+Image rough(const std::vector<RowSums>& maps, uint32_t channels, double roughness, uint32_t samples, uint32_t wide) {
     const std::vector<LobeSample> lights = lobe(roughness, samples);
     Image out(wide, wide / 2);
     parallel_for(out.height, [&](uint32_t y) {
         const glm::dvec3 n = direction_of(0.5, (y + 0.5) / out.height);
         const glm::dvec3 t = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), n)), b = glm::cross(n, t);
-        // Of each map. Where it is narrower than the picture, first the pixels that lie alike in its columns, then the
-        // next such.
-        std::vector<std::vector<glm::dvec3>> sums(maps.size(), std::vector<glm::dvec3>(wide));
+        // Of each map and channel. Where it is narrower than the picture, first the pixels that lie alike in its
+        // columns, then the next such.
+        std::vector<double> sums(maps.size() * channels * wide);
+        const auto sums_of = [&](size_t level, uint32_t channel) {
+            return std::span(sums).subspan((level * channels + channel) * wide, wide);
+        };
         const auto phases = [&](const RowSums& map) { return std::max(wide / map.width(), 1u); };
         for (const LobeSample& sample : lights) {
             const glm::dvec3 d = t * sample.light.x + b * sample.light.y + n * sample.light.z;
@@ -172,21 +142,25 @@ Image rough(const std::vector<RowSums>& maps, double roughness, uint32_t samples
             const double columns = std::clamp(sample.spread / sine / (2 * pi) * map.width(), 1.0, double(map.width()));
             const double left = std::atan2(d.x, -d.z) / (2 * pi) * map.width() - columns / 2,
                          weight = sample.weight / columns;
-            const uint32_t step = std::max(map.width() / wide, 1u), count = wide / phases(map);
+            const uint32_t count = wide / phases(map);
             for (uint32_t phase = 0; phase < phases(map); ++phase) {
-                const std::span part = std::span(sums[level]).subspan(phase * count, count);
-                const double from = left + (phase + 0.5) * map.width() / wide;
-                for (const auto& [end, sign] : {std::pair(from + columns, 1), std::pair(from, -1)}) {
-                    map.add(part, upper, end, step, sign * weight * (1 - (row - upper)));
-                    map.add(part, lower, end, step, sign * weight * (row - upper));
-                }
+                const RowSums::Window window{upper,
+                                             lower,
+                                             weight * (1 - (row - upper)),
+                                             weight * (row - upper),
+                                             left + (phase + 0.5) * map.width() / wide,
+                                             columns};
+                for (uint32_t channel = 0; channel < channels; ++channel)
+                    map.add(sums_of(level, channel).subspan(size_t(phase) * count, count), channel, window);
             }
         }
         for (uint32_t x = 0; x < wide; ++x) {
             glm::dvec3 sum(0);
             for (size_t level = 0; level < maps.size(); ++level) {
                 const uint32_t every = phases(maps[level]);
-                sum += sums[level][x % every * (wide / every) + x / every];
+                for (uint32_t channel = 0; channel < 3; ++channel)
+                    sum[static_cast<int>(channel)] +=
+                        sums_of(level, std::min(channel, channels - 1))[x % every * (wide / every) + x / every];
             }
             out.pixels[size_t(y) * wide + x] = glm::vec3(sum);
         }
@@ -252,17 +226,20 @@ EnvironmentLevels prefilter(const Environment* environment) {
     const Image& seen = environment->backdrop.pixels.empty() ? environment->image : environment->backdrop;
     out.sky = environment->background ? shrink(seen, widest_sky) : Image(1, 1);
     project(shrink(environment->image, 256), out.turns, out.irradiance);
-    std::vector<RowSums> maps; // each half as wide as the one before
+    std::vector<Image> sources; // each half as wide as the one before
     const uint32_t widest = std::clamp(std::bit_ceil(environment->image.width), 4u, width);
     for (uint32_t size = widest; size >= 4; size /= 2)
-        maps.emplace_back(resize(environment->image, size));
+        sources.push_back(resize(environment->image, size));
+    const uint32_t channels = is_grey(environment->image) ? 1 : 3;
     for (uint32_t level = 0; level < mirror_levels; ++level) {
-        const uint32_t wide = width >> level;
+        const uint32_t wide = width >> level, made = std::min(wide, 2 * widest); // no finer than what it is made of
+        std::vector<RowSums> maps;
+        for (const Image& source : sources)
+            maps.emplace_back(source, channels, std::max(source.width / made, 1u));
         const auto of_step = [&](uint32_t step) {
             if (step == 0)
                 return resize(environment->image, wide);
-            // No finer than what it is made of.
-            Image image = rough(maps, roughness_of(step), std::min(64u << level, 512u), std::min(wide, 2 * widest));
+            Image image = rough(maps, channels, roughness_of(step), std::min(64u << level, 512u), made);
             balance(image);
             return widen(image, wide);
         };
