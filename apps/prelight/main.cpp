@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "crash.hpp"
+#include "heap.hpp"
 #include "interrupt.hpp"
 
 #include <cerrno>
@@ -9,27 +10,9 @@
 #include <fmt/format.h>
 #include <new>
 #include <prelight/error.hpp>
-#include <sys/resource.h>
 #include <system_error>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace {
-
-/// A software device takes megabytes from this process's heap in every frame and gives them back at its
-/// end. Left to itself the C library hands them on to the system each time, and getting them again costs
-/// page faults: a fifth of a frame.
-void keep_heap() {
-#ifdef __GLIBC__
-    mallopt(M_TRIM_THRESHOLD, 1 << 30);
-    mallopt(M_MMAP_THRESHOLD, 32 << 20);
-    // Each thread's heap of its own reserves 64 MiB: where address space is limited, that is what runs out first.
-    rlimit limit = {};
-    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-        mallopt(M_ARENA_MAX, 1);
-#endif
-}
 
 /// Started with a standard stream closed, the first file that is opened would take its number, and what is
 /// printed would go into that file.
@@ -55,7 +38,7 @@ int fail_to_print(int error) {
 
 int main(int argc, char** argv) {
     using namespace prelight;
-    keep_heap();
+    app::set_up_heap();
     keep_standard_streams();
     try {
         app::handle_crashes();

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace prelight::app {
+
+/// How this process's heap grows and shrinks. Before anything else.
+void set_up_heap();
+
+} // namespace prelight::app
