@@ -113,9 +113,9 @@ void warn_of_picture(const RenderCommand& command, const Picture& picture, const
     if (command.view != "final" && command.view != "linear")
         return;
     const bool linear = lower_extension(picture.file) == ".exr";
-    warn_of_extremes(Log(command.reading.log_level),
-                     linear ? tonemap(picture.image, command.options.tonemap) : picture.image, picture.file.string(),
-                     world, command.auto_exposure);
+    const Image shown = linear ? tonemap(picture.image, command.options.tonemap) : Image();
+    warn_of_extremes(Log(command.reading.log_level), linear ? shown : picture.image, picture.file.string(), world,
+                     command.auto_exposure);
 }
 
 } // namespace prelight::app
