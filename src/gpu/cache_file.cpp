@@ -30,7 +30,7 @@ uint64_t fnv1a(std::span<const std::byte> bytes) {
 /// Nothing when it is not there or is no file.
 std::vector<std::byte> read_if_there(const fs::path& file) {
     try {
-        const std::vector<uint8_t> bytes = read_bytes(file, largest_file::pipeline_cache);
+        const FileBytes bytes = read_bytes(file, largest_file::pipeline_cache);
         const std::span<const std::byte> same = std::as_bytes(std::span(bytes));
         return {same.begin(), same.end()};
     } catch (const FileError&) {

@@ -43,7 +43,7 @@ private:
 /// A file that has been read: OpenEXR would open pipes and devices.
 class Bytes : public Imf::IStream {
 public:
-    Bytes(const char* name, std::vector<uint8_t> bytes) : IStream(name), bytes_(std::move(bytes)) {}
+    Bytes(const char* name, FileBytes bytes) : IStream(name), bytes_(std::move(bytes)) {}
     bool read(char to[], int count) override {
         if (count < 0 || static_cast<uint64_t>(count) > bytes_.size() - at_)
             throw std::runtime_error("it ends too early");
@@ -55,7 +55,7 @@ public:
     void seekg(uint64_t to) override { at_ = std::min<uint64_t>(to, bytes_.size()); }
 
 private:
-    std::vector<uint8_t> bytes_;
+    FileBytes bytes_;
     uint64_t at_ = 0;
 };
 

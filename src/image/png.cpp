@@ -47,7 +47,7 @@ void save_png(const Image& display, const std::filesystem::path& path) {
 }
 
 Image load_png(const std::filesystem::path& path) {
-    const std::vector<uint8_t> bytes = read_file(path, largest_file::picture);
+    const FileBytes bytes = read_file(path, largest_file::picture);
     try {
         return decode(bytes);
     } catch (const DecodeError& error) {

@@ -77,7 +77,7 @@ auto naming(const std::filesystem::path& file, const Read& read) {
 
 } // namespace
 
-std::vector<uint8_t> read_bytes(const std::filesystem::path& file, uint64_t largest, size_t padding) {
+FileBytes read_bytes(const std::filesystem::path& file, uint64_t largest, size_t padding) {
     struct stat named {};
     if (stat(file.c_str(), &named) != 0)
         fail_with_errno("cannot be opened");
@@ -89,7 +89,7 @@ std::vector<uint8_t> read_bytes(const std::filesystem::path& file, uint64_t larg
     check_size(claimed, largest);
 
     // One byte more than it claims, so that its end is seen. Files of /proc claim 0.
-    std::vector<uint8_t> bytes(claimed + std::max<size_t>(padding, 1));
+    FileBytes bytes(claimed + std::max<size_t>(padding, 1));
     size_t size = 0;
     while (const size_t taken = descriptor.read(bytes.data() + size, bytes.size() - size)) {
         size += taken;
@@ -102,12 +102,12 @@ std::vector<uint8_t> read_bytes(const std::filesystem::path& file, uint64_t larg
     return bytes;
 }
 
-std::vector<uint8_t> read_file(const std::filesystem::path& file, uint64_t largest) {
+FileBytes read_file(const std::filesystem::path& file, uint64_t largest) {
     return naming(file, [&] { return read_bytes(file, largest); });
 }
 
 std::string read_text_file(const std::filesystem::path& file, uint64_t largest) {
-    const std::vector<uint8_t> bytes = read_file(file, largest);
+    const FileBytes bytes = read_file(file, largest);
     return {bytes.begin(), bytes.end()};
 }
 

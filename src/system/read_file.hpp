@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <vector>
+#include <system/file_bytes.hpp>
 
 namespace prelight {
 
@@ -29,9 +29,9 @@ inline constexpr uint64_t pipeline_cache = uint64_t(256) << 20;
 // size the file claims and however it grows meanwhile, so that time and memory are bounded.
 
 /// The whole file with `padding` zero bytes after it. Throws FileError.
-std::vector<uint8_t> read_bytes(const std::filesystem::path& file, uint64_t largest, size_t padding = 0);
+FileBytes read_bytes(const std::filesystem::path& file, uint64_t largest, size_t padding = 0);
 /// The whole file. Throws Error "FILE: REASON".
-std::vector<uint8_t> read_file(const std::filesystem::path& file, uint64_t largest);
+FileBytes read_file(const std::filesystem::path& file, uint64_t largest);
 std::string read_text_file(const std::filesystem::path& file, uint64_t largest);
 
 } // namespace prelight

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 std::string kernel_text(const fs::path& file) {
     try {
-        const std::vector<uint8_t> bytes = read_bytes(file, 1 << 20);
+        const FileBytes bytes = read_bytes(file, 1 << 20);
         return {bytes.begin(), bytes.end()};
     } catch (const FileError&) {
         return {};

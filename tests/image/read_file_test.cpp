@@ -47,7 +47,7 @@ TEST(ReadFile, WholeFilesWithPadding) {
     EXPECT_EQ(read_text_file(file, 300'000), text);
     write(file, "");
     EXPECT_TRUE(read_bytes(file, 0).empty());
-    EXPECT_EQ(read_bytes(file, 0, 3), std::vector<uint8_t>(3));
+    EXPECT_EQ(read_bytes(file, 0, 3), FileBytes(3, uint8_t(0)));
     fs::create_symlink("a", folder.path / "link");
     EXPECT_EQ(reason_of(folder.path / "link"), "none");
 }

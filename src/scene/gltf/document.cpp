@@ -65,7 +65,7 @@ std::span<const uint8_t> without_byte_order_mark(std::span<const uint8_t> text) 
 
 } // namespace
 
-Bytes read_within(const Budget& budget, const fs::path& file, size_t padding) {
+FileBytes read_within(const Budget& budget, const fs::path& file, size_t padding) {
     const uint64_t room = budget.room_for_input();
     if (room >= largest_file::scene)
         return read_bytes(file, largest_file::scene, padding);
@@ -76,7 +76,7 @@ Bytes read_within(const Budget& budget, const fs::path& file, size_t padding) {
     return read_bytes(file, room, padding);
 }
 
-Document::Document(std::string file, fs::path folder, Bytes bytes, const LoadOptions& options, uint64_t memory)
+Document::Document(std::string file, fs::path folder, FileBytes bytes, const LoadOptions& options, uint64_t memory)
     : warnings_(std::move(file), options.strict), folder_(std::move(folder)), budget_(memory),
       bytes_(std::move(bytes)) {
     budget_.add_input(bytes_.size() - simdjson::SIMDJSON_PADDING);

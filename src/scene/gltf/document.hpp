@@ -8,6 +8,7 @@
 #include <scene/gltf/json.hpp>
 #include <span>
 #include <string>
+#include <system/file_bytes.hpp>
 #include <vector>
 
 namespace prelight::gltf {
@@ -15,7 +16,7 @@ namespace prelight::gltf {
 using Bytes = std::vector<uint8_t>;
 
 /// A file that is charged to the budget when it has been read. Throws FileError.
-Bytes read_within(const Budget& budget, const std::filesystem::path& file, size_t padding = 0);
+FileBytes read_within(const Budget& budget, const std::filesystem::path& file, size_t padding = 0);
 
 /// The top-level arrays that the reader uses.
 enum class Table {
@@ -42,7 +43,8 @@ public:
     /// Splits a .glb, parses the JSON, checks version and extensions. `file` is the name in messages,
     /// `folder` where relative URIs lead; `bytes` end in SIMDJSON_PADDING more than the file has; `memory`: of the
     /// budget.
-    Document(std::string file, std::filesystem::path folder, Bytes bytes, const LoadOptions& options, uint64_t memory);
+    Document(std::string file, std::filesystem::path folder, FileBytes bytes, const LoadOptions& options,
+             uint64_t memory);
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
@@ -82,13 +84,13 @@ private:
     mutable Warnings warnings_;
     std::filesystem::path folder_;
     Budget budget_;
-    Bytes bytes_;
+    FileBytes bytes_;
     std::span<const uint8_t> binary_;
     simdjson::dom::parser parser_;
     std::optional<Item> root_;
     std::array<std::vector<simdjson::dom::element>, table_count> tables_;
-    std::vector<std::string> extensions_; ///< used and required
-    std::map<std::string, Bytes> files_;  ///< by canonical path
+    std::vector<std::string> extensions_;    ///< used and required
+    std::map<std::string, FileBytes> files_; ///< by canonical path
     std::vector<std::unique_ptr<Bytes>> data_uris_;
 };
 

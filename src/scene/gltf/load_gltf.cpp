@@ -57,8 +57,8 @@ uint64_t memory_of(const LoadOptions& options) {
 Scene gltf::load(std::span<const uint8_t> bytes, const std::string& file, const std::filesystem::path& folder,
                  const LoadOptions& options) {
     return guard_memory(file, [&] {
-        Bytes padded(bytes.begin(), bytes.end());
-        padded.resize(bytes.size() + simdjson::SIMDJSON_PADDING);
+        FileBytes padded(bytes.begin(), bytes.end());
+        padded.resize(bytes.size() + simdjson::SIMDJSON_PADDING, 0);
         return read_scene(Document(file, folder, std::move(padded), options, memory_of(options)));
     });
 }
@@ -67,7 +67,7 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
     const std::string file = path.string();
     return guard_memory(file, [&] {
         const uint64_t memory = memory_of(options);
-        gltf::Bytes bytes;
+        FileBytes bytes;
         try {
             bytes = gltf::read_within(gltf::Budget(memory), path, simdjson::SIMDJSON_PADDING);
         } catch (const FileError& error) {
