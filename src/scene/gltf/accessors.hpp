@@ -25,6 +25,8 @@ struct Elements {
     const uint8_t* sparse_values = nullptr; ///< packed
 
     const uint8_t* at(uint32_t element) const; ///< null: zero
+    /// at() is base + element · stride, whichever it is.
+    bool direct() const { return base && map.empty() && sparse.empty(); }
     /// Element as floats; components it does not have are 0.
     glm::vec4 vec(uint32_t element) const { return column(element, 0); }
     /// Column of a matrix.

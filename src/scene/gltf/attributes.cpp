@@ -1,4 +1,3 @@
-#include <cmath>
 #include <scene/gltf/attributes.hpp>
 
 namespace prelight::gltf {
@@ -6,10 +5,6 @@ namespace prelight::gltf {
 Attributes::Attributes(Document& document, Accessors& accessors, const Item& item)
     : document_(document), accessors_(accessors), item_(item), list_(item.object("attributes")),
       quantized_(document.uses("KHR_mesh_quantization")) {}
-
-bool Attributes::is_finite(const glm::vec4& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-}
 
 const DracoMesh& Attributes::set_draco(Buffers& buffers, const Item& extension) {
     draco_.emplace(document_, buffers, extension);

@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <optional>
 #include <scene/gltf/draco_mesh.hpp>
 #include <scene/gltf/kinds.hpp>
@@ -38,13 +41,25 @@ public:
     std::vector<uint32_t> gather(const Item& item, const std::string& name, const Values& values, glm::vec4 instead,
                                  std::string_view repair, Store store) const {
         std::vector<uint32_t> bad;
-        for (uint32_t place = 0; place < used_.size(); ++place) {
-            const glm::vec4 value = values.vec(used_[place]);
-            const bool good = is_finite(value);
-            if (!good)
-                bad.push_back(place);
-            store(place, good ? value : instead);
-        }
+        const auto each = [&](const auto& value_of) {
+            for (uint32_t place = 0; place < used_.size(); ++place) {
+                const glm::vec4 value = value_of(used_[place]);
+                const bool good = is_finite(value);
+                if (!good)
+                    bad.push_back(place);
+                store(place, good ? value : instead);
+            }
+        };
+        const Elements& elements = *values.elements;
+        const bool floats = elements.direct() && elements.component == Component::f32 && values.divisor == 1;
+        if (floats && elements.width == 2)
+            each(floats_of<2>(values));
+        else if (floats && elements.width == 3)
+            each(floats_of<3>(values));
+        else if (floats && elements.width == 4)
+            each(floats_of<4>(values));
+        else
+            each([&](uint32_t vertex) { return values.vec(vertex); });
         if (!bad.empty() && !repair.empty())
             item.warnings().add(fmt::format("not finite: {}", repair), item.label(),
                                 fmt::format("{}: vertex {} is not finite; {}", name, used_[bad[0]], repair),
@@ -53,7 +68,18 @@ public:
     }
 
 private:
-    static bool is_finite(const glm::vec4& v);
+    static bool is_finite(const glm::vec4& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+    }
+    /// Floats side by side, as nearly all files have them.
+    template <int width>
+    static auto floats_of(const Values& values) {
+        return [from = values.elements->base, stride = values.elements->stride](uint32_t vertex) {
+            std::array<float, 4> value{};
+            std::memcpy(value.data(), from + vertex * stride, width * sizeof(float));
+            return glm::vec4(value[0], value[1], value[2], value[3]);
+        };
+    }
     Values fitting(const Item& item, const std::string& name, Semantic semantic, const Elements& found) const;
 
     Document& document_;

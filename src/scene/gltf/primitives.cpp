@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -16,6 +17,16 @@ namespace {
 constexpr uint64_t tangent_work_bytes = 256;
 /// An index as read; and a triangle's corner as read, while it is compacted, and kept.
 constexpr uint64_t index_bytes = 4, corner_index_bytes = 16;
+
+/// Elements::index() of what is direct().
+template <class Index>
+auto direct_index(const Elements& source) {
+    return [from = source.base, stride = source.stride](uint32_t i) -> uint32_t {
+        Index index;
+        std::memcpy(&index, from + i * stride, sizeof index);
+        return index;
+    };
+}
 
 class PrimitiveReader {
 public:
@@ -88,13 +99,21 @@ private:
             item_.warn("{}; they are read as they are", mismatch);
         const uint32_t restart = uint32_t((uint64_t(1) << (8 * size_of(source.component))) - 1);
         document_.charge(item_.label(), source.count, index_bytes);
-        indices.reserve(source.count);
-        for (uint32_t i = 0; i < source.count; ++i) {
-            const uint32_t index = source.index(i);
-            if (index >= vertices || index == restart)
-                item_.fail(fmt::format("index {} (number {}) is beyond its {} vertices", index, i, vertices));
-            indices.push_back(index);
-        }
+        indices.resize(source.count);
+        const auto read = [&](const auto& index_at) {
+            for (uint32_t i = 0; i < source.count; ++i) {
+                const uint32_t index = index_at(i);
+                if (index >= vertices || index == restart)
+                    item_.fail(fmt::format("index {} (number {}) is beyond its {} vertices", index, i, vertices));
+                indices[i] = index;
+            }
+        };
+        if (source.direct() && source.component == Component::u32)
+            read(direct_index<uint32_t>(source));
+        else if (source.direct() && source.component == Component::u16)
+            read(direct_index<uint16_t>(source));
+        else
+            read([&](uint32_t i) { return source.index(i); });
         return indices;
     }
 

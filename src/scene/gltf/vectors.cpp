@@ -20,14 +20,13 @@ void drop_triangles_at(Primitive& primitive, const std::vector<uint32_t>& bad_pl
 
 void unit_normals(const Item& item, Primitive& primitive) {
     std::vector<glm::vec3>& normals = primitive.normals;
-    std::vector<bool> bad(normals.size());
     uint64_t bad_count = 0;
-    for (size_t i = 0; i < normals.size(); ++i) {
-        const glm::dvec3 n(normals[i]);
+    for (glm::vec3& normal : normals) {
+        const glm::dvec3 n(normal);
         const double length = glm::length(n);
-        bad[i] = !(length > 1e-20);
-        bad_count += bad[i];
-        normals[i] = bad[i] ? glm::vec3(0) : glm::vec3(n / length);
+        const bool bad = !(length > 1e-20);
+        bad_count += bad;
+        normal = bad ? glm::vec3(0) : glm::vec3(n / length);
     }
     if (bad_count == 0)
         return;
@@ -41,7 +40,7 @@ void unit_normals(const Item& item, Primitive& primitive) {
             sums[corner[c]] += normal;
     }
     for (size_t i = 0; i < normals.size(); ++i)
-        if (bad[i])
+        if (normals[i] == glm::vec3(0))
             normals[i] = glm::length(sums[i]) > 0 ? glm::vec3(glm::normalize(sums[i])) : glm::vec3(0, 0, 1);
     constexpr const char* reason = "NORMAL: zero normals and those that are not finite are taken from the triangles";
     item.warnings().add(reason, item.label(), reason, bad_count);
