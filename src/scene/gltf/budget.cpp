@@ -22,11 +22,10 @@ void Budget::charge(Pool pool, uint64_t count, uint64_t size) {
 }
 
 void Budget::charge_work(uint64_t pixels) {
-    const uint64_t most = work_constant + work_multiple * input_;
-    if (pixels > most - work_)
+    if (pixels > work_left())
         throw Exceeded(
             fmt::format("the file's pictures have more pixels in all than a file of this size may have ({} million)",
-                        most / 1'000'000));
+                        (work_ + work_left()) / 1'000'000));
     work_ += pixels;
 }
 

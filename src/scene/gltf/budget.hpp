@@ -39,6 +39,8 @@ public:
 
     /// Pixels are going to be decoded, or bytes walked over. Throws Exceeded when all pictures together are too many.
     void charge_work(uint64_t pixels);
+    /// What charge_work() still lets through.
+    uint64_t work_left() const { return work_constant + work_multiple * input_ - work_; }
 
 private:
     uint64_t& used(Pool pool) { return pool == Pool::images ? images_ : geometry_; }

@@ -72,9 +72,11 @@ Material read_material(Document& document, Textures& textures, const Item& item)
 void read_materials(Document& document, Textures& textures, Scene& scene) {
     const size_t count = document.count(Table::materials);
     document.charge("materials", count, sizeof(Material));
+    textures.decode_ahead();
     scene.materials.reserve(count + 1); // one more for primitives without a material
     for (size_t i = 0; i < count; ++i)
         scene.materials.push_back(read_material(document, textures, document.item(Table::materials, i)));
+    textures.drop_early();
 }
 
 } // namespace prelight::gltf

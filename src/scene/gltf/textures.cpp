@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <parallel/parallel_for.hpp>
+#include <scene/gltf/shown_images.hpp>
 #include <scene/gltf/textures.hpp>
 #include <scene/gltf/uri.hpp>
 #include <scene/images/decode.hpp>
@@ -39,7 +42,8 @@ uint64_t bytes_at(uint32_t width, uint32_t height, uint32_t halvings) {
 
 Textures::Textures(Document& document, Buffers& buffers, Scene& scene)
     : document_(document), buffers_(buffers), scene_(scene) {
-    document.charge("images", document.count(Table::images), sizeof(slots_[0]) + sizeof(TextureImage) + sizeof(Loaded));
+    document.charge("images", document.count(Table::images),
+                    sizeof(slots_[0]) + sizeof(TextureImage) + sizeof(Loaded) + sizeof(Early) + 64);
     slots_.assign(document.count(Table::images), no_image);
     lost_.resize(document.count(Table::images));
 }
@@ -146,7 +150,58 @@ std::optional<TextureImage> Textures::take(uint32_t image) {
     return taken;
 }
 
-std::span<const uint8_t> Textures::image_bytes(const Item& image) {
+void Textures::decode_ahead() {
+    Budget& budget = document_.budget();
+    uint64_t memory = 0, work = 0;
+    for (const uint32_t index : shown_images(document_))
+        try {
+            Early early{.image = index, .bytes = find_bytes(document_.item(Table::images, index))};
+            if (early.bytes.size() > budget.work_left() - work)
+                return early_.clear();
+            const images::Cost cost = images::inspect(early.bytes);
+            const uint64_t pixels = uint64_t(cost.width) * cost.height;
+            early.size = bytes_at(cost.width, cost.height, 0);
+            memory += early.size + cost.working;
+            work += early.bytes.size() + pixels;
+            if (memory > budget.left(Budget::Pool::images) || work > budget.work_left())
+                return early_.clear();
+            early_.emplace(index, std::move(early));
+        } catch (const LostPicture&) { // told when a material wants it
+        } catch (const images::DecodeError&) {
+        }
+    std::vector<Early*> all;
+    for (auto& [index, early] : early_) {
+        early.picture.rgba.reserve(early.size); // here, where freed memory is; a thread would take new one
+        all.push_back(&early);
+    }
+    // The largest ones first, so that no processor begins one when the others have nothing left to do.
+    std::ranges::stable_sort(all, std::greater(), &Early::size);
+    parallel_for(uint32_t(all.size()), [&](uint32_t i) {
+        try {
+            all[i]->picture = images::decode(all[i]->bytes, 0, images::Texels::values, std::move(all[i]->picture.rgba));
+        } catch (const images::DecodeError& error) {
+            all[i]->mistake = error.what();
+        }
+    });
+}
+
+TextureImage Textures::decode(uint32_t image, std::span<const uint8_t> bytes, uint32_t halvings, images::Texels kind) {
+    const auto early = early_.find(image);
+    if (early == early_.end())
+        return images::decode(bytes, halvings, kind);
+    if (!early->second.mistake.empty())
+        throw images::DecodeError(early->second.mistake);
+    TextureImage picture = std::move(early->second.picture);
+    early_.erase(early);
+    return halvings == 0 ? std::move(picture) : images::scaled_down(picture, halvings, kind);
+}
+
+std::span<const uint8_t> Textures::image_bytes(uint32_t image) {
+    const auto early = early_.find(image);
+    return early != early_.end() ? early->second.bytes : find_bytes(document_.item(Table::images, image));
+}
+
+std::span<const uint8_t> Textures::find_bytes(const Item& image) {
     if (image.has("uri")) {
         try {
             return document_.read_uri(image.text("uri"), image.label());
@@ -162,7 +217,7 @@ std::span<const uint8_t> Textures::image_bytes(const Item& image) {
 
 uint32_t Textures::load_image(uint32_t index, images::Texels kind, uint32_t most_halvings) {
     const Item item = document_.item(Table::images, index);
-    const std::span<const uint8_t> bytes = image_bytes(item);
+    const std::span<const uint8_t> bytes = image_bytes(index);
     try {
         Budget& budget = document_.budget();
         budget.charge_work(bytes.size()); // a million images may name the same bytes
@@ -173,7 +228,7 @@ uint32_t Textures::load_image(uint32_t index, images::Texels kind, uint32_t most
         {
             const Loan working(budget, Budget::Pool::images,
                                size + cost.working + (halvings > 0 ? cost.working_scaled : 0));
-            scene_.images.push_back(images::decode(bytes, halvings, kind));
+            scene_.images.push_back(decode(index, bytes, halvings, kind));
         }
         budget.charge(Budget::Pool::images, size);
         loaded_.push_back({index, cost.width, cost.height, halvings, kind});

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <queue>
 #include <scene/gltf/buffers.hpp>
 #include <scene/images/decode.hpp>
@@ -9,6 +10,11 @@ namespace prelight::gltf {
 class Textures {
 public:
     Textures(Document& document, Buffers& buffers, Scene& scene);
+    /// Decodes the materials' pictures on all processors, before they are read one by one; none of them unless the
+    /// budget has room for all as they are stored.
+    void decode_ahead();
+    /// Gives up what no material wanted after all.
+    void drop_early() { early_.clear(); }
     /// The textureInfo object under `key` of a material; no image when it is absent, or when its picture is missing
     /// or does not decode (with a warning).
     TextureRef read(const Item& material, std::string_view key);
@@ -25,6 +31,14 @@ private:
         uint32_t halvings = 0;
         images::Texels kind = images::Texels::values;
     };
+    /// An image that decode_ahead() has looked at.
+    struct Early {
+        uint32_t image = 0; ///< of the file
+        std::span<const uint8_t> bytes;
+        uint64_t size = 0;    ///< bytes, decoded
+        TextureImage picture; ///< until it is taken
+        std::string mistake;  ///< why it does not decode
+    };
     static constexpr uint32_t never = 32; ///< halvings that are too many
 
     uint32_t image_of(const Item& texture, images::Texels kind);
@@ -33,7 +47,9 @@ private:
     uint32_t load_image(uint32_t index, images::Texels kind, uint32_t most_halvings);
     uint32_t make_room(const images::Cost& cost, uint32_t most_halvings);
     void halve(uint32_t slot);
-    std::span<const uint8_t> image_bytes(const Item& image);
+    std::span<const uint8_t> image_bytes(uint32_t image);
+    std::span<const uint8_t> find_bytes(const Item& image);
+    TextureImage decode(uint32_t image, std::span<const uint8_t> bytes, uint32_t halvings, images::Texels kind);
     Sampler read_sampler(uint32_t index) const;
     void read_transform(const Item& info, TextureRef& ref, uint64_t& texcoord) const;
 
@@ -41,6 +57,7 @@ private:
     Buffers& buffers_;
     Scene& scene_;
     std::vector<uint32_t> slots_;                                ///< glTF image → Scene::images, or no_image
+    std::map<uint32_t, Early> early_;                            ///< by image
     std::vector<bool> lost_;                                     ///< images that have been tried in vain
     std::vector<Loaded> loaded_;                                 ///< as Scene::images
     std::priority_queue<std::pair<uint64_t, uint32_t>> largest_; ///< bytes and slot of each

@@ -5,10 +5,10 @@
 namespace prelight::images {
 
 Cost inspect_png(std::span<const uint8_t> bytes);
-TextureImage decode_png(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind);
+TextureImage decode_png(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind, std::vector<uint8_t> room);
 Cost inspect_jpeg(std::span<const uint8_t> bytes);
-TextureImage decode_jpeg(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind);
+TextureImage decode_jpeg(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind, std::vector<uint8_t> room);
 Cost inspect_webp(std::span<const uint8_t> bytes);
-TextureImage decode_webp(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind);
+TextureImage decode_webp(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind, std::vector<uint8_t> room);
 
 } // namespace prelight::images

@@ -29,11 +29,11 @@ Cost inspect(std::span<const uint8_t> bytes) {
     }
 }
 
-TextureImage decode(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind) {
+TextureImage decode(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind, std::vector<uint8_t> room) {
     switch (format_of(bytes)) {
-    case Format::png: return decode_png(bytes, halvings, kind);
-    case Format::jpeg: return decode_jpeg(bytes, halvings, kind);
-    default: return decode_webp(bytes, halvings, kind);
+    case Format::png: return decode_png(bytes, halvings, kind, std::move(room));
+    case Format::jpeg: return decode_jpeg(bytes, halvings, kind, std::move(room));
+    default: return decode_webp(bytes, halvings, kind, std::move(room));
     }
 }
 

@@ -26,7 +26,9 @@ struct Cost {
 Cost inspect(std::span<const uint8_t> bytes);
 
 /// Decodes PNG, JPEG or WebP to 8-bit RGBA, halved as often as said; takes no more memory than `inspect` says. Colour
-/// profiles, gamma and orientation are not applied, as glTF says. Throws DecodeError.
-TextureImage decode(std::span<const uint8_t> bytes, uint32_t halvings = 0, Texels kind = Texels::values);
+/// profiles, gamma and orientation are not applied, as glTF says. `room`: memory for the result, if there is some.
+/// Throws DecodeError.
+TextureImage decode(std::span<const uint8_t> bytes, uint32_t halvings = 0, Texels kind = Texels::values,
+                    std::vector<uint8_t> room = {});
 
 } // namespace prelight::images

@@ -170,10 +170,10 @@ Cost inspect_jpeg(std::span<const uint8_t> bytes) {
     return {reader.width(), reader.height(), reader.working_bytes()};
 }
 
-TextureImage decode_jpeg(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind) {
+TextureImage decode_jpeg(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind, std::vector<uint8_t> room) {
     JpegReader reader(bytes);
     reader.start();
-    ScaledPicture picture(reader.width(), reader.height(), halvings, kind);
+    ScaledPicture picture(reader.width(), reader.height(), halvings, kind, std::move(room));
     for (uint32_t y = 0; y < reader.height(); ++y) {
         reader.read_row(picture.row());
         picture.row_done();

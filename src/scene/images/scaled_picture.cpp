@@ -32,9 +32,9 @@ uint8_t to_byte(float value) { return static_cast<uint8_t>(std::lround(std::clam
 
 } // namespace
 
-ScaledPicture::ScaledPicture(uint32_t width, uint32_t height, uint32_t halvings, Texels kind)
+ScaledPicture::ScaledPicture(uint32_t width, uint32_t height, uint32_t halvings, Texels kind, std::vector<uint8_t> room)
     : width_(width), height_(height), halvings_(halvings),
-      kind_(kind), out_{{}, halved(width, halvings), halved(height, halvings), {}} {
+      kind_(kind), out_{{}, halved(width, halvings), halved(height, halvings), std::move(room)} {
     out_.rgba.resize(size_t(out_.width) * out_.height * 4);
     if (halvings_ == 0)
         return;

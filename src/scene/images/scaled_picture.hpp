@@ -21,7 +21,8 @@ inline uint32_t halved(uint32_t side, uint32_t halvings) {
 /// never in memory. Where a side does not divide, the last texel takes what is left over.
 class ScaledPicture {
 public:
-    ScaledPicture(uint32_t width, uint32_t height, uint32_t halvings, Texels kind);
+    /// `room`: memory for the result, if there is some.
+    ScaledPicture(uint32_t width, uint32_t height, uint32_t halvings, Texels kind, std::vector<uint8_t> room = {});
     /// Where the next row goes, width × 4 bytes; then row_done().
     uint8_t* row();
     void row_done();

@@ -31,9 +31,9 @@ Cost inspect_webp(std::span<const uint8_t> bytes) {
     return cost;
 }
 
-TextureImage decode_webp(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind) {
+TextureImage decode_webp(std::span<const uint8_t> bytes, uint32_t halvings, Texels kind, std::vector<uint8_t> room) {
     const Cost cost = inspect_webp(bytes);
-    TextureImage image{{}, cost.width, cost.height, {}};
+    TextureImage image{{}, cost.width, cost.height, std::move(room)};
     image.rgba.resize(size_t(cost.width) * cost.height * 4);
     if (!WebPDecodeRGBAInto(bytes.data(), bytes.size(), image.rgba.data(), image.rgba.size(), int(cost.width) * 4))
         throw DecodeError("does not decode (damaged WebP)");
