@@ -28,4 +28,9 @@ graph::ImageId depth_only_pass(graph::FrameGraph& graph, const resident::View& v
     return depth;
 }
 
+SurfaceBuffers depth_only_surfaces(graph::FrameGraph& graph, const resident::View& view) {
+    const graph::ImageId depth = depth_only_pass(graph, view);
+    return {.format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
+}
+
 } // namespace prelight::passes

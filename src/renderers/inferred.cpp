@@ -111,8 +111,7 @@ private:
     static passes::SurfaceBuffers picture_surface(graph::FrameGraph& graph, const resident::View& view) {
         if (!view.scene().decals().empty())
             return passes::depth_normal_pass(graph, view, {});
-        const graph::ImageId depth = passes::depth_only_pass(graph, view);
-        return {.format = {}, .depth = depth, .depth_source = depth, .normal = depth, .roughness = depth};
+        return passes::depth_only_surfaces(graph, view);
     }
 
     void add_figures(Stats& stats) const override {

@@ -52,6 +52,15 @@ LightBufferRenderer::LightStage LightBufferRenderer::light_stage(graph::FrameGra
     return out;
 }
 
+passes::LightBuffer LightBufferRenderer::black_light(graph::FrameGraph& graph, const resident::View& view) const {
+    const bool pair =
+        passes::is_pair_of_halves(model_) && passes::compute_walks(view, screen_list_options(settings()).shading);
+    passes::LightBuffer light = passes::make_light_buffer(graph, view, model_, pair, false);
+    for (const graph::ImageId image : light.target.images)
+        graph.persist(image);
+    return light;
+}
+
 bool LightBufferRenderer::occludes() const { return occlusion_options(settings()).on; }
 
 std::optional<graph::ImageId> LightBufferRenderer::visibility(graph::FrameGraph& graph, const resident::View& view,

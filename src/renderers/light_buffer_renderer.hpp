@@ -26,6 +26,12 @@ protected:
     /// All lights of `view`, culled as it says, on `surfaces`.
     LightStage light_stage(graph::FrameGraph& graph, const resident::View& view,
                            const passes::SampledSurfaces& surfaces);
+    /// Whether there is anything for stage 2: not in a scene that its environment alone lights, for one.
+    bool has_light(const resident::View& view) const {
+        return !view.lights().placed().empty() || model_.ambient_as_light;
+    }
+    /// The light buffer of a picture without light: black from the beginning, and no pass writes it.
+    passes::LightBuffer black_light(graph::FrameGraph& graph, const resident::View& view) const;
     /// What of ambient light reaches `surface`, where the setting `ssao` or a view asks for it.
     std::optional<graph::ImageId> visibility(graph::FrameGraph& graph, const resident::View& view,
                                              const passes::SurfaceBuffers& surface) const;

@@ -11,9 +11,11 @@
 #include "settings/shadow_settings.hpp"
 #include "settings/texture_settings.hpp"
 #include "settings/transparency_settings.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 #include <gpu/context.hpp>
 #include <passes/decals.hpp>
+#include <passes/depth_only.hpp>
 #include <passes/half_samples.hpp>
 #include <passes/view.hpp>
 #include <prelight/error.hpp>
@@ -75,7 +77,30 @@ private:
                                           .lists = lists}};
     }
 
+    /// Whether anything but the materials themselves asks what the surfaces are like.
+    bool needs_surfaces(const resident::View& view) const {
+        const auto shows_surfaces = [](const std::string& name) { return name != "final" && name != "linear"; };
+        return has_light(view) || model().fixed_point() || occludes() || view.scene().shows_through() ||
+               !view.scene().decals().empty() || settings().is("antialiasing", "edge-blur") ||
+               std::ranges::any_of(options().views, shows_surfaces);
+    }
+
+    /// Depth and materials: no light, no light buffer to fill, nobody to read normals. A picture of a file without
+    /// lights, under its environment, then waits for four pipelines instead of a dozen.
+    Outputs build_unlit(graph::FrameGraph& graph, const resident::View& view) {
+        const passes::SurfaceBuffers drawn = passes::depth_only_surfaces(graph, view);
+        const passes::MaterialInputs materials{.depth = drawn.depth,
+                                               .light = black_light(graph, view),
+                                               .model = model(),
+                                               .sample_shading = material_shading(settings())};
+        return picture_outputs(graph, view, drawn, [&](passes::Display display) {
+            return passes::material_pass(graph, view, materials, display);
+        });
+    }
+
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
+        if (!needs_surfaces(view))
+            return build_unlit(graph, view);
         const auto drawn = passes::depth_normal_pass(graph, view, surface_format(settings()));
         const auto decals = passes::decal_pass(graph, view, drawn);
         passes::decal_normal_pass(graph, view, drawn, decals);
