@@ -123,8 +123,7 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     const double start = thread_ms();
     check_lights(*world_->scene, lights);
     const uint32_t kinds = lights_->kinds();
-    const bool first = lights_->placed().empty() && !lights.empty(); // without any, passes may be left out
-    const bool fits = lights_->holds(lights);
+    const bool none = lights_->placed().empty(), fits = lights_->holds(lights);
     if (fits) {
         lights_->replace(lights);
     } else {
@@ -134,9 +133,9 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
         *lights_ = std::move(next);
     }
     changes_ms_ += thread_ms() - start;
-    // Shaders leave out what none of the kinds needs that there were.
-    const bool known = (lights_->kinds() & ~kinds) == 0;
-    if (fits && known && !first && graph_ && light_sums_.holds(blended_adds(light_view())))
+    // Shaders leave out what none of the kinds needs that there were, and renderers passes where there was no light.
+    const bool known = (lights_->kinds() & ~kinds) == 0 && (!none || lights.empty());
+    if (fits && known && graph_ && light_sums_.holds(blended_adds(light_view())))
         return;
     drop_graph();
     build_graph();
