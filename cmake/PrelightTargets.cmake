@@ -5,7 +5,7 @@ target_compile_options(prelight_options INTERFACE
     -Wall -Wextra -Werror -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Wunused
     -Woverloaded-virtual -Wno-missing-field-initializers)
 target_compile_definitions(prelight_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE
-    GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
+    GLM_ENABLE_EXPERIMENTAL)
 if(PRELIGHT_SANITIZE)
     target_compile_options(prelight_options INTERFACE -fsanitize=${PRELIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(prelight_options INTERFACE -fsanitize=${PRELIGHT_SANITIZE})

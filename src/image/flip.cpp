@@ -113,7 +113,7 @@ Opponent opponent_planes(const Image& srgb) {
     const Plane empty(srgb.width, srgb.height);
     Opponent planes{empty, empty, empty};
     for (size_t i = 0; i < srgb.pixels.size(); ++i) {
-        glm::dvec3 linear;
+        glm::dvec3 linear{0};
         for (int channel = 0; channel < 3; ++channel)
             linear[channel] = srgb_decode(srgb.pixels[i][channel]);
         const glm::dvec3 value = to_ycxcz(linear);

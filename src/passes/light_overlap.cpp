@@ -35,7 +35,7 @@ public:
 
 private:
     size_t index(glm::uvec3 at) const { return (size_t(at.z) * size_.y + at.y) * size_.x + at.x; }
-    glm::uvec3 size_;
+    glm::uvec3 size_{0};
     std::vector<int32_t> counts_;
 };
 

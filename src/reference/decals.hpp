@@ -15,7 +15,7 @@ private:
     struct Box {
         const Decal* decal;
         const Material* material;
-        glm::dvec3 centre, sides[3]; ///< relative to the origin; the box's edges as vectors
+        glm::dvec3 centre{0}, sides[3]{}; ///< relative to the origin; the box's edges as vectors
     };
     const Textures& textures_;
     std::vector<Box> boxes_;

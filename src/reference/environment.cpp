@@ -99,7 +99,7 @@ glm::dvec3 EnvironmentLight::blurred(glm::dvec3 direction, double level) const {
 // Lambert's cosine lobe over π has a sum (1 / 4π) Σ (2l + 1) a_l P_l(cos θ) with a = 1, 2/3, 1/4 (Ramamoorthi and
 // Hanrahan 2001); P_1 and P_2 of n·d are the first and second moments of the light, written out.
 glm::dvec3 EnvironmentLight::lambert(glm::dvec3 n) const {
-    glm::dvec3 out;
+    glm::dvec3 out{0};
     for (int c = 0; c < 3; ++c) {
         const double flat = zeroth_[c], slope = glm::dot(first_[size_t(c)], n),
                      bend = glm::dot(n, second_[size_t(c)] * n);

@@ -44,7 +44,7 @@ private:
         bool found = false, layer = false;
     };
     struct Tap {
-        glm::ivec2 at;
+        glm::ivec2 at{0};
         double share;
     };
     Seen look(uint32_t x, uint32_t y, glm::dvec2 place) const;

@@ -38,7 +38,7 @@ Pyramid::Level shrunk(const Pyramid::Level& whole, int64_t width, int64_t height
 
 /// Faces of a cube as the light sees them.
 struct Face {
-    glm::dvec3 axis, right, up;
+    glm::dvec3 axis{0}, right{0}, up{0};
 };
 const std::array<Face, 6> faces{{{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
                                  {{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}},

@@ -39,7 +39,7 @@ private:
     glm::dvec3 cube(glm::dvec3 d, double spread) const;
     double profile(glm::dvec3 d) const;
 
-    glm::dmat3 axes_;
+    glm::dmat3 axes_{1};
     LightKind kind_;
     double tangent_ = 1;                                 ///< of a spot's outer cone
     std::shared_ptr<const std::vector<Pyramid>> cookie_; ///< one, or six faces; null: none

@@ -34,21 +34,21 @@ public:
 
 private:
     struct Sphere {
-        glm::dvec3 centre;
+        glm::dvec3 centre{0};
         double radius;
         uint32_t light;
     };
     struct Node {
-        glm::dvec3 low, high; ///< box around the spheres below
-        uint32_t first = 0;   ///< leaf: first sphere; inner: index of the second child
-        uint32_t count = 0;   ///< spheres in a leaf; 0: inner node, first child is the next node
+        glm::dvec3 low{0}, high{0}; ///< box around the spheres below
+        uint32_t first = 0;         ///< leaf: first sphere; inner: index of the second child
+        uint32_t count = 0;         ///< spheres in a leaf; 0: inner node, first child is the next node
     };
     void build(size_t begin, size_t end);
 
     struct Prepared {
         LightKind kind;
         Falloff falloff;
-        glm::dvec3 position, direction, radiance; ///< radiance: colour × intensity
+        glm::dvec3 position{0}, direction{0}, radiance{0}; ///< radiance: colour × intensity
         double range, cos_outer, cone_scale, shininess;
         bool casts_shadow;
         std::optional<LightDistribution> distribution;

@@ -61,11 +61,11 @@ private:
 
     ReferenceForm form_;
     const Surface& surface_;
-    glm::dvec3 diffuse_colour_; ///< base · (1 − metallic)
-    glm::dvec3 material_f0_;    ///< reflectance at normal incidence
-    glm::dvec3 f0_;             ///< as lights meet it
-    double alpha_;              ///< roughness²
-    double exponent_;           ///< [phong] 2/α² − 2
+    glm::dvec3 diffuse_colour_{0}; ///< base · (1 − metallic)
+    glm::dvec3 material_f0_{0};    ///< reflectance at normal incidence
+    glm::dvec3 f0_{0};             ///< as lights meet it
+    double alpha_;                 ///< roughness²
+    double exponent_;              ///< [phong] 2/α² − 2
     double exposure_;
     const EnvironmentLight* environment_;
     LightSums sums_;

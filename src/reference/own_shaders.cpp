@@ -33,7 +33,7 @@ double hermite(double low, double high, double x) {
 double facing(const Surface& surface) { return glm::dot(surface.normal, surface.view); }
 
 struct Colours {
-    glm::dvec3 diffuse, f0;
+    glm::dvec3 diffuse{0}, f0{0};
 };
 
 Colours colours_of(const Surface& s) {

@@ -15,8 +15,8 @@ struct Hole {
 struct Crossing {
     double distance;
     uint32_t draw, triangle;
-    glm::dvec2 place; ///< weights of the triangle's second and third corner
-    bool along;       ///< the triangle's normal points with the ray
+    glm::dvec2 place{0}; ///< weights of the triangle's second and third corner
+    bool along;          ///< the triangle's normal points with the ray
 };
 
 /// Finaliser of splitmix64 (Steele, Lea, Flood 2014): spreads a small number over 64 bits.

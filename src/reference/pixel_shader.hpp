@@ -90,7 +90,7 @@ private:
     const SeenWorld& world_;
     const ReferenceForm& form_;
     ReferenceForm layer_form_; ///< of layers
-    glm::dvec3 ambient_;
+    glm::dvec3 ambient_{0};
     double factor_;
     const InferredLight* inferred_;
     const Behind* behind_;

@@ -23,9 +23,9 @@ struct Draw {
     uint32_t instance, primitive_index;
     const Primitive* primitive;
     const Material* material;
-    glm::dmat4 to_world;          ///< object → world, relative to the scene's origin
-    glm::dmat4 previous_to_world; ///< the same at the moment's previous state
-    glm::dmat3 normal_to_world;   ///< inverse transpose, up to a positive factor
+    glm::dmat4 to_world{1};          ///< object → world, relative to the scene's origin
+    glm::dmat4 previous_to_world{1}; ///< the same at the moment's previous state
+    glm::dmat3 normal_to_world{1};   ///< inverse transpose, up to a positive factor
     bool mirrored;
     bool transmissive; ///< the picture behind it comes through; it throws no shadow
 };

@@ -38,8 +38,8 @@ private:
 
 /// A triangle's edges from its first corner, and what one of its texture-coordinate sets does along them.
 struct Edges {
-    glm::dvec3 side[2];
-    glm::dmat2 texcoords; ///< a column for each edge
+    glm::dvec3 side[2]{};
+    glm::dmat2 texcoords{1}; ///< a column for each edge
     Edges(const PointReader& read, uint32_t set) {
         const Draw& draw = read.draw();
         const uint32_t* index = &draw.primitive->indices[size_t(read.hit().triangle) * 3];

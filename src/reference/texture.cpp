@@ -31,7 +31,7 @@ namespace {
 
 glm::dvec4 texel(const TextureImage& image, int64_t x, int64_t y, Encoding encoding) {
     const uint8_t* bytes = &image.rgba[(static_cast<size_t>(y) * image.width + static_cast<size_t>(x)) * 4];
-    glm::dvec4 value;
+    glm::dvec4 value{0};
     for (int channel = 0; channel < 3; ++channel)
         value[channel] =
             encoding == Encoding::srgb ? linear_of_srgb(bytes[channel]) : static_cast<double>(bytes[channel]) / 255;

@@ -201,7 +201,7 @@ private:
 
     ReferenceForm form_;
     SeenWorld world_;
-    glm::dvec3 origin_, ambient_;
+    glm::dvec3 origin_{0}, ambient_{0};
     double factor_;
     std::optional<InferredLight> inferred_;
     std::optional<Behind> behind_;                        ///< where something looks behind

@@ -7,8 +7,8 @@ namespace prelight::reference {
 
 /// Where the picture behind a transmissive surface is looked at (docs/transmission.md).
 struct LookBehind {
-    glm::dvec2 place; ///< pixels from the picture's top left
-    double level;     ///< of Behind
+    glm::dvec2 place{0}; ///< pixels from the picture's top left
+    double level;        ///< of Behind
 };
 
 /// `pixel`: the place of the picture where the surface itself is seen. Light is refracted once, where it comes in, and

@@ -18,7 +18,7 @@ glm::dvec3 transformed(const glm::dmat4& m, const glm::dvec3& p) { return glm::d
 
 /// Extent of the box [low, high] in another space, around its middle there.
 struct Extent {
-    glm::dvec3 middle, half;
+    glm::dvec3 middle{0}, half{0};
     Extent(const glm::dmat4& m, const glm::dvec3& low, const glm::dvec3& high)
         : middle(transformed(m, 0.5 * (low + high))), half(0) {
         for (int axis = 0; axis < 3; ++axis)

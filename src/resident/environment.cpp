@@ -85,7 +85,7 @@ double radical_inverse(uint32_t bits) {
 
 /// One direction of a lobe.
 struct LobeSample {
-    glm::dvec3 light; ///< around +Z
+    glm::dvec3 light{0}; ///< around +Z
     double weight;
     double spread; ///< radians: the side of the square that it stands for
 };

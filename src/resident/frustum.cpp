@@ -7,7 +7,7 @@
 namespace prelight::resident {
 
 Frustum::Frustum(const glm::mat4& clip_from_relative) {
-    glm::dvec4 row[4];
+    glm::dvec4 row[4]{};
     for (int r = 0; r < 4; ++r)
         row[r] = glm::row(clip_from_relative, r);
     const glm::dvec4 planes[] = {row[3] + row[0], row[3] - row[0], row[3] + row[1],

@@ -16,7 +16,7 @@ public:
 private:
     /// A point is in the picture where each `normal` · point + `offset` is ≥ 0: |x| ≤ w, |y| ≤ w, 0 ≤ z ≤ w.
     struct Plane {
-        glm::dvec3 normal, size; ///< size: |normal|, component by component
+        glm::dvec3 normal{0}, size{0}; ///< size: |normal|, component by component
         double offset;
     };
     std::array<Plane, 6> planes_;

@@ -54,7 +54,7 @@ Interval project_disc(const BoundsView& view, dvec2 centre, double radius) {
 
 /// A sector of a sphere: what a spot reaches.
 struct Sector {
-    dvec3 apex, axis;
+    dvec3 apex{0}, axis{0};
     double range, angle;
     dvec3 rim_centre() const { return apex + axis * (range * std::cos(angle)); }
     double rim_radius() const { return range * std::sin(angle); }

@@ -66,7 +66,7 @@ public:
 
 private:
     Camera camera_;
-    glm::dvec3 forward_;
+    glm::dvec3 forward_{0};
     double corner_; ///< distance to the near plane's corner, in near distances
     double across_; ///< a quarter of the picture's area at distance 1
     std::array<glm::dvec4, 6> planes_{};

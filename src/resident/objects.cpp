@@ -23,7 +23,7 @@ std::array<glm::vec4, 3> normal_rows(const Instance& instance) {
         (instance.mirrored ? -1.0 : 1.0);
     // Only the direction counts: scaled so that float holds it.
     const double scale = 1 / std::max({glm::length(normal[0]), glm::length(normal[1]), glm::length(normal[2])});
-    std::array<glm::vec4, 3> rows;
+    std::array<glm::vec4, 3> rows{};
     for (int r = 0; r < 3; ++r)
         rows[static_cast<size_t>(r)] = glm::vec4(glm::dvec3(normal[0][r], normal[1][r], normal[2][r]) * scale, 0);
     rows[0].w = instance.mirrored ? -1 : 1;
@@ -33,7 +33,7 @@ std::array<glm::vec4, 3> normal_rows(const Instance& instance) {
 
 shared::ObjectData object_data(const Instance& instance, const std::array<glm::vec4, 3>& normal_row,
                                const glm::dvec3& camera) {
-    shared::ObjectData data;
+    shared::ObjectData data{};
     set_rows(data.world_row, instance.transform, camera);
     std::copy(normal_row.begin(), normal_row.end(), data.normal_row);
     set_rows(data.previous_world_row, instance.previous_transform ? *instance.previous_transform : instance.transform,

@@ -79,10 +79,10 @@ struct Geometry {
 
 /// The second vertex stream.
 struct VertexAttributes {
-    glm::vec3 normal;
-    glm::vec4 tangent;
-    glm::vec2 texcoord_0;
-    glm::vec2 texcoord_1;
+    glm::vec3 normal{0};
+    glm::vec4 tangent{0};
+    glm::vec2 texcoord_0{0};
+    glm::vec2 texcoord_1{0};
     uint16_t colour[4]; ///< unsigned normalised
 };
 

@@ -14,7 +14,7 @@ constexpr double widest_tile = 1.05; // 60°
 constexpr double near_plane = 0.002;
 
 struct Basis {
-    glm::dvec3 right, up, forward;
+    glm::dvec3 right{0}, up{0}, forward{0};
 };
 
 Basis basis_of(glm::dvec3 forward) {
@@ -96,7 +96,7 @@ glm::dvec4 cascade_ends(const PlacedCamera& camera, const WorldBox& world) {
     far = std::min(far, camera.camera.zfar);
     const bool perspective = camera.camera.kind == ProjectionKind::perspective;
     const double begin = std::max(camera.camera.znear, far * 1e-3), share = perspective ? 0.6 : 0;
-    glm::dvec4 ends;
+    glm::dvec4 ends{0};
     for (int i = 1; i <= 4; ++i)
         ends[i - 1] = share * begin * std::pow(far / begin, i / 4.0) + (1 - share) * far * i / 4.0;
     return ends;

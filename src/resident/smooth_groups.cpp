@@ -9,7 +9,7 @@ namespace {
 
 /// A vertex's place and normal, bit by bit.
 struct Corner {
-    glm::vec3 place, normal;
+    glm::vec3 place{0}, normal{0};
     bool operator==(const Corner& other) const { return std::memcmp(this, &other, sizeof *this) == 0; }
 };
 

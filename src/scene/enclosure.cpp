@@ -13,7 +13,7 @@ constexpr double smallest_room = 3; ///< metres
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Ray {
-    glm::dvec3 origin, direction;
+    glm::dvec3 origin{0}, direction{0};
     double distance = infinity;
     bool front = false;
 };

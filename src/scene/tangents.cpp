@@ -48,7 +48,7 @@ std::vector<glm::vec3> group_tangents(const Group& group, const std::vector<Face
     const size_t count = group.faces.size();
     const glm::vec3& n = vertices.normals[group.vertex];
     struct Frame {
-        glm::vec3 s, t;
+        glm::vec3 s{0}, t{0};
         bool with_any;
     };
     std::vector<Frame> frames;

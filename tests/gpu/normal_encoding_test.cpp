@@ -214,7 +214,7 @@ TEST(NormalEncoding, OctantEdgesAndTheirNeighboursStayClose) {
         for (int zero_axis = 0; zero_axis < 3; ++zero_axis)
             for (const double aside : {0.0, -0.0, 1e-7, -1e-7, 1e-4, -1e-4}) {
                 const double turn = 6.283185307179586 * i / 100'000;
-                glm::dvec3 d;
+                glm::dvec3 d{0};
                 d[zero_axis] = aside;
                 d[(zero_axis + 1) % 3] = std::cos(turn);
                 d[(zero_axis + 2) % 3] = std::sin(turn);

@@ -238,9 +238,9 @@ TEST(Background, ShowsTheEnvironmentWhereNothingIs) {
     Camera lens;
     lens.yfov = 0.6;
     struct Look {
-        glm::dvec3 at;
+        glm::dvec3 at{0};
         double rotation;
-        glm::vec3 colour;
+        glm::vec3 colour{0};
     };
     for (const Look& look : {Look{{-1, 0, -1}, 0, {0, 1, 0}}, Look{{1, 0, -1}, 0, {0, 0, 1}},
                              Look{{-1, 0, -1}, pi / 2, {0, 0, 1}}, Look{{1, 0.3, 1}, 0, {1, 1, 0}}}) {

@@ -37,7 +37,7 @@ struct FilledGBuffer {
     /// Four channels of 8 bits.
     glm::dvec4 bytes(graph::ImageId image, uint32_t x, uint32_t y) const {
         const auto texels = graph.read_back(image);
-        glm::dvec4 value;
+        glm::dvec4 value{0};
         for (int c = 0; c < 4; ++c)
             value[c] =
                 std::to_integer<int>(texels[4 * (size_t(y) * view.raster().extent.width + x) + size_t(c)]) / 255.0;

@@ -196,8 +196,8 @@ TEST(MotionVectors, FastOnesStayFiniteAndKeepTheirDirection) {
 // The picture of it: hue is direction, black is rest.
 TEST(MotionVectors, ViewIsAColourWheel) {
     struct Moved {
-        glm::dvec2 pixels; ///< right, down
-        glm::vec3 colour;
+        glm::dvec2 pixels{0}; ///< right, down
+        glm::vec3 colour{0};
     };
     const Moved squares[] = {{{0, 0}, {0, 0, 0}},
                              {{7, 0}, {0.5f, 0, 0}},     // right: red, half as bright

@@ -277,7 +277,7 @@ TEST(Transmission, LooksAlikeOnSwiftShader) {
 TEST(BehindLevels, LieBesideEachOther) {
     for (const glm::ivec2& size : {glm::ivec2(1, 1), {2, 1}, {3, 7}, {64, 64}, {1280, 720}, {719, 1281}, {4097, 5}}) {
         struct Area {
-            glm::ivec2 low, high;
+            glm::ivec2 low{0}, high{0};
         };
         std::vector<Area> areas;
         const int last = shared::behind_last_level(size);

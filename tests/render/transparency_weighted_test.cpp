@@ -22,11 +22,11 @@ Shot weighted(Shot shot, const std::string& renderer = "light-prepass") {
 /// Panes that fill the picture before a wall, 5 m from the camera at z = 0.
 struct Pile : TestWorld {
     struct Layer {
-        glm::dvec4 colour;
+        glm::dvec4 colour{0};
         double z = 0;
         glm::vec3 emissive{0}; ///< lit where it is not 0
     };
-    glm::dvec3 wall;
+    glm::dvec3 wall{0};
     std::vector<Layer> layers; ///< farthest first
     /// `order`: in which layers get materials, meshes and instances.
     Pile(glm::dvec3 behind, std::vector<Layer> of, const std::vector<size_t>& order)

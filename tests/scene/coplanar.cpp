@@ -15,8 +15,8 @@ namespace prelight {
 namespace {
 
 struct Triangle {
-    std::array<glm::dvec3, 3> corner;
-    glm::dvec3 normal, low, high;
+    std::array<glm::dvec3, 3> corner{};
+    glm::dvec3 normal{0}, low{0}, high{0};
     CoplanarPair::Face face;
     glm::vec4 colour{1};
     bool two_sided = false;

@@ -19,7 +19,7 @@ protected:
     Random random{2024};
 
     glm::vec3 direction() {
-        glm::dvec3 v;
+        glm::dvec3 v{0};
         do {
             const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
             v = {x, y, random.uniform(-1, 1)};

@@ -19,7 +19,7 @@ private:
     CameraPose pose_at(double time) const;
 
     PlacedCamera start_;
-    glm::dvec3 centre_;
+    glm::dvec3 centre_{0};
     double seconds_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 /// An axis-aligned box of one colour, world space, metres.
 struct Block {
     const char* name;
-    glm::vec3 colour, low, high;
+    glm::vec3 colour{0}, low{0}, high{0};
 };
 
 constexpr glm::vec3 white(0.78f, 0.77f, 0.74f), red(0.75f, 0.07f, 0.05f), blue(0.08f, 0.16f, 0.62f),
@@ -42,8 +42,8 @@ constexpr float sun_lux = 24;
 constexpr double inner = std::numbers::pi / 4; ///< of a virtual light's cone
 
 struct Found {
-    glm::dvec3 position, normal;
-    glm::vec3 colour;
+    glm::dvec3 position{0}, normal{0};
+    glm::vec3 colour{0};
 };
 
 /// The first block on a ray, by its slabs.

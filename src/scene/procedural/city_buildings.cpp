@@ -8,8 +8,8 @@ namespace {
 enum Side : unsigned { east = 1, west = 2, south = 4, north = 8 }; // +x, −x, +z, −z
 
 struct House {
-    glm::vec2 low, high; ///< x and z of the footprint
-    unsigned fronts;     ///< sides with a façade; the others are plain walls
+    glm::vec2 low{0}, high{0}; ///< x and z of the footprint
+    unsigned fronts;           ///< sides with a façade; the others are plain walls
     uint32_t floors;
     float base = kerb_height; ///< y of the ground floor
 };

@@ -18,15 +18,15 @@ struct Site {
 
 /// A bulb of a string of lights: world position and colour.
 struct Bulb {
-    glm::vec3 position;
-    glm::vec3 colour;
+    glm::vec3 position{0};
+    glm::vec3 colour{0};
 };
 
 /// A vertical or horizontal rectangle, frame.origin its lower left corner, where small lights may
 /// lie.
 struct Sheet {
     Frame frame;
-    glm::vec2 size;
+    glm::vec2 size{0};
 };
 
 // The street's measures in metres, all symmetric about x = 0.

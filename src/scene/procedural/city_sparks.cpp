@@ -8,7 +8,7 @@ namespace {
 
 /// Where somebody welds or cuts: the place, the way the sparks fly, what they fall on.
 struct Work {
-    glm::dvec3 at, towards;
+    glm::dvec3 at{0}, towards{0};
     float ground;
 };
 

@@ -52,7 +52,7 @@ TextureImage fabric_picture() {
 /// A spray of pointed leaves on twigs from the middle, gaps between them.
 TextureImage leaves_picture() {
     struct Leaf {
-        glm::vec2 centre, axis;
+        glm::vec2 centre{0}, axis{0};
         float shade;
     };
     std::vector<Leaf> leaves;

@@ -17,8 +17,8 @@ constexpr glm::dvec3 y_axis(0, 1, 0);
 
 /// Where small lamps stand: each a glowing ball and a light.
 struct Glow {
-    glm::vec3 colour;
-    glm::dvec3 at;
+    glm::vec3 colour{0};
+    glm::dvec3 at{0};
 };
 constexpr Glow glows[] = {{{0.15f, 0.75f, 1}, {-0.75, 0.07, -2.3}},
                           {{1, 0.2f, 0.45f}, {3.5, 0.07, -2.2}},
@@ -105,10 +105,10 @@ void add_bottles(Stage& stage) {
             stage.box("leg", wood, {x, 0, z}, {x + 0.08f, 0.52f, z + 0.08f});
     struct Bottle {
         const char* name;
-        glm::vec3 colour;
+        glm::vec3 colour{0};
         float alpha;
         double radius, height, neck, shoulder;
-        glm::dvec3 at;
+        glm::dvec3 at{0};
     };
     constexpr double table = 0.5801;
     const char* beside = "bottle beside the long pane";

@@ -9,7 +9,7 @@ namespace prelight {
 namespace {
 
 struct Point {
-    glm::dvec3 place, normal;
+    glm::dvec3 place{0}, normal{0};
 };
 
 /// Distance 0.55 + 0.9 · (x⁴ + y⁴ + z⁴) from the middle in direction (x, y, z).

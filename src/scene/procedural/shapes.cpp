@@ -106,7 +106,7 @@ Primitive make_turned(std::span<const glm::dvec2> profile, uint32_t slices) {
 Primitive make_box(glm::vec3 low, glm::vec3 high) {
     // Each face: the normal's axis, then two axes right and up with right × up = normal.
     struct Face {
-        glm::vec3 normal, right, up;
+        glm::vec3 normal{0}, right{0}, up{0};
     };
     constexpr std::array<Face, 6> faces{{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
                                          {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
