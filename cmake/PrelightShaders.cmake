@@ -8,15 +8,15 @@ function(prelight_embed_texts TARGET HEADER FUNCTION STRIP)
     string(MAKE_C_IDENTIFIER ${FUNCTION} id)
     set(out ${CMAKE_CURRENT_BINARY_DIR}/${id}.cpp)
     add_custom_command(OUTPUT ${out}
-        COMMAND ${CMAKE_COMMAND} -P ${CMAKE_SOURCE_DIR}/cmake/embed_texts.cmake
+        COMMAND ${CMAKE_COMMAND} -P ${PROJECT_SOURCE_DIR}/cmake/embed_texts.cmake
                 ${out} ${HEADER} ${FUNCTION} ${STRIP} ${ARGN}
-        DEPENDS ${ARGN} ${CMAKE_SOURCE_DIR}/cmake/embed_texts.cmake
+        DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/embed_texts.cmake
         COMMENT "Texts ${FUNCTION}" VERBATIM)
     target_sources(${TARGET} PRIVATE ${out})
 endfunction()
 
 function(prelight_shaders TARGET)
-    set(folder ${CMAKE_SOURCE_DIR}/shaders)
+    set(folder ${PROJECT_SOURCE_DIR}/shaders)
     set(function find_shader)
     if(ARGC GREATER 1)
         set(folder ${ARGV1})
@@ -24,11 +24,11 @@ function(prelight_shaders TARGET)
     endif()
     set(out ${CMAKE_CURRENT_BINARY_DIR}/shaders)
     file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.vert ${folder}/*.frag ${folder}/*.comp)
-    file(GLOB materials CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/materials/*.glsl)
+    file(GLOB materials CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/materials/*.glsl)
     # A file that comes in with an old time is a change of this list.
     file(CONFIGURE OUTPUT ${out}/${function}.list CONTENT "${sources};${materials}")
     add_custom_command(OUTPUT ${out}/${function}.cpp BYPRODUCTS ${out}/${function}.bin
-        COMMAND compile_shaders ${folder} ${CMAKE_SOURCE_DIR}/shaders ${out} ${function}
+        COMMAND compile_shaders ${folder} ${PROJECT_SOURCE_DIR}/shaders ${out} ${function}
         DEPENDS compile_shaders ${out}/${function}.list ${sources} ${materials} DEPFILE ${out}/${function}.d
         COMMENT "Shaders ${function}" VERBATIM)
     target_sources(${TARGET} PRIVATE ${out}/${function}.cpp)

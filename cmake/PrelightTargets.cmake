@@ -1,15 +1,21 @@
 # prelight_target(NAME FOLDERS... ): one static library of every .cpp below the folders, with the
 # project's warnings. A new source file needs no edit of a build file.
-add_library(prelight_options INTERFACE)
-target_compile_options(prelight_options INTERFACE
-    -Wall -Wextra -Werror -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Wunused
+# How this project compiles, which is nobody else's business: prelight_flags for all, prelight_options for the library and
+# what looks into it.
+add_library(prelight_flags INTERFACE)
+target_compile_options(prelight_flags INTERFACE
+    -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Wunused
     -Woverloaded-virtual -Wno-missing-field-initializers)
-target_compile_definitions(prelight_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE
-    GLM_ENABLE_EXPERIMENTAL)
-if(PRELIGHT_SANITIZE)
-    target_compile_options(prelight_options INTERFACE -fsanitize=${PRELIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-    target_link_options(prelight_options INTERFACE -fsanitize=${PRELIGHT_SANITIZE})
+if(PROJECT_IS_TOP_LEVEL) # another compiler's new warning is no reason that somebody's project does not build
+    target_compile_options(prelight_flags INTERFACE -Werror)
 endif()
+if(PRELIGHT_SANITIZE)
+    target_compile_options(prelight_flags INTERFACE -fsanitize=${PRELIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(prelight_flags INTERFACE -fsanitize=${PRELIGHT_SANITIZE})
+endif()
+add_library(prelight_options INTERFACE)
+target_link_libraries(prelight_options INTERFACE prelight_flags)
+target_compile_definitions(prelight_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_ENABLE_EXPERIMENTAL)
 
 # What most files include of other people's headers, parsed once for each target. None of the project's own:
 # a change in one would compile everything again. CMAKE_DISABLE_PRECOMPILE_HEADERS=ON tells whether each
@@ -21,16 +27,21 @@ set(PRELIGHT_PRECOMPILED <algorithm> <array> <bit> <chrono> <cmath> <cstdint> <c
     <glm/glm.hpp> <glm/gtc/quaternion.hpp> <glm/gtc/type_ptr.hpp> <glm/gtc/constants.hpp> <glm/gtc/packing.hpp>
     <glm/ext/matrix_transform.hpp> <glm/ext/matrix_clip_space.hpp>)
 # GCC 12 warns of its own std::string (bug 105329) where that comes from a precompiled header.
-target_compile_options(prelight_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-array-bounds>)
+target_compile_options(prelight_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-array-bounds>)
 if(CCACHE)
     add_compile_options(-fpch-preprocess) # else ccache does not know what a precompiled header holds
 endif()
 
 # Most of a file's compile time is the same headers' templates again: the files of a folder are compiled together. Names that a
 # file keeps for itself must then differ from those of the other files in its folder, and an error says where they don't.
-option(PRELIGHT_UNITY "Compile the files of a folder together: 3 times less to compile, but all of a folder after each change" OFF)
+set(unity_default ON) # who only uses the library compiles it once
+if(PROJECT_IS_TOP_LEVEL)
+    set(unity_default OFF)
+endif()
+option(PRELIGHT_UNITY "Compile the files of a folder together: 3 times less to compile, but all of a folder after each change"
+       ${unity_default})
 if(PRELIGHT_UNITY)
-    target_compile_options(prelight_options INTERFACE -Wno-shadow) # sees another file's names
+    target_compile_options(prelight_flags INTERFACE -Wno-shadow) # sees another file's names
 endif()
 
 function(prelight_unity TARGET)
@@ -40,7 +51,7 @@ function(prelight_unity TARGET)
     get_target_property(sources ${TARGET} SOURCES)
     foreach(source IN LISTS sources)
         cmake_path(GET source PARENT_PATH folder)
-        cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
+        cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
         string(MAKE_C_IDENTIFIER ${folder} group)
         set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endforeach()
@@ -59,9 +70,14 @@ endfunction()
 function(prelight_target NAME)
     prelight_sources(sources ${ARGN})
     add_library(${NAME} STATIC ${sources})
-    target_include_directories(${NAME} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src
-                                              ${CMAKE_SOURCE_DIR}/shaders)
+    target_include_directories(${NAME} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src
+                                              ${PROJECT_SOURCE_DIR}/shaders)
     target_link_libraries(${NAME} PUBLIC prelight_options)
     target_precompile_headers(${NAME} PRIVATE ${PRELIGHT_PRECOMPILED})
+    # Compiled once for the archive and the shared library. Only what PRELIGHT_API marks can be seen from outside of the
+    # latter, and nobody replaces it: calls within the library go straight there, as in a program.
+    set_target_properties(${NAME} PROPERTIES POSITION_INDEPENDENT_CODE ON
+        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    target_compile_options(${NAME} PRIVATE -fno-semantic-interposition)
     prelight_unity(${NAME})
 endfunction()

@@ -1,24 +1,23 @@
 # Debian's packaged validation layer (1.3.239) misses hazards on dynamic-rendering attachments; the
-# one inside chromium-common sees them, but comes without a manifest. prelight_validation_layer(TARGET)
-# writes one into ${CMAKE_BINARY_DIR}/layers and defines PRELIGHT_LAYER_DIR in TARGET as that folder,
-# to be used as VK_LAYER_PATH. Without the package nothing is defined and the loader's own search finds
-# the packaged layer when that is installed.
+# one inside chromium-common sees them, but comes without a manifest. prelight_validation_layer() writes one into
+# share/prelight/layers of the build folder, where programs of this build look for it (src/gpu/instance.cpp). Without
+# the package there is none, and the loader's own search finds the packaged layer when that is installed.
 set(PRELIGHT_VALIDATION_LAYER /usr/lib/chromium/libVkLayer_khronos_validation.so CACHE FILEPATH
     "Validation layer library to write a manifest for")
 
-function(prelight_validation_layer TARGET)
-    set(folder ${CMAKE_BINARY_DIR}/layers)
+function(prelight_validation_layer)
+    set(folder ${PROJECT_BINARY_DIR}/share/prelight/layers)
     set(manifest ${folder}/VkLayer_khronos_validation.json)
     if(NOT EXISTS ${PRELIGHT_VALIDATION_LAYER})
-        file(REMOVE ${manifest})
+        file(REMOVE_RECURSE ${folder})
         return()
     endif()
     if(NOT EXISTS ${manifest} OR ${PRELIGHT_VALIDATION_LAYER} IS_NEWER_THAN ${manifest})
         # try_run remembers its result; a changed library has to be asked again.
         unset(prelight_layer_ran CACHE)
         unset(prelight_layer_built CACHE)
-        try_run(prelight_layer_ran prelight_layer_built ${CMAKE_BINARY_DIR}/CMakeFiles/layer_manifest
-            ${CMAKE_SOURCE_DIR}/cmake/write_layer_manifest.c
+        try_run(prelight_layer_ran prelight_layer_built ${PROJECT_BINARY_DIR}/CMakeFiles/layer_manifest
+            ${PROJECT_SOURCE_DIR}/cmake/write_layer_manifest.c
             CMAKE_FLAGS -DINCLUDE_DIRECTORIES=${Vulkan_INCLUDE_DIRS}
             LINK_LIBRARIES ${CMAKE_DL_LIBS}
             COMPILE_OUTPUT_VARIABLE compiled RUN_OUTPUT_VARIABLE text
@@ -31,5 +30,5 @@ function(prelight_validation_layer TARGET)
         file(WRITE ${manifest} "${text}")
         message(STATUS "Validation layer: ${PRELIGHT_VALIDATION_LAYER}")
     endif()
-    target_compile_definitions(${TARGET} PRIVATE PRELIGHT_LAYER_DIR="${folder}")
 endfunction()
+prelight_validation_layer()

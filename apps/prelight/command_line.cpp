@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <prelight/error.hpp>
+#include <prelight/version.hpp>
 
 namespace prelight::app {
 namespace {
@@ -244,7 +245,7 @@ void check_command(CLI::App& app, int argc, const char* const* argv) {
 
 Command parse_command_line(int argc, const char* const* argv) {
     CLI::App app("Prelight renders scenes with very many dynamic lights.", "prelight");
-    app.set_version_flag("--version", "prelight " PRELIGHT_VERSION);
+    app.set_version_flag("--version", "prelight " + std::string(version()));
     app.require_subcommand(1);
     app.footer(program_footer);
 

@@ -3,6 +3,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <prelight/export.hpp>
+#include <prelight/glm_defaults.hpp>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,7 @@ struct Trs {
     glm::dvec3 scale{1};
 
     /// Translation × rotation × scale.
-    glm::dmat4 matrix() const;
+    PRELIGHT_API glm::dmat4 matrix() const;
 };
 
 /// What a channel changes of its node.

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <prelight/device.hpp>
+#include <prelight/export.hpp>
 #include <prelight/metrics.hpp>
 #include <prelight/scene.hpp>
 #include <string>
@@ -43,11 +44,11 @@ struct EncodingBench {
 /// Sends directions through the real target of every normal encoding on `device`, and renders `world` with
 /// each ([ggx], otherwise default settings, textures bilinear on level 0) against the reference of
 /// the same form. The result does not depend on how often or when it runs. Throws Error.
-std::vector<EncodingFigures> bench_encodings(Device& device, const World& world, const PlacedCamera& camera,
-                                             const EncodingBench& options);
+PRELIGHT_API std::vector<EncodingFigures> bench_encodings(Device& device, const World& world,
+                                                          const PlacedCamera& camera, const EncodingBench& options);
 /// The same for each source of depth, with normals=oct32, whose own error is the smallest. Of `options`
 /// the picture's size is used.
-std::vector<DepthFigures> bench_depth_sources(Device& device, const World& world, const PlacedCamera& camera,
-                                              const EncodingBench& options);
+PRELIGHT_API std::vector<DepthFigures> bench_depth_sources(Device& device, const World& world,
+                                                           const PlacedCamera& camera, const EncodingBench& options);
 
 } // namespace prelight

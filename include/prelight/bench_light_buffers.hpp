@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <prelight/device.hpp>
+#include <prelight/export.hpp>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,6 @@ struct LightBufferBench {
 /// reach all of it, [phong], with each light buffer, and compares the sums that its materials receive
 /// with the reference's. Total light is the same for each overlap. The result depends on the device
 /// only. Throws Error.
-std::vector<LightBufferFigures> bench_light_buffers(Device& device, const LightBufferBench& options);
+PRELIGHT_API std::vector<LightBufferFigures> bench_light_buffers(Device& device, const LightBufferBench& options);
 
 } // namespace prelight

@@ -3,6 +3,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
+#include <prelight/export.hpp>
+#include <prelight/glm_defaults.hpp>
 #include <string>
 
 namespace prelight {
@@ -35,6 +37,6 @@ struct PlacedCamera {
 };
 
 /// Camera at `eye` looking at `target`; `up` need not be orthogonal.
-PlacedCamera look_at(const Camera& camera, glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up = {0, 1, 0});
+PRELIGHT_API PlacedCamera look_at(const Camera& camera, glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up = {0, 1, 0});
 
 } // namespace prelight

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <prelight/glm_defaults.hpp>
 
 namespace prelight {
 

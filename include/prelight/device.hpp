@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <prelight/export.hpp>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct DeviceOptions {
 };
 
 /// A Vulkan 1.3 device with its queue, allocator and caches. The Vulkan side is in src/gpu.
-class Device {
+class PRELIGHT_API Device {
 public:
     static std::vector<DeviceInfo> list();
     static std::unique_ptr<Device> create(const DeviceOptions& options); ///< throws Error, UsageError

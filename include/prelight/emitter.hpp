@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <prelight/glm_defaults.hpp>
 #include <vector>
 
 namespace prelight {

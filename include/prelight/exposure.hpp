@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <prelight/export.hpp>
 #include <prelight/image.hpp>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace prelight {
 /// then exceed 1, the picture stays darker, by two stops at most: a street at night has bright lights and remains
 /// night. Rounded to tenths; absent for a black picture. Twice the light gives one EV less. What is infinite counts as
 /// the largest half float, 65,504.
-std::optional<double> auto_exposure(const Image& linear, const std::vector<bool>& surface);
+PRELIGHT_API std::optional<double> auto_exposure(const Image& linear, const std::vector<bool>& surface);
 
 /// How much of a picture has lost its values.
 struct Extremes {
@@ -19,6 +20,6 @@ struct Extremes {
         0; ///< share of the pixels with a channel at 253/255 or more: what pbr-neutral makes of four times white
     double black = 0; ///< share of those below 1/255 in all channels
 };
-Extremes find_extremes(const Image& display);
+PRELIGHT_API Extremes find_extremes(const Image& display);
 
 } // namespace prelight

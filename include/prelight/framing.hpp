@@ -1,4 +1,5 @@
 #pragma once
+#include <prelight/export.hpp>
 #include <prelight/scene.hpp>
 
 namespace prelight {
@@ -14,6 +15,6 @@ struct Framing {
 /// the tighter of its dimensions, less in the other, and lies in the middle. Named "framed", 30° high. `aspect`: the
 /// picture's width / height. Straight above and below, the picture's up is where the camera would come to with a
 /// smaller elevation. A world without extent is taken for a metre wide.
-PlacedCamera frame(const World& world, double aspect, const Framing& framing = {});
+PRELIGHT_API PlacedCamera frame(const World& world, double aspect, const Framing& framing = {});
 
 } // namespace prelight

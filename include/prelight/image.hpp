@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <prelight/export.hpp>
+#include <prelight/glm_defaults.hpp>
 #include <vector>
 
 namespace prelight {
@@ -22,24 +24,24 @@ struct Image {
 /// Writes 8-bit PNG. `display` holds display-encoded values in 0 … 1 (clamped, rounded to nearest).
 /// The file appears under a temporary name beside `path` and is renamed when whole.
 /// Throws Error naming `path` when it cannot be written.
-void save_png(const Image& display, const std::filesystem::path& path);
+PRELIGHT_API void save_png(const Image& display, const std::filesystem::path& path);
 
 /// Writes half-float OpenEXR of scene-linear values, with the same rename; values beyond half range
 /// are clamped to ±65,504. Throws Error.
-void save_exr(const Image& linear, const std::filesystem::path& path);
+PRELIGHT_API void save_exr(const Image& linear, const std::filesystem::path& path);
 
 /// Reads an 8-bit PNG into 0 … 1 values as stored (display-encoded). Throws Error.
-Image load_png(const std::filesystem::path& path);
+PRELIGHT_API Image load_png(const std::filesystem::path& path);
 /// Reads the RGB channels of an OpenEXR file. Throws Error.
-Image load_exr(const std::filesystem::path& path);
+PRELIGHT_API Image load_exr(const std::filesystem::path& path);
 /// Reads a Radiance picture (RGBE, flat or run-length encoded, rows from the top); what its header says of exposure is
 /// divided out. Throws Error.
-Image load_hdr(const std::filesystem::path& path);
+PRELIGHT_API Image load_hdr(const std::filesystem::path& path);
 
 /// sRGB transfer function (IEC 61966-2-1), linear 0 … 1 → encoded 0 … 1; inputs are clamped.
-float srgb_encode(float linear);
+PRELIGHT_API float srgb_encode(float linear);
 /// Inverse of `srgb_encode`.
-float srgb_decode(float encoded);
+PRELIGHT_API float srgb_decode(float encoded);
 
 enum class Tonemap {
     pbr_neutral, ///< Khronos PBR Neutral tone mapper
@@ -47,8 +49,8 @@ enum class Tonemap {
     none,        ///< clamp to 0 … 1
 };
 /// Scene-linear → the display's linear light, 0 … 1: what `tonemap` encodes.
-glm::vec3 display_light(glm::vec3 linear, Tonemap curve);
+PRELIGHT_API glm::vec3 display_light(glm::vec3 linear, Tonemap curve);
 /// Scene-linear → display-encoded sRGB, on the CPU (the GPU pass is checked against it).
-Image tonemap(const Image& linear, Tonemap curve);
+PRELIGHT_API Image tonemap(const Image& linear, Tonemap curve);
 
 } // namespace prelight

@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
+#include <prelight/glm_defaults.hpp>
 #include <string>
 
 namespace prelight {

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <glm/mat3x3.hpp>
 #include <optional>
+#include <prelight/export.hpp>
+#include <prelight/glm_defaults.hpp>
 #include <prelight/scene.hpp>
 #include <span>
 #include <string>
@@ -34,9 +36,9 @@ struct LightProfile {
 /// for a lamp that hangs askew. `name` stands in messages. Throws Error "NAME: line N: REASON": not such a file, types
 /// A and B, TILT in another file, several lamps in one file, angles that do not ascend or that no symmetry is known
 /// for, numbers that are missing, too many, negative or not finite.
-LightProfile parse_profile(std::string_view text, const std::string& name);
+PRELIGHT_API LightProfile parse_profile(std::string_view text, const std::string& name);
 /// The same of a file of at most 16 MiB. Throws Error.
-LightProfile load_profile(const std::filesystem::path& path);
+PRELIGHT_API LightProfile load_profile(const std::filesystem::path& path);
 
 /// How a light throws its cookie.
 enum class CookieKind {
@@ -47,7 +49,7 @@ enum class CookieKind {
     cube ///< point, 6 : 1: faces +X −X +Y −Y +Z −Z side by side, each as the light sees it, +Y up; +Y and −Y as it
          ///< tilts up and down from −Z
 };
-CookieKind cookie_kind(const Scene& scene, const Light& light);
+PRELIGHT_API CookieKind cookie_kind(const Scene& scene, const Light& light);
 
 /// Whether the light sends more in some directions than its cone says.
 inline bool has_distribution(const Light& light) { return light.cookie != no_cookie || light.profile; }
@@ -57,17 +59,17 @@ inline constexpr float widest_cookie_cone = 1.48352986f;
 
 /// What is wrong with a light: a cookie or profile on a directional one, an image that is not there, not 2 : 1
 /// or 6 : 1 on a point light, a spot too wide for one, a size that is no radius. Nothing: it is as it should be.
-std::optional<std::string> light_fault(const Scene& scene, const Light& light);
+PRELIGHT_API std::optional<std::string> light_fault(const Scene& scene, const Light& light);
 /// Throws that as an Error "OBJECT: REASON".
-void check_light(const Scene& scene, const Light& light, const std::string& object);
+PRELIGHT_API void check_light(const Scene& scene, const Light& light, const std::string& object);
 
 /// The same of all lights of a world, before a renderer takes them: "SCENE: light NAME: REASON".
-void check_lights(const Scene& scene, std::span<const PlacedLight> lights);
+PRELIGHT_API void check_lights(const Scene& scene, std::span<const PlacedLight> lights);
 
 /// Largest intensity in any direction, before the colour: candela (directional: lux).
-double largest_intensity(const Light& light);
+PRELIGHT_API double largest_intensity(const Light& light);
 
 /// The light's +X, +Y and +Z axes, world: a rotation.
-glm::dmat3 light_axes(const PlacedLight& light);
+PRELIGHT_API glm::dmat3 light_axes(const PlacedLight& light);
 
 } // namespace prelight

@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 #include <map>
 #include <memory>
+#include <prelight/glm_defaults.hpp>
 #include <string>
 
 namespace prelight {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <prelight/export.hpp>
 #include <prelight/material.hpp>
 #include <string>
 #include <string_view>
@@ -42,35 +43,37 @@ struct MaterialShader {
     std::vector<MaterialTexture> textures;
     uint32_t parameter_bytes = 0;
 
-    const MaterialParameter* find_parameter(std::string_view parameter) const;
-    const MaterialTexture* find_texture(std::string_view texture) const;
+    PRELIGHT_API const MaterialParameter* find_parameter(std::string_view parameter) const;
+    PRELIGHT_API const MaterialTexture* find_texture(std::string_view texture) const;
 };
 
 /// Built-in ones, by name.
-const std::vector<std::shared_ptr<const MaterialShader>>& built_in_material_shaders();
+PRELIGHT_API const std::vector<std::shared_ptr<const MaterialShader>>& built_in_material_shaders();
 /// Null: there is none of that name.
-std::shared_ptr<const MaterialShader> find_material_shader(std::string_view name);
+PRELIGHT_API std::shared_ptr<const MaterialShader> find_material_shader(std::string_view name);
 
 /// Reads what `source` declares, not its code. Throws Error "FILE:LINE: REASON".
-std::shared_ptr<const MaterialShader> parse_material_shader(std::string name, std::string file, std::string source);
+PRELIGHT_API std::shared_ptr<const MaterialShader> parse_material_shader(std::string name, std::string file,
+                                                                         std::string source);
 /// Reads a file, at most 1 MiB. Throws Error.
-std::shared_ptr<const MaterialShader> load_material_shader(const std::filesystem::path& file);
+PRELIGHT_API std::shared_ptr<const MaterialShader> load_material_shader(const std::filesystem::path& file);
 /// Compiles it, without optimising, for a pass that reads sums of light and for one that makes them, so that a
 /// mistake is told before a scene is loaded. The passes that draw with it compile it when they are made. Throws
 /// Error "FILE:LINE: REASON".
-void check_material_shader(const MaterialShader& shader);
+PRELIGHT_API void check_material_shader(const MaterialShader& shader);
 
 /// Whether light comes through what it is on, so that it is drawn after all that is opaque (docs/transmission.md): the
 /// built-in material `layered` with `transmission` above 0, whatever its textures say.
-bool transmits(const Material& material);
+PRELIGHT_API bool transmits(const Material& material);
 
 /// What of a material's parameters and textures does not fit its shader; nothing: all does.
-std::optional<std::string> material_fault(const Material& material);
+PRELIGHT_API std::optional<std::string> material_fault(const Material& material);
 /// Throws that as an Error that begins with `object`.
-void check_material(const Material& material, const std::string& object);
+PRELIGHT_API void check_material(const Material& material, const std::string& object);
 
 /// Gives all materials of that name the shader, and tangents to what they are on. Throws UsageError when there
 /// is none of that name, Error when its parameters and textures do not fit.
-void assign_material_shader(Scene& scene, std::string_view material, std::shared_ptr<const MaterialShader> shader);
+PRELIGHT_API void assign_material_shader(Scene& scene, std::string_view material,
+                                         std::shared_ptr<const MaterialShader> shader);
 
 } // namespace prelight

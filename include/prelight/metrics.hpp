@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <prelight/export.hpp>
 #include <prelight/image.hpp>
 #include <span>
 
@@ -23,11 +24,11 @@ struct Comparison {
 /// the pixels that count, blocks with less than a quarter of them are skipped.
 /// Where `map` is given it receives the FLIP map whose mean `flip` is (see `flip_map`).
 /// Throws Error when the sizes differ or a picture holds NaN.
-Comparison compare(const Image& picture, const Image& reference, std::span<const uint8_t> left_out = {},
-                   Image* map = nullptr);
+PRELIGHT_API Comparison compare(const Image& picture, const Image& reference, std::span<const uint8_t> left_out = {},
+                                Image* map = nullptr);
 
 /// FLIP error map, 0 … 1 per pixel (same value in the three channels), of two display-encoded
 /// pictures in 0 … 1.
-Image flip_map(const Image& picture_srgb, const Image& reference_srgb, double pixels_per_degree = 67.0);
+PRELIGHT_API Image flip_map(const Image& picture_srgb, const Image& reference_srgb, double pixels_per_degree = 67.0);
 
 } // namespace prelight

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <prelight/export.hpp>
+#include <prelight/glm_defaults.hpp>
 #include <prelight/image.hpp>
 #include <prelight/renderer.hpp>
 #include <vector>
@@ -132,14 +134,14 @@ struct ReferencePicture {
 
     /// Display-encoded sRGB: the mean of the tone-mapped samples in the display's linear light, then encoded. An edge
     /// between a lamp and the night comes out half as bright as the lamp shows, and not as bright as the lamp.
-    Image display(Tonemap curve) const;
+    PRELIGHT_API Image display(Tonemap curve) const;
 
     /// 1 where `doubts` has any; with several samples a pixel an edge by itself is none. With one sample besides:
     /// one byte per pixel: 1 where a pixel lies beside (8 neighbours) one of another instance,
     /// primitive's alpha mask or shadow outcome, with a normal more than 30° away, or lying off its
     /// plane by more than 1 % of depth; or where that is so of their first layers, their second ones and so on, or one
     /// has more of them.
-    std::vector<uint8_t> left_out() const;
+    PRELIGHT_API std::vector<uint8_t> left_out() const;
 };
 
 /// The form that pictures of a renderer with these settings in force (`Stats::settings`) are judged
@@ -154,11 +156,12 @@ struct ReferencePicture {
 /// `msaa-material` and `msaa-shadows`, each per sample unless it says otherwise; `msaa-geometry`, which renderers on a
 /// device lack, for they store a normal once a fragment. A renderer without `msaa-light` is a forward one: all once a
 /// fragment, unless `msaa-material` says per sample.
-ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings, uint32_t samples = 1);
+PRELIGHT_API ReferenceForm reference_form(Shading shading, const std::map<std::string, std::string>& settings,
+                                          uint32_t samples = 1);
 
 /// Ray-casts the world with Embree and shades in double precision. Deterministic. Throws Error, also for a number of
 /// samples other than 1, 2 and 4.
-ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
-                                  double exposure, const ReferenceForm& form);
+PRELIGHT_API ReferencePicture render_reference(const World& world, const PlacedCamera& camera, uint32_t width,
+                                               uint32_t height, double exposure, const ReferenceForm& form);
 
 } // namespace prelight

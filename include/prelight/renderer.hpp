@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <prelight/export.hpp>
 #include <prelight/image.hpp>
 #include <prelight/scene.hpp>
 #include <span>
@@ -67,12 +68,12 @@ struct RendererInfo {
 };
 
 /// The model that a renderer shades with: what was asked for, or the preset's, or ggx.
-Shading shading_in_force(const RendererInfo& info, const RenderOptions& options);
+PRELIGHT_API Shading shading_in_force(const RendererInfo& info, const RenderOptions& options);
 
 struct Spread {
     double min = 0, median = 0, max = 0; ///< milliseconds
 };
-Spread spread(std::vector<double> samples);
+PRELIGHT_API Spread spread(std::vector<double> samples);
 
 struct PassStats {
     std::string name;
@@ -176,7 +177,7 @@ struct Stats {
 };
 
 /// An architecture. Made for one set of options; shows any world that is given to it.
-class Renderer {
+class PRELIGHT_API Renderer {
 public:
     virtual ~Renderer() = default;
     /// Takes the world in (uploads it). `world` and its scene must stay alive, and unchanged but for what
@@ -217,9 +218,10 @@ public:
     virtual uint64_t max_lights() const = 0;
 };
 
-std::vector<RendererInfo> renderer_infos();
+PRELIGHT_API std::vector<RendererInfo> renderer_infos();
 /// `device` may be null for renderers that need none. Throws UsageError for an unknown name, setting
 /// or combination; Error when the device cannot do it.
-std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device, const RenderOptions& options);
+PRELIGHT_API std::unique_ptr<Renderer> create_renderer(std::string_view name, Device* device,
+                                                       const RenderOptions& options);
 
 } // namespace prelight

@@ -11,6 +11,8 @@
 #include <prelight/camera.hpp>
 #include <prelight/decal.hpp>
 #include <prelight/emitter.hpp>
+#include <prelight/export.hpp>
+#include <prelight/glm_defaults.hpp>
 #include <prelight/image.hpp>
 #include <prelight/light.hpp>
 #include <prelight/material.hpp>
@@ -200,7 +202,7 @@ struct WorldChanges {
     bool lights = false; ///< any of World::lights, or their number
     bool decals = false; ///< any of World::decals
     /// And these, which came later.
-    void add(const WorldChanges& more);
+    PRELIGHT_API void add(const WorldChanges& more);
     bool empty() const {
         return !all && instances.empty() && deformed.empty() && materials.empty() && !lights && !decals;
     }
@@ -208,9 +210,9 @@ struct WorldChanges {
 
 /// Whether anything shines in one of the scene's trees: a node with a light or an emitter, ambient light, an
 /// environment.
-bool is_lit(const Scene& scene, std::optional<uint32_t> scene_index = {});
+PRELIGHT_API bool is_lit(const Scene& scene, std::optional<uint32_t> scene_index = {});
 /// Whether a node of the tree has a camera: else resolve() makes one.
-bool has_camera(const Scene& scene, std::optional<uint32_t> scene_index = {});
+PRELIGHT_API bool has_camera(const Scene& scene, std::optional<uint32_t> scene_index = {});
 
 /// Resolves one of the scene's trees (`scene_index`: default one when absent). A world without a
 /// camera gets one named "framed" (frame() in framing.hpp, for a square picture) or, when the
@@ -224,23 +226,23 @@ bool has_camera(const Scene& scene, std::optional<uint32_t> scene_index = {});
 /// property of a node, the first in the file's order. Particles of emitters are as they are at the moment's time,
 /// without one at time 0. A tree without triangles is an empty picture; warnings_of() says what there was instead.
 /// Throws Error: a world transform that is not finite, an animation or skin that does not fit its node.
-World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {}, const std::optional<Moment>& moment = {},
-              std::optional<uint32_t> animation = {});
+PRELIGHT_API World resolve(const Scene& scene, std::optional<uint32_t> scene_index = {},
+                           const std::optional<Moment>& moment = {}, std::optional<uint32_t> animation = {});
 
 /// Scene::warnings, and what of the tree that the world was made of cannot be shown, one line each.
-std::vector<std::string> warnings_of(const World& world);
+PRELIGHT_API std::vector<std::string> warnings_of(const World& world);
 
 /// Index into Scene::animations, by name or by index in decimal. Throws UsageError listing what there
 /// is.
-uint32_t find_animation(const Scene& scene, const std::string& name_or_index);
+PRELIGHT_API uint32_t find_animation(const Scene& scene, const std::string& name_or_index);
 /// Index into Scene::scenes, likewise.
-uint32_t find_scene(const Scene& scene, const std::string& name_or_index);
+PRELIGHT_API uint32_t find_scene(const Scene& scene, const std::string& name_or_index);
 
 /// Adds `count` point lights, uniform in the world's bounds, hues from `seed`, with the range that
 /// puts about 8 of them on a point and intensity range²/2 cd.
-void scatter_lights(World& world, uint32_t count, uint64_t seed);
+PRELIGHT_API void scatter_lights(World& world, uint32_t count, uint64_t seed);
 
 /// By name or by index in decimal. Throws UsageError listing what there is.
-const PlacedCamera& find_camera(const World& world, const std::string& name_or_index);
+PRELIGHT_API const PlacedCamera& find_camera(const World& world, const std::string& name_or_index);
 
 } // namespace prelight

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <prelight/export.hpp>
 #include <prelight/scene.hpp>
 #include <string>
 #include <string_view>
@@ -19,30 +20,30 @@ struct LoadOptions {
 /// with one object alone is repaired or leaves that object out; Scene::warnings says so. What makes the file
 /// unusable (its JSON, its indices, its buffers) throws Error with one line "FILE: OBJECT: REASON".
 /// Memory stays below the limits that `docs/gltf.md` states.
-Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options = {});
+PRELIGHT_API Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Writes the scene as .glb (images as PNG) that the Khronos validator accepts without errors.
 /// The file appears under a temporary name and is renamed when whole. Throws Error.
-void save_glb(const Scene& scene, const std::filesystem::path& path);
+PRELIGHT_API void save_glb(const Scene& scene, const std::filesystem::path& path);
 
 /// Reads a picture of all directions: Radiance .hdr, OpenEXR or (sRGB-encoded, 8 bits) PNG, told apart by the name's
 /// ending. Throws Error "FILE: REASON": not twice as wide as high, wider than 16,384, a value negative or not finite.
-Environment load_environment(const std::filesystem::path& path);
+PRELIGHT_API Environment load_environment(const std::filesystem::path& path);
 
 struct BuiltinEnvironment {
     std::string_view name;
     std::string_view description;
 };
 /// studio.
-std::vector<BuiltinEnvironment> builtin_environments();
+PRELIGHT_API std::vector<BuiltinEnvironment> builtin_environments();
 
 /// A built-in environment, with soft_backdrop() behind it; the same name gives the same map. Throws UsageError for an
 /// unknown one.
-Environment make_environment(std::string_view name);
+PRELIGHT_API Environment make_environment(std::string_view name);
 
 /// A backdrop that does not compete with what stands before it: grey, lighter around the horizon. For
 /// Environment::backdrop.
-Image soft_backdrop();
+PRELIGHT_API Image soft_backdrop();
 
 struct BuiltinScene {
     std::string_view name;
@@ -50,10 +51,10 @@ struct BuiltinScene {
     uint32_t default_lights;
 };
 /// city, spheres, lights, motion.
-std::vector<BuiltinScene> builtin_scenes();
+PRELIGHT_API std::vector<BuiltinScene> builtin_scenes();
 
 /// Makes a procedural scene; the same name, count and seed give the same bytes everywhere.
 /// `lights`: 1 … 65,536. Throws UsageError for an unknown name or a count out of range.
-Scene make_scene(std::string_view name, uint32_t lights, uint64_t seed);
+PRELIGHT_API Scene make_scene(std::string_view name, uint32_t lights, uint64_t seed);
 
 } // namespace prelight

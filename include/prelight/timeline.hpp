@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <prelight/export.hpp>
 #include <prelight/scene.hpp>
 
 namespace prelight {
@@ -7,12 +8,12 @@ namespace prelight {
 /// `world` becomes `next`, another state of the same scene, where it stands; what has changed of it is told. What has
 /// not stays where it is in memory, for a renderer may refer to it; one that shows the world must be told before it
 /// draws.
-WorldChanges become(World& world, World&& next);
+PRELIGHT_API WorldChanges become(World& world, World&& next);
 
 /// A scene's world at one moment after another, for a renderer that is kept: the world changes where it stands, and
 /// what of it has changed goes into Renderer::update_world(). It is at any moment what resolve() gives for it, whatever
 /// came before.
-class Timeline {
+class PRELIGHT_API Timeline {
 public:
     /// As resolve(); the scene must outlive it, and stay as it is but for its materials. Without `host_vertices` skins
     /// and morph targets are left to the device: World::deformed holds no vertices of theirs, from the first move_to()

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <prelight/export.hpp>
 #include <prelight/scene.hpp>
 #include <span>
 
@@ -10,16 +11,16 @@ namespace prelight {
 
 /// Turns positions and directions by `angle` radians, counter-clockwise seen from above, around the
 /// vertical (+Y) line through `centre` (world, metres).
-void rotate_lights(std::span<PlacedLight> lights, glm::dvec3 centre, double angle);
+PRELIGHT_API void rotate_lights(std::span<PlacedLight> lights, glm::dvec3 centre, double angle);
 
 /// Gives each light a new kind (point or spot), colour, cone, and a range of 0.5 … 2 times the one it
 /// had (that of one without range: what puts about 8 of so many lights on a point of a cube of 10 m);
 /// positions stay. Intensity becomes range²/2 cd. The same seed gives the same lights.
-void randomize_lights(std::span<PlacedLight> lights, uint64_t seed);
+PRELIGHT_API void randomize_lights(std::span<PlacedLight> lights, uint64_t seed);
 
 /// Every primitive takes the next of the scene's materials, and the first after the last; one that has
 /// a normal map gets tangents.
 /// `scene` has materials.
-void cycle_materials(Scene& scene);
+PRELIGHT_API void cycle_materials(Scene& scene);
 
 } // namespace prelight

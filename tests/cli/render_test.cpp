@@ -370,7 +370,7 @@ TEST(Render, ReferenceNeedsNoDevice) {
 }
 
 TEST(Render, ValidationHasNothingToSay) {
-    if (!std::filesystem::exists(PRELIGHT_BUILD_DIR "/layers"))
+    if (!std::filesystem::exists(PRELIGHT_BUILD_DIR "/share/prelight/layers"))
         GTEST_SKIP() << "the chromium package's validation layer is not installed";
     const TemporaryFolder folder;
     const Result result =

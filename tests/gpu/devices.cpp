@@ -20,8 +20,8 @@ std::string driver_name(const testing::TestParamInfo<Driver>& info) { return tes
 bool swiftshader_installed() { return std::filesystem::exists(swiftshader_driver_file); }
 
 bool newer_layer_installed() {
-    return std::filesystem::exists(PRELIGHT_BUILD_DIR "/layers/VkLayer_khronos_validation.json") &&
-           std::getenv("VK_LAYER_PATH") == std::string(PRELIGHT_BUILD_DIR "/layers");
+    return std::filesystem::exists(PRELIGHT_BUILD_DIR "/share/prelight/layers/VkLayer_khronos_validation.json") &&
+           std::getenv("VK_LAYER_PATH") == std::string(PRELIGHT_BUILD_DIR "/share/prelight/layers");
 }
 
 std::unique_ptr<gpu::Context> make_device(Driver driver) {

@@ -15,6 +15,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
+#include <prelight/version.hpp>
 
 namespace prelight::app {
 namespace {
@@ -43,7 +44,7 @@ void check_light_counts(const std::vector<Job>& jobs, const std::vector<Stop>& s
 
 Json heading(const BenchCommand& command, const Device& device, const std::string& type, const Measured& measured) {
     return {{"prelight_bench", 1},
-            {"version", PRELIGHT_VERSION},
+            {"version", version()},
             {"device", device.name()},
             {"driver", device.driver()},
             {"device_type", type},

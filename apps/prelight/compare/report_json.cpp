@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <prelight/version.hpp>
 
 namespace prelight::app {
 namespace {
@@ -180,7 +181,7 @@ ReportJson report_json(const Report& report) {
     const CompareCommand& command = report.command;
     ReportJson json = {
         {"prelight_report", 1},
-        {"version", PRELIGHT_VERSION},
+        {"version", version()},
         {"scene", report.scene},
         {"camera", report.camera},
         {"size", {command.options.width, command.options.height}},
