@@ -2,7 +2,6 @@
 // scene from one renderer and writes FOLDER/embed-0.png, FOLDER/embed-1.png (default: here).
 #include <cstdio>
 #include <filesystem>
-#include <fmt/format.h>
 #include <prelight/device.hpp>
 #include <prelight/error.hpp>
 #include <prelight/renderer.hpp>
@@ -15,7 +14,7 @@ void run(int argc, char** argv) {
     // A scene is what a file holds; a world is one of its node trees resolved to world space.
     const Scene scene = argc > 1 ? load_gltf(argv[1]) : make_scene("lights", 256, 1);
     for (const std::string& warning : scene.warnings)
-        fmt::print(stderr, "warning: {}\n", warning);
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
     World world = resolve(scene);
 
     // Lights and cameras of the program's own.
@@ -42,9 +41,9 @@ void run(int argc, char** argv) {
     const PlacedCamera cameras[] = {world.cameras.at(0), above};
     for (int i = 0; i < 2; ++i) {
         renderer->render(cameras[i]);
-        save_png(renderer->read("final"), folder / fmt::format("embed-{}.png", i));
+        save_png(renderer->read("final"), folder / ("embed-" + std::to_string(i) + ".png"));
         for (const PassStats& pass : renderer->stats().passes)
-            fmt::print("{:<14} {:8.2f} ms\n", pass.name, pass.gpu_ms.median);
+            std::printf("%-14s %8.2f ms\n", pass.name.c_str(), pass.gpu_ms.median);
     }
 }
 
@@ -55,7 +54,7 @@ int main(int argc, char** argv) {
         run(argc, argv);
         return 0;
     } catch (const prelight::Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        std::fprintf(stderr, "%s\n", error.what());
         return 1;
     }
 }
