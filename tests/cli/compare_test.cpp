@@ -284,9 +284,10 @@ TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
 
 TEST(Compare, TellsEachStepWhereThereIsNoTerminal) {
     const TemporaryFolder folder;
-    const Result result =
-        run(small_comparison({"--light-counts", "1,2", "--renderers", "light-prepass,deferred", "-o", "report"}),
-            folder.path);
+    // Large enough for more than a second, after which the time that is left can be told.
+    const Result result = run({"compare", "spheres", "--size", "960x540", "--frames", "1", "--light-counts", "1,2",
+                               "--renderers", "light-prepass,deferred", "-o", "report"},
+                              folder.path);
     ASSERT_TRUE(succeeded(result));
     for (const char* step : {"%] 0:", ": reference\n", "picture of light-prepass\n", "picture of deferred\n",
                              "frames with 1 light\n", "frames with 2 lights\n", " left: "})

@@ -90,7 +90,7 @@ mv "$prefix/lib/cmake/prelight/prelight-static.cmake" .
 refused "a form that is not installed" "the static form of Prelight is not installed" \
     cmake -S . -B refused "-DWANTED=COMPONENTS;static"
 mv prelight-static.cmake "$prefix/lib/cmake/prelight/"
-refused "the static form without libraries that it is made of" "needs OpenEXR, spng, libjpeg, libwebp" \
+refused "the static form without libraries that it is made of" "needs OpenEXR, spng, libdeflate, libjpeg, libwebp" \
     env PKG_CONFIG_LIBDIR=/nowhere cmake -S . -B refused "-DWANTED=COMPONENTS;static"
 
 # 4. Debian packages, unpacked beside the system.

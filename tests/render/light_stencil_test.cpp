@@ -140,6 +140,7 @@ TEST(StencilFormat, ADeviceWithoutStencilIsRefused) {
     const auto device = Device::create(
         {.select = "cpu", .hidden_formats = {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT}});
     Garden garden;
+    garden.add_lights(1, 5, 5); // without any, nothing is drawn that needs stencil
     const auto renderer =
         create_renderer("light-prepass", device.get(), {.width = 16, .height = 16, .settings = stencil});
     EXPECT_THROW(renderer->set_world(garden.world), std::runtime_error);

@@ -35,6 +35,16 @@ public:
     /// The same of a morph target's attribute.
     Values find_delta(const Item& target, const std::string& name, Semantic semantic) const;
 
+    /// Of values that are floats side by side, as nearly all files have them: what `vec` gives.
+    template <int width>
+    static auto floats_of(const Values& values) {
+        return [from = values.elements->base, stride = values.elements->stride](uint32_t vertex) {
+            std::array<float, 4> value{};
+            std::memcpy(value.data(), from + vertex * stride, width * sizeof(float));
+            return glm::vec4(value[0], value[1], value[2], value[3]);
+        };
+    }
+
     /// Calls `store(place, value)` for each used vertex. A value that is not finite is stored as `instead`, and
     /// told as `repair` says (empty: by someone else). Returns the places of such values.
     template <class Store>
@@ -70,15 +80,6 @@ public:
 private:
     static bool is_finite(const glm::vec4& v) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-    }
-    /// Floats side by side, as nearly all files have them.
-    template <int width>
-    static auto floats_of(const Values& values) {
-        return [from = values.elements->base, stride = values.elements->stride](uint32_t vertex) {
-            std::array<float, 4> value{};
-            std::memcpy(value.data(), from + vertex * stride, width * sizeof(float));
-            return glm::vec4(value[0], value[1], value[2], value[3]);
-        };
     }
     Values fitting(const Item& item, const std::string& name, Semantic semantic, const Elements& found) const;
 
