@@ -101,7 +101,7 @@ inline std::optional<std::string> why_without_effect(const std::string& key,
         if (has(need.values, value) || (!need.or_view.empty() && has(views, need.or_view)))
             continue;
         if (need.values.size() > 4)
-            return fmt::format("needs another {} than {}", need.key, value);
+            return fmt::format("needs another value than {}={}", need.key, value);
         return fmt::format("needs {}{}{}, and it is {}", need.of_options() ? "--" + need.key + " " : need.key + "=",
                            fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view,
                            value);

@@ -75,7 +75,7 @@ TEST(TransparencySettings, ShadowsOfPanes) {
         [&] {
             shown_by(shop, {{"shadows", "on"}, {"transparency", "opaque"}, {"transparent-shadows", "none"}});
         },
-        ThrowsMessage<UsageError>(HasSubstr("needs another transparency than opaque")));
+        ThrowsMessage<UsageError>(HasSubstr("needs another value than transparency=opaque")));
 }
 
 TEST(TransparencySettings, LayersOfSeveralSamples) {
