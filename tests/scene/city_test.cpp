@@ -338,5 +338,22 @@ TEST(City, IsMadeInTime) {
     EXPECT_EQ(scene.lights.size(), 65536u);
 }
 
+// What blends comes after all that is the city's, which stays as it is.
+TEST(City, GlassIsAddedToTheSameStreet) {
+    const Scene glass = make_city_glass(256, 1);
+    ASSERT_GT(glass.meshes.size(), city().meshes.size());
+    ASSERT_GT(glass.nodes.size(), city().nodes.size() + 50);
+    EXPECT_EQ(glass.lights.size(), city().lights.size());
+    for (size_t i = 0; i < glass.nodes.size(); ++i) {
+        const Node& node = glass.nodes[i];
+        const bool added = i >= city().nodes.size();
+        if (!added) {
+            EXPECT_EQ(node.mesh, city().nodes[i].mesh);
+        }
+        for (const Primitive& primitive : node.mesh ? glass.meshes.at(*node.mesh).primitives : std::vector<Primitive>())
+            EXPECT_EQ(glass.materials.at(primitive.material).alpha_mode == AlphaMode::blend, added) << node.name;
+    }
+}
+
 } // namespace
 } // namespace prelight

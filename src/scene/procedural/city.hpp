@@ -19,4 +19,8 @@ Scene make_city(uint32_t lights, uint64_t seed);
 /// sparks, each a particle of an emitter. With 9,216 lights: `city` with 1,024, and 8,192 sparks.
 Scene make_city_sparks(uint32_t lights, uint64_t seed);
 
+/// The same street with sheets of alphaMode BLEND that stand apart from its fronts: shelters of clear and tinted glass
+/// on the pavements, canopies of cloth above shops. The lights are `city`'s.
+Scene make_city_glass(uint32_t lights, uint64_t seed);
+
 } // namespace prelight
