@@ -1,4 +1,5 @@
 #include "forward.hpp"
+#include "lighting.hpp"
 #include "resolve.hpp"
 #include <algorithm>
 #include <array>
@@ -73,11 +74,9 @@ SurfaceDraws::Desc forward_desc(const char* fragment, const resident::View& view
     desc.constants.insert(desc.constants.end(),
                           {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
                            {CONSTANT_LIGHT_OUTPUT, inputs.counts_lights ? LIGHT_OUTPUT_COUNT : LIGHT_OUTPUT_LIGHT},
-                           {CONSTANT_LIGHT_KINDS, view.lights().kinds()},
-                           {CONSTANT_LIGHTS_AS_TEXELS, view.context().features().fast_texel_buffers},
                            {CONSTANT_FORWARD_BASE, with_base},
                            {CONSTANT_SPECULAR_ANTIALIASING, inputs.model.specular_antialiasing}});
-    add_shadow_constants(desc.constants, view);
+    add_light_constants(desc.constants, view);
     return desc;
 }
 

@@ -125,14 +125,18 @@ gpu::ShaderKey lighting_shader(const LightingInputs& inputs, const char* file) {
                       gpu::when(inputs.surface.format.roughness_in_stencil, gpu::Variant::stencil_roughness)};
 }
 
+void add_light_constants(gpu::Constants& constants, const resident::View& view) {
+    constants.emplace_back(CONSTANT_LIGHT_KINDS, view.lights().kinds());
+    constants.emplace_back(CONSTANT_LIGHTS_AS_TEXELS, view.context().features().fast_texel_buffers);
+    add_shadow_constants(constants, view);
+}
+
 gpu::Constants lighting_constants(const resident::View& view, const LightingInputs& inputs) {
     gpu::Constants constants = inputs.surface.format.constants();
     for (const gpu::Constants& more : {inputs.model.constants(), inputs.target.constants})
         constants.insert(constants.end(), more.begin(), more.end());
-    constants.insert(constants.end(), {{CONSTANT_COUNT_PAIRS, inputs.count_pairs},
-                                       {CONSTANT_LIGHT_KINDS, view.lights().kinds()},
-                                       {CONSTANT_LIGHTS_AS_TEXELS, view.context().features().fast_texel_buffers}});
-    add_shadow_constants(constants, view);
+    constants.emplace_back(CONSTANT_COUNT_PAIRS, inputs.count_pairs);
+    add_light_constants(constants, view);
     if (inputs.edges)
         for (const auto& constant : inputs.edges->constants())
             constants.push_back(constant);

@@ -71,6 +71,8 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
 /// The shader in its variant for the target, and for shadows where there are any: counts know none.
 gpu::ShaderKey lighting_shader(const LightingInputs& inputs, const char* file);
 /// Specialisation constants of every shader that evaluates lights, and of its lists where it walks some.
+/// Of every shader that evaluates lights: their kinds, how they are read, their shadows.
+void add_light_constants(gpu::Constants& constants, const resident::View& view);
 gpu::Constants lighting_constants(const resident::View& view, const LightingInputs& inputs);
 /// A pipeline with `fragment` in its variant for the target, drawn over the pass's attachments; the caller
 /// adds vertex shader, depth test and blending.

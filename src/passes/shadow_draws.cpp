@@ -171,8 +171,7 @@ private:
 
 ShadowDraws::ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows,
                          ShadowTarget target)
-    : view_(view), counts_(target == ShadowTarget::depth ? shadows.counts : nullptr),
-      held_(target == ShadowTarget::depth ? shadows.held : shadows.transmittance_held),
+    : view_(view), counts_(*shadows.counts), held_(shadows.held), target_(target),
       casters_(std::make_unique<Casters>(view, inputs, target)) {}
 ShadowDraws::~ShadowDraws() = default;
 
@@ -180,8 +179,15 @@ void ShadowDraws::record(const graph::PassContext& pass) {
     casters_->bind_geometry(pass);
     if (pass.one_pixel)
         return casters_->warm_up(pass);
+    if (target_ == ShadowTarget::transmittance) {
+        for (const ShadowMap& map : held_->drawn)
+            draw(pass, map);
+        return;
+    }
+    held_->drawn.clear();
     for (const ShadowTile& tile : view_.shadows()->tiles())
-        draw_anew(pass, tile.map);
+        if (draw_anew(pass, tile.map))
+            held_->drawn.push_back(tile.map);
 }
 
 void ShadowDraws::begin(const graph::PassContext& pass) {
@@ -208,11 +214,17 @@ void ShadowDraws::record_light(const graph::PassContext& pass, uint32_t light) {
     });
 }
 
-void ShadowDraws::draw_anew(const graph::PassContext& pass, const ShadowMap& map) {
-    if (!view_.shadows()->options().cached || !held(map))
-        draw(pass, map);
-    else if (counts_)
-        ++counts_->tiles_reused;
+bool ShadowDraws::draw_anew(const graph::PassContext& pass, const ShadowMap& map) {
+    if (view_.shadows()->options().cached && held(map)) {
+        ++counts_.tiles_reused;
+        return false;
+    }
+    std::erase_if(held_->maps, [&](const auto& entry) { return overlap(entry.second.place, map.place); });
+    held_->maps[{map.place.corner.x, map.place.corner.y}] = map;
+    draw(pass, map);
+    ++counts_.tiles_drawn;
+    counts_.casters_drawn += map.casters.size();
+    return true;
 }
 
 bool ShadowDraws::held(const ShadowMap& map) const {
@@ -221,8 +233,6 @@ bool ShadowDraws::held(const ShadowMap& map) const {
 }
 
 void ShadowDraws::draw(const graph::PassContext& pass, const ShadowMap& map) {
-    std::erase_if(held_->maps, [&](const auto& entry) { return overlap(entry.second.place, map.place); });
-    held_->maps[{map.place.corner.x, map.place.corner.y}] = map;
     const auto x = static_cast<int32_t>(map.place.corner.x), y = static_cast<int32_t>(map.place.corner.y);
     const auto side = static_cast<float>(map.place.side);
     const VkViewport viewport{static_cast<float>(x), static_cast<float>(y), side, side, 0, 1};
@@ -231,10 +241,6 @@ void ShadowDraws::draw(const graph::PassContext& pass, const ShadowMap& map) {
     vkCmdSetScissor(pass.commands, 0, 1, &area);
     casters_->clear(pass);
     casters_->draw(pass, map);
-    if (!counts_)
-        return;
-    ++counts_->tiles_drawn;
-    counts_->casters_drawn += map.casters.size();
 }
 
 } // namespace prelight::passes

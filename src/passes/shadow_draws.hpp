@@ -4,9 +4,11 @@
 
 namespace prelight::passes {
 
-/// The maps that an atlas holds, by corner. Those of one graph: its image is new with it.
+/// The maps that an atlas holds, by corner, and the image of transmittance beside it. Those of one graph: its images
+/// are new with it.
 struct HeldMaps {
     std::map<std::pair<uint32_t, uint32_t>, resident::ShadowMap> maps;
+    std::vector<resident::ShadowMap> drawn; ///< into the atlas by the last ShadowDraws::record(): they are new in both
 };
 
 /// Which image of the two that Shadows has.
@@ -20,7 +22,7 @@ public:
     ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows,
                 ShadowTarget target = ShadowTarget::depth);
     ~ShadowDraws();
-    /// All tiles of the frame.
+    /// All tiles of the frame; with ShadowTarget::transmittance those that the pass of depth has just drawn.
     void record(const graph::PassContext& pass);
     /// Light by light: once before the first, then each before it is drawn.
     void begin(const graph::PassContext& pass);
@@ -28,13 +30,15 @@ public:
 
 private:
     class Casters;
-    void draw_anew(const graph::PassContext& pass, const resident::ShadowMap& map);
+    /// Unless the atlas holds it; whether it was drawn.
+    bool draw_anew(const graph::PassContext& pass, const resident::ShadowMap& map);
     bool held(const resident::ShadowMap& map) const;
     void draw(const graph::PassContext& pass, const resident::ShadowMap& map);
 
     const resident::View& view_;
-    ShadowCounts* counts_; ///< null: another counts the same tiles
+    ShadowCounts& counts_;
     std::shared_ptr<HeldMaps> held_;
+    ShadowTarget target_;
     std::unique_ptr<Casters> casters_;
 };
 

@@ -34,7 +34,6 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
                           .transmittance = transmittance,
                           .counts = &counts,
                           .held = std::make_shared<HeldMaps>(),
-                          .transmittance_held = std::make_shared<HeldMaps>(),
                           .reused = view.shadows()->options().reuse};
     if (shadows.reused)
         return shadows;

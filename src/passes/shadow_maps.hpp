@@ -18,8 +18,7 @@ struct Shadows {
     /// (TransparentShadows::filtered); else of one texel, which nothing is read from.
     graph::ImageId transmittance{};
     ShadowCounts* counts = nullptr;
-    /// Which maps each image holds, for all who draw into it.
-    std::shared_ptr<HeldMaps> held = nullptr, transmittance_held = nullptr;
+    std::shared_ptr<HeldMaps> held = nullptr; ///< which maps both hold, for all who draw into them
     /// The passes themselves draw each light's maps before the light, into the same memory for all of them
     /// (shadow-memory=reuse, Lee's way).
     bool reused = false;

@@ -1,5 +1,6 @@
 #include "sun_occlusion.hpp"
 #include "light_draws.hpp"
+#include "lighting.hpp"
 #include <shared/bindings.h>
 
 namespace prelight::passes {
@@ -15,9 +16,7 @@ public:
         desc.vertex = "fullscreen.vert";
         desc.fragment = "sun_occlusion.frag";
         desc.constants = surface.constants();
-        add_shadow_constants(desc.constants, view);
-        desc.constants.emplace_back(CONSTANT_LIGHT_KINDS, view.lights().kinds());
-        desc.constants.emplace_back(CONSTANT_LIGHTS_AS_TEXELS, view.context().features().fast_texel_buffers);
+        add_light_constants(desc.constants, view);
         desc.blend = gpu::Blend::alpha_only;
         desc.attachments = interface.attachments;
         desc.sets = {view.layout(), interface.inputs};
