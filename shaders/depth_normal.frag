@@ -17,7 +17,7 @@
 #if defined(NO_NORMAL_TARGET) && !defined(OWN_MATERIAL)
 #define NO_NORMAL
 #endif
-#include "shared/half_samples.h"
+#include "shared/half_samples.glsl"
 #include "shared/linear_depth.h"
 #include "shared/material_interface.glsl"
 #include "shared/normal_encoding.h"
@@ -29,7 +29,6 @@ layout(push_constant) uniform LayerBlock { LayerConstants layer; };
 
 layout(constant_id = CONSTANT_NORMAL_ENCODING) const int normal_encoding = NORMAL_OCT24;
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
-layout(constant_id = CONSTANT_HALF_SAMPLES) const bool in_half_samples = false; // blended surfaces
 layout(constant_id = CONSTANT_DEPTH_SOURCE) const int depth_source = DEPTH_ATTACHMENT;
 
 #ifndef NO_NORMAL_TARGET
@@ -58,7 +57,7 @@ void main() {
 #ifndef NO_NORMAL_TARGET
     float roughness = antialiased_roughness(p, s);
 #endif
-    if (is_masked(s) || (in_half_samples && blended_coverage(s) < HALF_SAMPLES_LEAST_ALPHA))
+    if (is_left_out(s))
         discard;
 #ifdef LAYER
     if ((uint(gl_FragCoord.x) & 1u) + 2u * (uint(gl_FragCoord.y) & 1u) != layer.slot)

@@ -8,12 +8,11 @@
 // for that light; light sources meet metallic-roughness only, which is all that the G-buffer knows.
 #include "shared/base_light.glsl"
 #include "shared/gbuffer_layout.glsl"
-#include "shared/half_samples.h"
+#include "shared/half_samples.glsl"
 #include "shared/pixel_reads.glsl"
 #include "shared/specular_antialiasing.glsl"
 
 layout(constant_id = CONSTANT_NORMAL_SPACE) const bool view_space = false;
-layout(constant_id = CONSTANT_HALF_SAMPLES) const bool in_half_samples = false; // blended surfaces
 
 #ifndef SURFACE_GLOSS // a material's factor on what it reflects
 #define SURFACE_GLOSS(p) 1.0
@@ -46,7 +45,7 @@ void main() {
     Point p = point();
     Surface s = surface_under_decals(p);
     float roughness = antialiased_roughness(p, s);
-    if (is_masked(s) || (in_half_samples && blended_coverage(s) < HALF_SAMPLES_LEAST_ALPHA))
+    if (is_left_out(s))
         discard;
     vec3 n = s.normal;
     if (view_space)

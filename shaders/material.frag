@@ -13,7 +13,7 @@
 #define NO_NORMAL
 #endif
 #include "shared/display.glsl"
-#include "shared/half_samples.h"
+#include "shared/half_samples.glsl"
 #include "shared/light_buffer.glsl"
 #include "shared/material_interface.glsl"
 #include "shared/shininess.glsl"
@@ -21,7 +21,6 @@
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
 layout(constant_id = CONSTANT_MATERIAL_OUTPUT) const int material_output = MATERIAL_OUTPUT_SHADED;
 layout(constant_id = CONSTANT_AMBIENT_AS_LIGHT) const bool ambient_as_light = false;
-layout(constant_id = CONSTANT_HALF_SAMPLES) const bool in_half_samples = false; // a blended surface that is not blended yet
 #ifdef OCCLUSION
 layout(set = SET_INPUTS, binding = INPUT_OCCLUSION) uniform ONE_SAMPLE_IMAGE visibility_buffer;
 #endif

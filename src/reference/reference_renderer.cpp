@@ -104,7 +104,7 @@ public:
         for (const auto& [key, value] : options.settings)
             refuse_without_effect(info, key, value, options.views);
         if (stats_.settings.at("transparency") == "half-samples")
-            check_half_samples(options.msaa);
+            check_half_samples(options);
         form_ = form_of(stats_.settings, stats_.shading, options.msaa);
         if (!options.preset.empty())
             throw UsageError(fmt::format("reference: unknown preset {} (it has none)", options.preset));
@@ -198,12 +198,7 @@ private:
     void take_view(const RendererInfo& info, const std::string& view) {
         if (!has_view(info, view))
             throw UsageError(fmt::format("reference: unknown view {} (there are: {})", view, names_of_views(info)));
-        const auto layer = layer_of_view(view);
-        if (layer && form_.half_samples)
-            throw UsageError(fmt::format("--view {}: transparency=half-samples draws one layer, as if it were opaque "
-                                         "(with any other value all are shown)",
-                                         view));
-        if (layer)
+        if (const auto layer = layer_of_view(view))
             buffers_.layers[*layer];
     }
 

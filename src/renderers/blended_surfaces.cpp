@@ -16,17 +16,11 @@
 namespace prelight {
 
 BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context, const RenderOptions& options) {
-    resolve_transparency(settings, context, options.msaa);
+    resolve_transparency(settings, context, options);
     transparency_ = taken_ = transparency(settings);
     for (const std::string& view : options.views)
-        if (const auto number = layer_of_view(view)) {
-            if (transparency_ == Transparency::half_samples)
-                throw UsageError(
-                    fmt::format("--view {}: transparency=half-samples draws one layer, as if it were opaque "
-                                "(with any other value all are shown)",
-                                view));
+        if (const auto number = layer_of_view(view))
             asked_views_.insert(*number);
-        }
     reused_shadows_ = settings.has("shadow-memory") && settings.is("shadow-memory", "reuse");
     lists_possible_ = context.features().shuffle_lanes > 0;
     if (!wanted())

@@ -6,6 +6,7 @@
 #include <optional>
 #include <prelight/error.hpp>
 #include <prelight/renderer.hpp>
+#include <prelight/views.hpp>
 #include <string>
 #include <vector>
 
@@ -75,10 +76,16 @@ inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vect
     return found;
 }
 
-/// Of transparency=half-samples. Throws UsageError for another number of samples a pixel than it needs.
-inline void check_half_samples(uint32_t msaa) {
-    if (msaa != 4)
-        throw UsageError(fmt::format("--set transparency=half-samples: needs --msaa 4, and it is {}", msaa));
+/// Of transparency=half-samples. Throws UsageError for another number of samples a pixel than it needs, and for views
+/// of single layers.
+inline void check_half_samples(const RenderOptions& options) {
+    if (options.msaa != 4)
+        throw UsageError(fmt::format("--set transparency=half-samples: needs --msaa 4, and it is {}", options.msaa));
+    for (const std::string& view : options.views)
+        if (layer_of_view(view))
+            throw UsageError(fmt::format("--view {}: transparency=half-samples draws one layer, as if it were opaque "
+                                         "(with any other value all are shown)",
+                                         view));
 }
 
 inline const char* shading_name(Shading shading) { return shading == Shading::ggx ? "ggx" : "phong"; }

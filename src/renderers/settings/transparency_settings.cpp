@@ -47,9 +47,9 @@ std::vector<SettingInfo> transparency_settings(bool lit_later) {
          "the rest"}};
 }
 
-void resolve_transparency(Settings& settings, const gpu::Context& context, uint32_t samples) {
+void resolve_transparency(Settings& settings, const gpu::Context& context, const RenderOptions& options) {
     if (transparency(settings) == Transparency::half_samples)
-        check_half_samples(samples);
+        check_half_samples(options);
     if (needs_lists(transparency(settings)) && context.features().shuffle_lanes == 0)
         settings.fall_back(transparency_setting.key, transparency_setting.word(Transparency::sorted),
                            context.name() +

@@ -23,7 +23,7 @@ enum class LightOfLayers { automatic, lists, light_buffer };
 std::vector<SettingInfo> transparency_settings(bool lit_later);
 /// What the device cannot gives way to what it can, with a note. Throws UsageError where `samples` a pixel are not what
 /// Transparency::half_samples needs.
-void resolve_transparency(Settings& settings, const gpu::Context& context, uint32_t samples);
+void resolve_transparency(Settings& settings, const gpu::Context& context, const RenderOptions& options);
 /// `opaque` where a renderer has no such setting.
 Transparency transparency(const Settings& settings);
 /// Lights come from lists of a grid over the world.
