@@ -2,6 +2,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
 #include <prelight/scene.hpp>
+#include <scene/procedural/shapes.hpp>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,16 @@ inline uint32_t add_mesh(Scene& scene, std::string name, Primitive primitive, ui
     return append(scene.meshes, std::move(mesh));
 }
 
+/// A sheet that is blended. Both sides show, for it has no inside.
+inline Material sheet_material(std::string name, glm::vec3 colour, float alpha, float roughness = 0.1f) {
+    return {.name = std::move(name),
+            .base_colour = glm::vec4(colour, alpha),
+            .metallic = 0,
+            .roughness = roughness,
+            .alpha_mode = AlphaMode::blend,
+            .double_sided = true};
+}
+
 /// Adds a node to scene.nodes and to the roots of scene.scenes.back().
 inline Node& add_root(Scene& scene, std::string name, const glm::dmat4& local) {
     scene.scenes.back().nodes.push_back(static_cast<uint32_t>(scene.nodes.size()));
@@ -30,6 +41,9 @@ inline Node& add_root(Scene& scene, std::string name, const glm::dmat4& local) {
 }
 
 inline glm::dmat4 translation(const glm::dvec3& offset) { return glm::translate(glm::dmat4(1), offset); }
+
+/// Makes of a ground (make_ground()) an upright rectangle that faces the +z of `place`.
+inline glm::dmat4 upright(const glm::dmat4& place) { return glm::rotate(place, full_turn / 4, glm::dvec3(1, 0, 0)); }
 
 /// A node with a light at `position`.
 inline Node& add_light(Scene& scene, Light light, const glm::dvec3& position) {

@@ -3,31 +3,9 @@
 #include <scene/procedural/builder.hpp>
 #include <scene/procedural/city.hpp>
 #include <scene/procedural/city_plan.hpp>
-#include <scene/procedural/shapes.hpp>
 
 namespace prelight {
 namespace {
-
-/// Both sides show, for a sheet has no inside.
-Material sheet(const char* name, glm::vec4 colour, float roughness) {
-    return {.name = name,
-            .base_colour = colour,
-            .metallic = 0,
-            .roughness = roughness,
-            .alpha_mode = AlphaMode::blend,
-            .double_sided = true};
-}
-
-/// Upright, facing +z.
-Primitive upright(glm::vec2 size) {
-    Primitive sheet = make_ground(size, 1);
-    for (glm::vec3& p : sheet.positions)
-        p = {p.x, -p.z, 0};
-    for (glm::vec3& n : sheet.normals)
-        n = {0, 0, 1};
-    sheet.tangents.clear();
-    return sheet;
-}
 
 /// The meshes of what stands along the street, each once.
 struct Sheets {
@@ -37,16 +15,16 @@ struct Sheets {
 constexpr float shelter_width = 3.2f, shelter_depth = 1.3f, shelter_height = 2.3f, canopy_width = 3.6f;
 
 Sheets add_sheets(Scene& scene) {
-    const uint32_t clear = append(scene.materials, sheet("shelter glass", {0.75f, 0.92f, 0.88f, 0.3f}, 0.1f));
-    const uint32_t tinted = append(scene.materials, sheet("tinted glass", {0.25f, 0.45f, 0.5f, 0.55f}, 0.15f));
+    const uint32_t clear = append(scene.materials, sheet_material("shelter glass", {0.75f, 0.92f, 0.88f}, 0.3f));
+    const uint32_t tinted = append(scene.materials, sheet_material("tinted glass", {0.25f, 0.45f, 0.5f}, 0.55f, 0.15f));
     const glm::vec3 cloths[] = {{0.8f, 0.2f, 0.12f}, {0.85f, 0.6f, 0.15f}, {0.15f, 0.45f, 0.35f}};
-    Sheets sheets{.back = add_mesh(scene, "shelter back", upright({shelter_width, shelter_height}), clear),
-                  .side = add_mesh(scene, "shelter side", upright({shelter_depth, shelter_height}), clear),
+    Sheets sheets{.back = add_mesh(scene, "shelter back", make_ground({shelter_width, shelter_height}, 1), clear),
+                  .side = add_mesh(scene, "shelter side", make_ground({shelter_depth, shelter_height}, 1), clear),
                   .roof =
                       add_mesh(scene, "shelter roof", make_ground({shelter_width, shelter_depth + 0.2f}, 1), tinted),
                   .canopies = {}};
     for (size_t i = 0; i < std::size(cloths); ++i) {
-        const uint32_t cloth = append(scene.materials, sheet("canopy", glm::vec4(cloths[i], 0.75f), 0.9f));
+        const uint32_t cloth = append(scene.materials, sheet_material("canopy", cloths[i], 0.75f, 0.9f));
         sheets.canopies[i] = add_mesh(scene, "canopy", make_ground({canopy_width, 1.7f}, 1), cloth);
     }
     return sheets;
@@ -60,11 +38,11 @@ void add_shelter(Scene& scene, const Sheets& sheets, double side, double z) {
         add_root(scene, name, place * local).mesh = mesh;
     };
     const double half_height = shelter_height / 2 + 0.1, half_depth = shelter_depth / 2;
-    add("shelter back", sheets.back, translation({0, half_height, 0}));
+    add("shelter back", sheets.back, upright(translation({0, half_height, 0})));
     for (const double end : {-1.0, 1.0})
         add("shelter side", sheets.side,
-            glm::rotate(translation({end * shelter_width / 2, half_height, half_depth}), end * full_turn / 4,
-                        glm::dvec3(0, 1, 0)));
+            upright(glm::rotate(translation({end * shelter_width / 2, half_height, half_depth}), end * full_turn / 4,
+                                glm::dvec3(0, 1, 0))));
     add("shelter roof", sheets.roof, translation({0, shelter_height + 0.15, half_depth}));
 }
 

@@ -29,16 +29,6 @@ Material opaque(const char* name, glm::vec3 colour, float roughness, float metal
     return {.name = name, .base_colour = glm::vec4(colour, 1), .metallic = metallic, .roughness = roughness};
 }
 
-/// Both sides show, for a sheet has no inside.
-Material clear(const char* name, glm::vec3 colour, float alpha, float roughness = 0.1f) {
-    return {.name = name,
-            .base_colour = glm::vec4(colour, alpha),
-            .metallic = 0,
-            .roughness = roughness,
-            .alpha_mode = AlphaMode::blend,
-            .double_sided = true};
-}
-
 Material glowing(const char* name, glm::vec3 light) {
     Material material = opaque(name, glm::vec3(0.02f), 0.6f);
     material.emissive = light;
@@ -59,7 +49,7 @@ public:
     /// An upright rectangle with its middle at `at`, which faces +z before it is turned about y.
     void pane(const char* name, uint32_t of, glm::vec2 size, const glm::dvec3& at, double turn) {
         const glm::dmat4 turned = glm::rotate(translation(at), turn, y_axis);
-        add(name, make_ground(size, 1), of, glm::rotate(turned, full_turn / 4, glm::dvec3(1, 0, 0)));
+        add(name, make_ground(size, 1), of, upright(turned));
     }
 
 private:
@@ -120,7 +110,7 @@ void add_bottles(Stage& stage) {
                             Bottle{beside, {0.9f, 0.6f, 0}, 0.5f, 0.12, 0.5, 0.04, 0.12, {0.95, 0.0001, -0.5}},
                             Bottle{beside, {0.45f, 0.02f, 0.75f}, 0.5f, 0.14, 0.58, 0.05, 0.14, {2.9, 0.0001, 0.27}}}) {
         const std::vector<glm::dvec2> profile = bottle(b.radius, b.height, b.neck, b.shoulder);
-        stage.add(b.name, make_turned(profile, 48), stage.material(clear(b.name, b.colour, b.alpha, 0.12f)),
+        stage.add(b.name, make_turned(profile, 48), stage.material(sheet_material(b.name, b.colour, b.alpha, 0.12f)),
                   translation(b.at));
     }
 }
@@ -131,8 +121,8 @@ void add_panes(Stage& stage) {
     constexpr glm::dvec3 axis(-0.75, 1.12, -0.7);
     constexpr glm::vec3 colours[] = {{0, 0.5f, 0.7f}, {0.75f, 0.01f, 0.3f}, {0.8f, 0.5f, 0}};
     for (int i = 0; i < 3; ++i)
-        stage.pane("crossing pane", stage.material(clear("crossing pane", colours[i], 0.42f)), {1.5f, 1.9f}, axis,
-                   0.2 + 0.9 * (i - 1));
+        stage.pane("crossing pane", stage.material(sheet_material("crossing pane", colours[i], 0.42f)), {1.5f, 1.9f},
+                   axis, 0.2 + 0.9 * (i - 1));
     const std::vector<glm::dvec2> foot{{0, 0.14}, {0.85, 0.14}, {0.88, 0.11}, {0.88, 0}};
     stage.add("foot", make_turned(foot, 64), metal, translation({axis.x, 0, axis.z}));
     // Its middle is nearer than the bottle before its far end, and farther than the one behind its near end.
@@ -140,7 +130,7 @@ void add_panes(Stage& stage) {
     const glm::dvec3 along = near_end - far_end, middle = 0.5 * (near_end + far_end);
     const double length = glm::length(along), turn = -std::atan2(along.z, along.x);
     const auto half = static_cast<float>(length / 2);
-    stage.pane("long pane", stage.material(clear("long pane", {0.25f, 0.6f, 0.5f}, 0.28f)), {2 * half, 0.66f},
+    stage.pane("long pane", stage.material(sheet_material("long pane", {0.25f, 0.6f, 0.5f}, 0.28f)), {2 * half, 0.66f},
                middle + 0.36 * y_axis, turn);
     stage.add("rail", make_box({-half, -0.02f, -0.02f}, {half, 0.02f, 0.02f}), metal,
               glm::rotate(translation(middle + 0.71 * y_axis), turn, y_axis));
@@ -154,8 +144,8 @@ void add_ball(Stage& stage) {
     const glm::dmat4 middle = translation({0.7, 1.37, -1.7});
     stage.add("knot", make_knot(0.19f, 0.05f, 192, 12), stage.material(opaque("gold", {0.9f, 0.6f, 0.2f}, 0.35f, 1)),
               glm::rotate(middle, 0.4, y_axis));
-    stage.add("ball", make_sphere(0.42f, 64, 32), stage.material(clear("ball", {0.5f, 0.7f, 0.9f}, 0.22f, 0.1f)),
-              middle);
+    stage.add("ball", make_sphere(0.42f, 64, 32),
+              stage.material(sheet_material("ball", {0.5f, 0.7f, 0.9f}, 0.22f, 0.1f)), middle);
 }
 
 void add_lamp(Stage& stage) {
@@ -164,7 +154,7 @@ void add_lamp(Stage& stage) {
     const std::vector<glm::dvec2> stand{{0, 1.5}, {0.02, 1.5}, {0.02, 0.06}, {0.2, 0.03}, {0.22, 0}};
     stage.add("stand", make_turned(stand, 32), brass, below);
     stage.add("bulb", make_sphere(0.07f, 32, 16), stage.material(glowing("bulb", {24, 15, 7})), translation(lamp_at));
-    Material cloth = clear("shade", {0.9f, 0.7f, 0.45f}, 0.62f, 0.8f);
+    Material cloth = sheet_material("shade", {0.9f, 0.7f, 0.45f}, 0.62f, 0.8f);
     cloth.emissive = {0.42f, 0.24f, 0.1f}; // what the bulb sends through it
     const std::vector<glm::dvec2> shade{{0.24, 1.92}, {0.46, 1.4}};
     stage.add("shade", make_turned(shade, 64), stage.material(std::move(cloth)), below);
@@ -178,7 +168,7 @@ void add_smoke(Scene& scene, Stage& stage, uint64_t seed) {
     for (int i = 0; i < 3; ++i) { // the nearer the flame, the more of its light
         constexpr glm::vec3 lit[] = {{0.6f, 0.25f, 0.07f}, {0.2f, 0.09f, 0.04f}, {0.04f, 0.03f, 0.032f}};
         constexpr float alpha[] = {0.42f, 0.42f, 0.4f};
-        Material smoke = clear("smoke", glm::vec3(0.45f, 0.44f, 0.46f), alpha[i], 1);
+        Material smoke = sheet_material("smoke", glm::vec3(0.45f, 0.44f, 0.46f), alpha[i], 1);
         smoke.emissive = lit[i];
         smoke.base_colour_texture = texture;
         kinds[i] = stage.material(std::move(smoke));
@@ -202,7 +192,7 @@ void add_smoke(Scene& scene, Stage& stage, uint64_t seed) {
 
 void add_lantern(Stage& stage) {
     const uint32_t iron = stage.material(opaque("iron", {0.1f, 0.1f, 0.11f}, 0.4f, 1));
-    const uint32_t glass = stage.material(clear("lantern", {0.9f, 0.6f, 0.3f}, 0.25f, 0.15f));
+    const uint32_t glass = stage.material(sheet_material("lantern", {0.9f, 0.6f, 0.3f}, 0.25f, 0.15f));
     const auto at = glm::vec3(lantern_at);
     const auto part = [&](glm::vec3 low, glm::vec3 high) { stage.box("lantern", iron, at + low, at + high); };
     part({-0.2f, -0.3f, -0.2f}, {0.2f, -0.24f, 0.2f});
