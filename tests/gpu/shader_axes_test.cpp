@@ -26,6 +26,8 @@ TEST(ShaderAxes, WhatNeverComesTogetherAndWhatComesOnlyWithAnother) {
     EXPECT_EQ(keys_of("// variants: ONE_TARGET, SHADOWS, DECALS\n// never: ONE_TARGET SHADOWS\n"
                       "// only: DECALS with SHADOWS\n"),
               (Keys{"a.frag", "a.frag SHADOWS", "a.frag SHADOWS DECALS", "a.frag ONE_TARGET"}));
+    EXPECT_EQ(keys_of("// variants: DECALS|SOFT, SAMPLES\n// only: SAMPLES with DECALS|SOFT\n"),
+              (Keys{"a.frag", "a.frag DECALS", "a.frag DECALS SAMPLES", "a.frag SOFT", "a.frag SAMPLES SOFT"}));
 }
 
 TEST(ShaderAxes, OnceForEachMaterial) {

@@ -48,8 +48,10 @@ std::pair<std::string_view, std::string_view> with(std::string_view text) {
 
 bool allows(const ShaderAxes& axes, gpu::Variants set) {
     return std::none_of(axes.never.begin(), axes.never.end(), [&](gpu::Variants all) { return set.has_all(all); }) &&
-           std::all_of(axes.only.begin(), axes.only.end(),
-                       [&](const auto& rule) { return !set.has_all(rule.first) || set.has_all(rule.second); });
+           std::all_of(axes.only.begin(), axes.only.end(), [&](const auto& rule) {
+               return !set.has_all(rule.first) || std::any_of(rule.second.begin(), rule.second.end(),
+                                                              [&](gpu::Variants other) { return set.has_all(other); });
+           });
 }
 
 } // namespace
@@ -77,7 +79,10 @@ ShaderAxes read_axes(std::string_view source) {
             } else if (key == "never") {
                 axes.never.push_back(variants(part));
             } else if (key == "only") {
-                axes.only.emplace_back(variants(with(part).first), variants(with(part).second));
+                auto& [what, others] = axes.only.emplace_back();
+                what = variants(with(part).first);
+                for (const std::string_view other : split(with(part).second, '|'))
+                    others.push_back(variants(other));
             } else {
                 constexpr std::string_view only = "only ";
                 std::string_view what = with(part).first;

@@ -11,6 +11,7 @@ namespace prelight {
 ///     // variants: ONE_TARGET|COUNT_TARGET, SHADOWS     one of the first two or none, and SHADOWS or not
 ///     // never: COUNT_TARGET SHADOWS, …                 these do not come together
 ///     // only: OCCLUSION with OWN_MATERIAL, …           not without the other
+///     // only: SAMPLES with DECALS|SOFT                 not without one of the others
 ///     // materials: all with OWN_MATERIAL, blinn_phong with ONLY_WEIGHTED, only layered with OWN_MATERIAL TRANSMISSION
 ///
 /// `materials`: whose surfaces the shader is compiled with beside metallic_roughness; with "all", instead of it; with
@@ -23,7 +24,7 @@ struct ShaderAxes {
     };
     std::vector<std::vector<gpu::Variants>> choices; ///< of each axis, the first of them none
     std::vector<gpu::Variants> never;
-    std::vector<std::pair<gpu::Variants, gpu::Variants>> only; ///< what, with what
+    std::vector<std::pair<gpu::Variants, std::vector<gpu::Variants>>> only; ///< what, with one of what
     std::vector<Pair> materials;
 };
 
