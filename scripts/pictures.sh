@@ -175,6 +175,8 @@ for time in 1 1.8; do
 done
 mv "$work/small-1.png" "$out/city-sparks.png"
 mv "$work/small-1.8.png" "$out/city-sparks-later.png"
+"$prelight" render city-smoke --time 3 --size 960x540 -o "$work/city-smoke.png"
+shrink city-smoke
 "$prelight" render bounce --set shadows=on --size 960x540 -o "$work/bounce.png"
 "$prelight" render bounce --set shadows=on --lights 1 --size 960x540 -o "$work/bounce-without.png"
 shrink bounce

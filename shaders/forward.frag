@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES, TRANSMISSION
-// never: TRANSMISSION DECALS
-// only: SAMPLES with DECALS, TRANSMISSION with OWN_MATERIAL
+// variants: OWN_MATERIAL, SHADOWS, DECALS|SOFT|LAYER_DECALS, SAMPLES, TRANSMISSION
+// never: TRANSMISSION DECALS, TRANSMISSION SOFT, TRANSMISSION LAYER_DECALS
+// only: SAMPLES with DECALS|SOFT, TRANSMISSION with OWN_MATERIAL
 // materials: all with OWN_MATERIAL, only layered with OWN_MATERIAL TRANSMISSION
 // Forward shading of up to eight lights, which come as push constants. Fresnel of each
 // light at V·H (model=full), or at N·V (nv). Depth test EQUAL needs no alpha mask, for a hole's depth is another's; LESS_OR_EQUAL

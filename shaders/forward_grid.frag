@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, SHADOWS, DECALS, SAMPLES, WEIGHTED, BEYOND_K_BUFFER, TRANSMISSION
-// only: SAMPLES with DECALS, TRANSMISSION with OWN_MATERIAL, BEYOND_K_BUFFER with WEIGHTED
-// never: WEIGHTED DECALS, TRANSMISSION DECALS, TRANSMISSION WEIGHTED
+// variants: OWN_MATERIAL, SHADOWS, DECALS|SOFT|LAYER_DECALS, SAMPLES, WEIGHTED, BEYOND_K_BUFFER, TRANSMISSION
+// only: SAMPLES with DECALS|SOFT, TRANSMISSION with OWN_MATERIAL, BEYOND_K_BUFFER with WEIGHTED
+// never: WEIGHTED DECALS, TRANSMISSION DECALS, TRANSMISSION SOFT, TRANSMISSION LAYER_DECALS, TRANSMISSION WEIGHTED
 // materials: all with OWN_MATERIAL, only layered with OWN_MATERIAL TRANSMISSION
 // Forward shading with the lights of the pixel's cell in a grid over the world. It needs nothing of
 // the screen, so that blended surfaces take the same path; with WEIGHTED they leave sums of colour and weight, and with

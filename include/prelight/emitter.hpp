@@ -7,6 +7,10 @@
 
 namespace prelight {
 
+/// What a particle is drawn as: an octahedron, drawn out along its way; or a square that faces the camera, for smoke,
+/// fog and glare.
+enum class ParticleShape { octahedron, billboard };
+
 /// A fountain of glowing particles, each of them a point light. It always has `count` of them: a particle whose
 /// life ends begins a new one, thrown anew. Where each is at a time is a closed form of that time, the emitter's
 /// node at that time, the seed and the particle's number, so that any frame can be drawn by itself.
@@ -31,12 +35,19 @@ struct Emitter {
     std::vector<glm::vec3> colours{glm::vec3(1)};
     float intensity = 1; ///< candela of a light whose colour is 1
     float range = 1;     ///< metres > 0, finite
+    bool lights = true;  ///< its particles are lights; else they are drawn and no more
     float size = 0.01f;  ///< metres ≥ 0: radius of what is drawn; 0: nothing is
-    float streak = 0;    ///< seconds ≥ 0: how much of its way is drawn, along its velocity
-    /// Index into Scene::materials, drawn with vertex colours (the colour over life, scaled to a largest channel of
-    /// at most 1), texture coordinates (age ÷ lifetime, number ÷ count). Meant for one that is unlit.
+    float streak = 0;    ///< seconds ≥ 0: how much of an octahedron's way is drawn, along its velocity
+    /// Index into Scene::materials, drawn with vertex colours: the colour over life, scaled to a largest channel of at
+    /// most 1, and the opacity over life as alpha. Texture coordinates of octahedra are (age ÷ lifetime, number ÷
+    /// count), and their material is meant to be unlit; those of billboards are the corners of the picture.
     uint32_t material = 0;
     bool casts_shadow = false; ///< its lights do
+    ParticleShape shape = ParticleShape::octahedron;
+    std::vector<float> sizes{1};     ///< factors ≥ 0 on `size`, at even steps of a life as `colours`; at least one
+    std::vector<float> opacities{1}; ///< 0 … 1, likewise; alpha of the vertices
+    /// Radians a second ≥ 0, of billboards, which are turned anyhow: each by its own speed between −spin and +spin.
+    float spin = 0;
 };
 
 } // namespace prelight

@@ -52,6 +52,9 @@ struct Material {
     float occlusion_strength = 1; ///< 0 … 1, on ambient light only
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f; ///< mask: a surface with alpha < cutoff is not there
+    /// Metres ≥ 0. A blended surface loses its alpha, α · min(d / softness, 1), as the opaque surface behind it comes
+    /// nearer; d is their distance along the camera's axis. 0: it ends where it meets others, in a sharp line.
+    float softness = 0;
     bool double_sided = false;
     bool unlit = false;          ///< KHR_materials_unlit: colour = base colour, no light
     bool receives_decals = true; ///< decals (decal.hpp) lie on it

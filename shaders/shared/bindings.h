@@ -35,6 +35,7 @@
 // layers of blended surfaces
 #define INPUT_LAYER_COUNTS 1
 #define INPUT_K_BUFFER 35
+#define INPUT_DEPTH_BEHIND 17 // of what is opaque, behind soft ones
 // weighted blended surfaces
 #define INPUT_BLENDED_SUM 0
 #define INPUT_BLENDED_WEIGHT 1
@@ -143,6 +144,11 @@
 #define MATERIAL_REFLECTANCE 18  // of a mirror, by N·V and roughness
 #define MATERIAL_TEXTURES 13  // of the standard and a shader's own: what MaterialConstants knows of
 
+// Decals of a blended object.
+#define SET_LAYER_DECALS 3
+#define LAYER_DECAL_LIST 0
+#define LAYER_DECAL_MAPS 1  // base colour, metallic-roughness and normals of the first, of the second …
+
 #define VERTEX_POSITION 0
 #define VERTEX_NORMAL 1
 #define VERTEX_TANGENT 2
@@ -237,6 +243,8 @@
 #define FEATURE_DECALS 65536u     // of an object, not of its material: decals reach it
 #define FEATURE_BLENDED 131072u   // of an object: drawn over what is behind it (alphaMode BLEND)
 #define FEATURE_TRANSMISSIVE 262144u // of an object: the picture behind it comes through
+#define FEATURE_SOFT 524288u      // of a blended object: it fades before what is opaque behind it
+#define FEATURE_FACING 1048576u   // of an object: its vertices stand from their positions in the viewer's plane
 
 // Kinds of lights that a frame may hold; shaders leave out what the others need.
 #define LIGHT_KIND_SPOT 1u

@@ -8,6 +8,9 @@
 #ifdef TRANSMISSION
 #include "shared/transmission.glsl"
 #endif
+#ifdef SOFT
+#include "shared/soft.glsl"
+#endif
 
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_FULL;
 layout(constant_id = CONSTANT_COUNT_PAIRS) const bool count_pairs = false;
@@ -31,6 +34,9 @@ ForwardSurface forward_surface() {
     ForwardSurface s;
     s.at = point();
     s.surface = surface_under_decals(s.at);
+#ifdef SOFT
+    s.surface.alpha = blended_coverage(s.surface) * share_before_opaque(dot(in_world, frame.forward.xyz));
+#endif
     s.reflectance = reflectance(s.surface.base, s.surface.metallic);
     s.point = lit_point(true, in_world, s.surface.normal, s.at.to_viewer, max(antialiased_roughness(s.at, s.surface), 0.089), gl_FragCoord.xy);
     s.schlick_nv = schlick_weight(s.point.nv);

@@ -31,4 +31,15 @@ float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722));
 
 // Unit vector from a world position to the viewer; all parallel for an orthographic camera.
 vec3 to_viewer(vec3 world) { return normalize(mix(-frame.forward.xyz, -world, frame.forward.w)); }
+
+// Device depth (1 near, 0 far) → view depth in metres. clip.z = −x·z + y, clip.w = z or 1.
+float view_depth(float device_depth) {
+    float perspective = frame.forward.w;
+    return perspective > 0.5 ? frame.depth.y / (device_depth + frame.depth.x)
+                             : (frame.depth.y - device_depth) / frame.depth.x;
+}
+
+float device_depth(float z) {
+    return (frame.depth.y - frame.depth.x * z) / (frame.forward.w > 0.5 ? z : 1.0);
+}
 #endif

@@ -69,7 +69,7 @@ struct ObjectData {
 
 struct MaterialConstants {
     vec4 base_colour;
-    vec4 emissive;              // rgb × exposure; w: alpha cut-off
+    vec4 emissive;              // rgb × exposure; w: alpha cut-off; of what is blended its softness, metres
     vec4 factors;               // metallic, roughness, normal scale, occlusion strength
     vec4 uv_linear[13];         // MATERIAL_TEXTURES of them, in the order of MATERIAL_… bindings: columns of 2×2
     vec4 uv_offset[13];         // xy: offset; z: texture-coordinate set; w: 1 where vertex tangents follow its coordinates

@@ -21,17 +21,6 @@ layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform PIXEL_IMAGE_BITS rou
 layout(set = SET_INPUTS, binding = INPUT_ROUGHNESS) uniform PIXEL_IMAGE roughness_buffer;
 #endif
 
-// Device depth (1 near, 0 far) → view depth in metres. clip.z = −x·z + y, clip.w = z or 1.
-float view_depth(float device_depth) {
-    float perspective = frame.forward.w;
-    return perspective > 0.5 ? frame.depth.y / (device_depth + frame.depth.x)
-                             : (frame.depth.y - device_depth) / frame.depth.x;
-}
-
-float device_depth(float z) {
-    return (frame.depth.y - frame.depth.x * z) / (frame.forward.w > 0.5 ? z : 1.0);
-}
-
 vec3 stored_normal(vec4 texel) {
     vec3 n = normal_decode(normal_encoding, texel);
     return view_space ? n * mat3(frame.view_from_world) : n;

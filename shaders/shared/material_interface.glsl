@@ -68,12 +68,18 @@ vec2 texture_place(Point p, int slot) { return coordinates(p, MATERIAL_OWN_TEXTU
 #ifdef DECALS
 #include "shared/decals.glsl"
 #endif
+#ifdef LAYER_DECALS
+#include "shared/layer_decals.glsl"
+#endif
 vec3 bare_normal; // the surface's own, for anti-aliasing: decals come pixel by pixel
 Surface surface_under_decals(inout Point p) {
     Surface s = surface(p);
     bare_normal = s.normal;
 #ifdef DECALS
     apply_decals(s);
+#endif
+#ifdef LAYER_DECALS
+    apply_layer_decals(s, p.position);
 #endif
     return s;
 }

@@ -7,7 +7,9 @@ layout(location = 4) out vec4 out_colour;
 layout(location = 0) out vec3 out_world;
 #endif
 #ifndef NO_NORMAL
+#ifndef FACING
 layout(location = VERTEX_NORMAL) in vec3 in_normal;
+#endif
 layout(location = VERTEX_NORMAL_ROW) in vec4 in_normal_row[3];
 layout(location = 1) out vec3 out_normal;
 #endif
@@ -45,13 +47,21 @@ void main() {
 #ifndef NO_WORLD
     out_world = world;
 #endif
+#ifdef FACING
 #ifndef NO_NORMAL
+    out_normal = from_viewer(vec3(0.0, 0.0, 1.0));
+#endif
+#elif !defined(NO_NORMAL)
     out_normal = vec3(dot(in_normal_row[0].xyz, in_normal), dot(in_normal_row[1].xyz, in_normal),
                       dot(in_normal_row[2].xyz, in_normal));
 #endif
 #ifndef NO_TEXTURES
     out_texcoords = vec4(in_texcoord_0, in_texcoord_1);
+#ifdef FACING
 #ifndef NO_NORMAL
+    out_tangent = vec4(from_viewer(in_tangent.xyz), in_tangent.w);
+#endif
+#elif !defined(NO_NORMAL)
     out_tangent = vec4(dot(in_world_row[0].xyz, in_tangent.xyz), dot(in_world_row[1].xyz, in_tangent.xyz),
                        dot(in_world_row[2].xyz, in_tangent.xyz), in_tangent.w * in_normal_row[0].w);
 #endif
@@ -74,5 +84,8 @@ void main() {
     vec4 previous = vec4(in_previous_position, 1.0);
     out_previous = vec3(dot(in_previous_world_row[0], previous), dot(in_previous_world_row[1], previous),
                         dot(in_previous_world_row[2], previous));
+#ifdef FACING
+    out_previous += from_viewer(vec3(in_facing.xy, 0.0));
+#endif
 #endif
 }

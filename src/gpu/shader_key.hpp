@@ -24,8 +24,9 @@ namespace prelight::gpu {
     X(roughness_target, "ROUGHNESS_TARGET")   /* in a target of its own */                                             \
     X(depth_target, "DEPTH_TARGET")           /* linear depth in a colour target */                                    \
     X(no_normal_target, "NO_NORMAL_TARGET")                                                                            \
-    X(decals, "DECALS")       /* reads the decal buffer */                                                             \
-    X(occlusion, "OCCLUSION") /* ambient light is occluded */                                                          \
+    X(decals, "DECALS")             /* reads the decal buffer */                                                       \
+    X(layer_decals, "LAYER_DECALS") /* knows the decals of a blended object itself */                                  \
+    X(occlusion, "OCCLUSION")       /* ambient light is occluded */                                                    \
     X(only_weighted, "ONLY_WEIGHTED")                                                                                  \
     X(own_material, "OWN_MATERIAL") /* compiled with one of shaders/materials/, or a user's */                         \
     X(grid_cells, "GRID_CELLS")     /* light lists: cells in the world */                                              \
@@ -41,6 +42,8 @@ namespace prelight::gpu {
     X(surface_ids, "SURFACE_IDS")         /* inferred lighting: writes ids of surfaces, or finds light by them */      \
     X(layer, "LAYER")                     /* of a blended object, in a slot of the texels */                           \
     X(beyond_k_buffer, "BEYOND_K_BUFFER") /* of them those behind a k-buffer's layers */                               \
+    X(facing, "FACING")                   /* vertices stand from their positions in the viewer's plane */              \
+    X(soft, "SOFT")                       /* fades before what is opaque behind it */                                  \
     X(no_normal, "NO_NORMAL")                                                                                          \
     X(no_textures, "NO_TEXTURES")
 
@@ -56,16 +59,18 @@ inline constexpr std::string_view variant_macros[] = {
 #undef PRELIGHT_VARIANT
 };
 
+static_assert(std::size(variant_macros) <= 64);
+
 /// A set of them.
 class Variants {
 public:
     constexpr Variants() = default;
-    constexpr Variants(Variant one) : bits_(1u << static_cast<uint32_t>(one)) {}
+    constexpr Variants(Variant one) : bits_(uint64_t(1) << static_cast<uint32_t>(one)) {}
     constexpr bool has(Variant one) const { return (bits_ & Variants(one).bits_) != 0; }
     constexpr bool has_all(Variants all) const { return (bits_ & all.bits_) == all.bits_; }
     constexpr bool empty() const { return bits_ == 0; }
-    constexpr uint32_t bits() const { return bits_; }
-    constexpr static Variants from_bits(uint32_t bits) {
+    constexpr uint64_t bits() const { return bits_; }
+    constexpr static Variants from_bits(uint64_t bits) {
         Variants out;
         out.bits_ = bits;
         return out;
@@ -82,7 +87,7 @@ public:
     }
 
 private:
-    uint32_t bits_ = 0;
+    uint64_t bits_ = 0;
 };
 constexpr Variants operator|(Variant a, Variant b) { return Variants(a) | Variants(b); }
 /// The variants where `on`, else none.

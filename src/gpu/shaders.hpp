@@ -11,7 +11,7 @@ std::span<const uint32_t> find_shader(const ShaderKey& key);
 /// variants).
 struct EmbeddedShader {
     std::string_view file, material;
-    uint32_t variants = 0;         ///< Variants::bits()
+    uint64_t variants = 0;         ///< Variants::bits()
     uint32_t first = 0, words = 0; ///< of the code
 };
 /// Every shader that find_shader() finds.

@@ -12,7 +12,7 @@ SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs
     const bool sums = inputs.model.fresnel == FresnelModel::weighted && inputs.model.shading == Shading::ggx;
     if (sums)
         inputs.model.fresnel = FresnelModel::full;
-    inputs.decals = {}; // they lie on what is opaque
+    inputs.decals = {}; // those are of what is opaque
     SurfaceDraws::Desc desc = forward_desc(fragment, view, inputs, !more);
     desc.own_fragment = desc.fragment;
     if (sums)
@@ -22,6 +22,8 @@ SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs
     desc.blend = more ? gpu::Blend::add_by_alpha : gpu::Blend::by_alpha;
     desc.push_bytes = lists ? sizeof(shared::LightListConstants) : sizeof(shared::ForwardBatch);
     desc.blended = true;
+    desc.softens = inputs.behind.has_value();
+    desc.layer_decals = view.layer_decals() != nullptr;
     return desc;
 }
 
@@ -31,6 +33,8 @@ declare_blended(graph::FrameGraph& graph, graph::Pass& pass, const ForwardInputs
         .depth_test(inputs.depth)
         .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
     declare_shadows(pass, inputs.shadows);
+    if (inputs.behind)
+        pass.sample(INPUT_DEPTH_BEHIND, *inputs.behind);
     if (!lists)
         return nullptr;
     declare_light_lists(pass, lists->rounds.at(0));

@@ -27,6 +27,8 @@ struct ForwardInputs {
     LightModel model;
     Shadows shadows; ///< not of passes that count lights
     DecalBuffer decals = {};
+    /// Of blended surfaces: the depth of what is opaque, where soft ones look at it.
+    std::optional<graph::ImageId> behind = {};
     const gpu::Buffer* pair_counters = nullptr; ///< two uint32 a row of pixels; bound with lights
     bool count_pairs = false;
     gpu::SampleShading sample_shading = gpu::SampleShading::fragment;

@@ -19,17 +19,20 @@ void add_rows(std::vector<gpu::VertexAttribute>& out, uint32_t location, size_t 
                        static_cast<uint32_t>(offset + row * sizeof(glm::vec4))});
 }
 
-std::vector<gpu::VertexAttribute> position_attributes() {
+std::vector<gpu::VertexAttribute> position_attributes(gpu::Variants variants) {
     std::vector<gpu::VertexAttribute> out{{VERTEX_POSITION, positions, VK_FORMAT_R32G32B32_SFLOAT, 0}};
+    if (variants.has(gpu::Variant::facing)) // how far it stands from there
+        out.push_back({VERTEX_NORMAL, attributes, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)});
     add_rows(out, VERTEX_WORLD_ROW, offsetof(shared::ObjectData, world_row));
     return out;
 }
 
 std::vector<gpu::VertexAttribute> surface_attributes(gpu::Variants variants) {
-    std::vector<gpu::VertexAttribute> out = position_attributes();
+    std::vector<gpu::VertexAttribute> out = position_attributes(variants);
     out.push_back({VERTEX_COLOUR, attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
     if (!variants.has(gpu::Variant::no_normal)) {
-        out.push_back({VERTEX_NORMAL, attributes, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)});
+        if (!variants.has(gpu::Variant::facing))
+            out.push_back({VERTEX_NORMAL, attributes, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)});
         add_rows(out, VERTEX_NORMAL_ROW, offsetof(shared::ObjectData, normal_row));
     }
     if (!variants.has(gpu::Variant::no_textures)) {
@@ -68,12 +71,13 @@ bool has_textures(uint32_t features) {
 } // namespace
 
 SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterface& interface, const Desc& desc)
-    : view_(view), features_kept_((desc.depth_only         ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE
+    : view_(view), features_kept_((desc.depth_only ? FEATURE_ALPHA_MASK | FEATURE_BASE_COLOUR_TEXTURE | FEATURE_FACING
                                    : desc.keeps_alpha_mask ? ~0u
                                                            : ~FEATURE_ALPHA_MASK) &
-                                  (desc.decals != Decals::none ? ~0u : ~FEATURE_DECALS)),
+                                  ~((desc.decals == Decals::none && !desc.layer_decals ? FEATURE_DECALS : 0u) |
+                                    (desc.softens ? 0u : FEATURE_SOFT))),
       depth_only_(desc.depth_only), positions_only_(desc.positions_only), only_decals_(desc.decals == Decals::only),
-      blended_(desc.blended), transmissive_(desc.transmissive),
+      blended_(desc.blended), transmissive_(desc.transmissive), layer_decals_(desc.layer_decals),
       later_(is_later(desc.depth) && !blended_ && !transmissive_),
       counts_(view.visible_pixels() && !later_ && !blended_ && !transmissive_),
       skips_(view.visible_pixels() && later_) {
@@ -90,11 +94,13 @@ SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterfac
     pipeline.blend = desc.blend;
     pipeline.sample_mask = desc.sample_mask;
     pipeline.push_bytes = desc.push_bytes;
-    pipeline.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
     for (const resident::Draw& draw : view.scene().geometry().draws) {
         const Key chosen = key(draw);
         if (left_out(draw) || pipelines_.contains(chosen))
             continue;
+        pipeline.sets = {view.layout(), interface.inputs, view.scene().materials().layout};
+        if (layer_decals_ && (chosen.second & FEATURE_DECALS))
+            pipeline.sets.push_back(view.layer_decals()->layout());
         set_shaders(pipeline, desc, chosen);
         pipelines_.emplace(chosen, gpu::GraphicsPipeline(view.context(), pipeline));
     }
@@ -106,18 +112,23 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     const bool decals = (features & FEATURE_DECALS) != 0;
     const bool shaded = !desc.depth_only || (features & FEATURE_ALPHA_MASK);
     using gpu::Variant;
-    const gpu::Variants decal_variants =
-        gpu::when(decals, Variant::decals) | gpu::when(decals && pipeline.attachments.samples > 1, Variant::samples);
+    const bool soft = (features & FEATURE_SOFT) != 0;
+    const bool by_sample = soft || (decals && !layer_decals_); // reads what lies under each sample
+    const gpu::Variants own_variants =                         // of the object, not of the pass
+        gpu::when(decals, layer_decals_ ? Variant::layer_decals : Variant::decals) | gpu::when(soft, Variant::soft) |
+        gpu::when(by_sample && pipeline.attachments.samples > 1, Variant::samples);
+    const gpu::Variants facing = gpu::when((features & FEATURE_FACING) != 0, Variant::facing);
     const bool untextured = desc.vertex.has(Variant::no_textures) && !own && !decals && !has_textures(features);
-    gpu::Variants vertex = gpu::when(untextured, Variant::no_textures);
+    gpu::Variants vertex = facing | gpu::when(untextured, Variant::no_textures);
     for (const Variant more : {Variant::motion, Variant::surface_ids, Variant::transmission})
         vertex |= gpu::when(desc.vertex.has(more), more);
     for (const Variant left_out : {Variant::no_world, Variant::no_normal})
         vertex |= gpu::when(!own && desc.vertex.has(left_out), left_out);
     const bool positions_alone = !shaded || desc.positions_only;
-    pipeline.vertex = positions_alone ? "depth_only.vert" : gpu::ShaderKey("surface.vert", vertex);
+    pipeline.vertex =
+        positions_alone ? gpu::ShaderKey("depth_only.vert", facing) : gpu::ShaderKey("surface.vert", vertex);
     pipeline.fragment =
-        !shaded ? gpu::ShaderKey() : desc.fragment.with(gpu::when(untextured, Variant::no_textures) | decal_variants);
+        !shaded ? gpu::ShaderKey() : desc.fragment.with(gpu::when(untextured, Variant::no_textures) | own_variants);
     pipeline.fragment_code.clear();
     pipeline.name = desc.name;
     if (own) {
@@ -125,7 +136,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
         pipeline.name += " " + shaders.name(shader);
         if (shaded) {
             const gpu::ShaderKey stage =
-                (desc.own_fragment.empty() ? desc.fragment : desc.own_fragment).with(decal_variants);
+                (desc.own_fragment.empty() ? desc.fragment : desc.own_fragment).with(own_variants);
             pipeline.fragment = {stage.file, stage.variants | Variant::own_material, shaders.name(shader)};
             const auto code = shaders.code(shader, stage);
             pipeline.fragment_code.assign(code.begin(), code.end());
@@ -133,8 +144,8 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     }
     pipeline.name += " features " + std::to_string(features);
     pipeline.sample_shading =
-        features & (FEATURE_ALPHA_MASK | FEATURE_DECALS) ? gpu::SampleShading::sample : desc.sample_shading;
-    pipeline.attributes = positions_alone ? position_attributes() : surface_attributes(vertex);
+        by_sample || (features & FEATURE_ALPHA_MASK) ? gpu::SampleShading::sample : desc.sample_shading;
+    pipeline.attributes = positions_alone ? position_attributes(facing) : surface_attributes(vertex);
     pipeline.constants = desc.constants;
     pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
 }
@@ -146,13 +157,13 @@ bool SurfaceDraws::left_out(const resident::Draw& draw) const {
 
 SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {
     if (positions_only_)
-        return {0, 0};
+        return {0, draw.features & FEATURE_FACING};
     if (draw.shader == 0)
         return {0, draw.features & features_kept_};
     // Whatever it makes of a surface may decide whether it is there; what has no mask is depth and no more.
     if (depth_only_ && !(draw.features & FEATURE_ALPHA_MASK))
-        return {0, 0};
-    return {draw.shader, draw.features & (features_kept_ | ~(FEATURE_ALPHA_MASK | FEATURE_DECALS))};
+        return {0, draw.features & FEATURE_FACING};
+    return {draw.shader, draw.features & (features_kept_ | ~(FEATURE_ALPHA_MASK | FEATURE_DECALS | FEATURE_SOFT))};
 }
 
 void SurfaceDraws::bind_geometry(const graph::PassContext& pass) const {
@@ -178,6 +189,10 @@ void SurfaceDraws::bind_state(const graph::PassContext& pass, Bound& bound, cons
         pipeline.bind_set(pass.commands, SET_MATERIAL, view_.scene().materials().sets[draw.material]);
         bound.material = draw.material;
     }
+    if (layer_decals_ && (key(draw).second & FEATURE_DECALS))
+        pipeline.bind_set(
+            pass.commands, SET_LAYER_DECALS,
+            view_.layer_decals()->set(static_cast<uint32_t>(&draw - view_.scene().geometry().draws.data())));
     if (indices != bound.indices) {
         vkCmdBindIndexBuffer(pass.commands, indices, 0, VK_INDEX_TYPE_UINT32);
         bound.indices = indices;

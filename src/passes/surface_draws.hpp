@@ -27,13 +27,18 @@ public:
         /// and NO_NORMAL where the fragment shader reads no point and no normal; NO_TEXTURES where it has that variant
         /// too, for materials without textures.
         gpu::Variants vertex = {};
-        /// What has an alpha mask is shaded once a sample wherever the mask is asked, and so is what reads decals.
+        /// What has an alpha mask is shaded once a sample wherever the mask is asked, and so is what reads decals or
+        /// the depth behind it.
         gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
         uint32_t sample_mask = ~0u; ///< gpu::GraphicsPipelineDesc::sample_mask
         bool depth_only = false;    ///< materials without mask get positions and no shader
         /// Every material gets positions, and `fragment`, which reads nothing of it.
         bool positions_only = false;
         Decals decals = Decals::none;
+        /// Soft objects fade before what is opaque: the shader has the variant SOFT and reads INPUT_DEPTH_BEHIND.
+        bool softens = false;
+        /// Blended objects have the decals that lie on them, View::layer_decals(): variant LAYER_DECALS.
+        bool layer_decals = false;
         /// Draws that are resident::Draw::transmissive(), one by one with draw(); else the others. `vertex` may have
         /// TRANSMISSION.
         bool transmissive = false;
@@ -85,7 +90,7 @@ private:
     const resident::View& view_;
     uint32_t features_kept_;
     bool depth_only_, positions_only_;
-    bool only_decals_, blended_, transmissive_;
+    bool only_decals_, blended_, transmissive_, layer_decals_;
     bool later_, counts_, skips_; ///< the pass counts pixels, or leaves out what has none
     std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };

@@ -44,7 +44,7 @@ SurfaceDraws::Desc shading_desc(const resident::View& view, const ForwardInputs&
     SurfaceDraws::Desc desc = blended_desc(view, inputs, lists, more);
     desc.depth = gpu::DepthTest::equal; // exact: vertex_position() is invariant
     desc.blend = more ? gpu::Blend::add : gpu::Blend::none;
-    desc.blended = false;
+    desc.blended = desc.layer_decals = false;
     desc.transmissive = true;
     desc.vertex |= gpu::Variant::transmission;
     for (gpu::ShaderKey* shader : {&desc.fragment, &desc.own_fragment})

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <reference/pixel_shader.hpp>
 
 namespace prelight::reference {
@@ -213,10 +214,14 @@ void PixelShader::lay_over(uint32_t index) {
     if (layers_[index].empty())
         return;
     Sample& sample = samples_[index];
+    const double behind = sample.found ? sample.hit.distance : std::numeric_limits<double>::infinity();
     glm::dvec3 sum(0);
     double through = 1;
     for (const Hit& hit : layers_[index]) {
-        const Sample& layer = sample.layers.emplace_back(layer_at(index, hit));
+        Sample& layer = sample.layers.emplace_back(layer_at(index, hit));
+        if (const Draw& draw = world_.rays().draw(hit.draw); draw.material->softness > 0 && !draw.transmissive)
+            layer.surface.alpha *=
+                std::clamp((behind - hit.distance) / static_cast<double>(draw.material->softness), 0.0, 1.0);
         sum += through * layer.surface.alpha * glm::dvec3(layer.colour);
         through *= 1 - layer.surface.alpha;
         if (world_.rays().draw(hit.draw).transmissive) { // over the picture, whatever else is behind it
@@ -241,7 +246,8 @@ void PixelShader::lay_over_halves() {
 
 /// A blended surface in front of a sample, shaded.
 Sample PixelShader::layer_at(uint32_t index, const Hit& hit) {
-    const bool per_fragment = at_fragments(form_.samples.layers);
+    const bool soft = world_.rays().draw(hit.draw).material->softness > 0; // looks at each sample's depth
+    const bool per_fragment = at_fragments(form_.samples.layers) && !soft;
     Sample layer;
     layer.place = samples_[index].place;
     layer.ray = samples_[index].ray;

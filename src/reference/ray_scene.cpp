@@ -20,11 +20,34 @@ struct Context {
     RTCIntersectContext embree; // first, so that the pointers are the same
     const RayScene* scene;
     bool both_faces = false;                  ///< of single-sided materials too
+    bool casts_shadows = false;               ///< through what throws none
     bool meets_layers = false;                ///< as if they were opaque
     bool meets_nothing = false;               ///< it goes through all, and `crossed` tells of layers
     std::vector<Hole>* holes = nullptr;       ///< where what alpha tests let pass is told
     std::vector<Crossing>* crossed = nullptr; ///< likewise layers
 };
+
+/// As the camera sees it: vertices in the world's axes, relative to the origin of `to_world` and `previous`.
+Primitive faced(Primitive primitive, const glm::dmat3& to_world, const glm::dmat3& previous, const glm::dmat3& viewer) {
+    for (size_t v = 0; v < primitive.positions.size(); ++v) {
+        const glm::dvec3 offset = viewer * glm::dvec3(primitive.facing[v], 0);
+        primitive.positions[v] = glm::vec3(to_world * glm::dvec3(primitive.positions[v]) + offset);
+        if (!primitive.previous_positions.empty())
+            primitive.previous_positions[v] =
+                glm::vec3(previous * glm::dvec3(primitive.previous_positions[v]) + offset);
+        primitive.normals[v] = glm::vec3(viewer * glm::dvec3(primitive.normals[v]));
+        if (!primitive.tangents.empty())
+            primitive.tangents[v] = glm::vec4(viewer * glm::dvec3(primitive.tangents[v]), primitive.tangents[v].w);
+    }
+    return primitive;
+}
+
+/// Without what turns and stretches.
+glm::dmat4 moved_only(const glm::dmat4& transform) {
+    glm::dmat4 out(1);
+    out[3] = transform[3];
+    return out;
+}
 
 /// Inverse transpose without dividing by the determinant, which a flat scale makes zero.
 glm::dmat3 normal_matrix(const glm::dmat3& m, bool mirrored) {
@@ -93,7 +116,7 @@ struct RayScene::Embree {
 };
 
 RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textures, Transparency transparency,
-                   TransparentShadows transparent_shadows)
+                   TransparentShadows transparent_shadows, const glm::dmat3& viewer)
     : textures_(textures), transparency_(transparency), transparent_shadows_(transparent_shadows),
       embree_(std::make_unique<Embree>()) {
     const Scene& scene = *world.scene;
@@ -112,8 +135,16 @@ RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textur
         for (uint32_t p = 0; p < mesh.primitives.size(); ++p) {
             const Primitive& primitive = mesh.primitives[p];
             const Material& material = scene.materials.at(primitive.material);
-            draws_.push_back({i, p, &primitive, &material, to_world, previous_to_world, normal_matrix(linear, mirrored),
-                              mirrored, transparency == Transparency::layers && prelight::transmits(material)});
+            const bool transmissive = transparency == Transparency::layers && prelight::transmits(material);
+            if (primitive.facing.empty()) {
+                draws_.push_back({i, p, &primitive, &material, to_world, previous_to_world,
+                                  normal_matrix(linear, mirrored), mirrored, transmissive, false});
+                continue;
+            }
+            const Primitive& seen =
+                faced_.emplace_back(faced(primitive, linear, glm::dmat3(previous_to_world), viewer));
+            draws_.push_back({i, p, &seen, &material, moved_only(to_world), moved_only(previous_to_world),
+                              glm::dmat3(1), false, transmissive, true});
         }
     }
     for (const Draw& draw : draws_) {
@@ -160,7 +191,7 @@ void RayScene::add(const Draw& draw, const World& world) {
         }
         std::copy_n(primitive.indices.begin(), triangles * 3, indices);
         rtcSetGeometryIntersectFilterFunction(geometry, filter);
-        if (draw.material->alpha_mode == AlphaMode::mask || is_layer(draw))
+        if (draw.material->alpha_mode == AlphaMode::mask || is_layer(draw) || draw.facing)
             rtcSetGeometryOccludedFilterFunction(geometry, filter);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(embree_->scene, geometry, static_cast<unsigned>(&draw - draws_.data()));
@@ -186,6 +217,10 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     const Draw& draw = context.scene->draws_[hit.geomID];
     const float against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
 
+    if (context.casts_shadows && draw.facing) {
+        arguments->valid[0] = 0;
+        return;
+    }
     if (!context.both_faces && !draw.material->double_sided && (draw.mirrored ? against <= 0 : against >= 0)) {
         arguments->valid[0] = 0;
         return;
@@ -301,6 +336,7 @@ Passage RayScene::passage(const Ray& ray) const {
     Context context{.embree = {},
                     .scene = this,
                     .both_faces = true,
+                    .casts_shadows = true,
                     .meets_layers = transparent_shadows_ == TransparentShadows::opaque,
                     .crossed = transparent_shadows_ == TransparentShadows::filtered ? &crossed : nullptr};
     rtcInitIntersectContext(&context.embree);
@@ -324,7 +360,7 @@ Passage RayScene::passage(const Ray& ray) const {
 }
 
 double RayScene::blocked_at(const Ray& ray) const {
-    Context context{.embree = {}, .scene = this, .both_faces = true};
+    Context context{.embree = {}, .scene = this, .both_faces = true, .casts_shadows = true};
     rtcInitIntersectContext(&context.embree);
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <deque>
 #include <glm/mat3x3.hpp>
 #include <memory>
 #include <prelight/reference.hpp>
@@ -28,6 +29,7 @@ struct Draw {
     glm::dmat3 normal_to_world{1};   ///< inverse transpose, up to a positive factor
     bool mirrored;
     bool transmissive; ///< the picture behind it comes through; it throws no shadow
+    bool facing;       ///< it faces the camera, and throws no shadow either
 };
 
 struct Hit {
@@ -64,10 +66,12 @@ class RayScene {
 public:
     using Transparency = ReferenceForm::Transparency;
     using TransparentShadows = ReferenceForm::TransparentShadows;
+    /// `viewer`: right, up and backwards of the camera that is at `origin`, for what faces it (Primitive::facing).
     /// Throws Error when an index is out of range or Embree fails.
     RayScene(const World& world, glm::dvec3 origin, const Textures& textures,
              Transparency transparency = Transparency::opaque,
-             TransparentShadows transparent_shadows = TransparentShadows::opaque);
+             TransparentShadows transparent_shadows = TransparentShadows::opaque,
+             const glm::dmat3& viewer = glm::dmat3(1));
     ~RayScene();
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;
@@ -110,6 +114,7 @@ private:
     TransparentShadows transparent_shadows_;
     bool has_layers_ = false, transmits_ = false;
     std::vector<Draw> draws_;
+    std::deque<Primitive> faced_; ///< primitives that face the camera, as it sees them
     std::unique_ptr<Embree> embree_;
 };
 

@@ -3,13 +3,14 @@
 #include <glm/geometric.hpp>
 #include <reference/passed_surfaces.hpp>
 #include <reference/seen_world.hpp>
+#include <scene/takes_decals.hpp>
 
 namespace prelight::reference {
 
 SeenWorld::SeenWorld(const World& world, const PlacedCamera& camera, uint32_t width, uint32_t height,
                      const ReferenceForm& form, double aspect)
     : form_(form), world_(world), textures_(*world.scene, form.bilinear_level0),
-      rays_(world, camera.position, textures_, form.transparency, form.transparent_shadows),
+      rays_(world, camera.position, textures_, form.transparency, form.transparent_shadows, camera.axes),
       lights_(world, camera.position), environment_(world.scene->environment.get()),
       lens_(camera, width, height, aspect) {
     if (!world.decals.empty())
@@ -32,7 +33,7 @@ Surface SeenWorld::surface(const Hit& hit, uint32_t x, uint32_t y, glm::dvec2 pl
                               ? normal_spread(surface.normal, normal_beside(across), normal_beside(down))
                               : 0; // of the surface itself
     const Draw& draw = rays_.draw(hit.draw);
-    if (decals_ && world_.instances[draw.instance].receives_decals && draw.material->receives_decals)
+    if (decals_ && world_.instances[draw.instance].receives_decals && takes_decals(*draw.material))
         decals_->cover(surface);
     set_lamp_roughness(surface, spread);
     return surface;

@@ -66,6 +66,7 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
     counting_ = false;
     by_lists_ = false;
     in_half_samples_ = false;
+    decals_ = nullptr;
     taken_ = transparency_;
     const resident::GpuScene& scene = view.scene();
     if (settings.has("transparency") && !wanted())
@@ -82,8 +83,14 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
         settings.resolve("transparency", word, why);
     } else if (transparency_ == Transparency::half_samples) {
         in_half_samples_ = true;
+        if (scene.softens())
+            graph.note("transparency=half-samples: soft surfaces end sharply before what is opaque");
         settings.resolve("transparency", transparency_word(taken_), {});
     }
+    if (!in_half_samples_)
+        decals_ = view.layer_decals();
+    if (scene.blends() && !scene.decals().empty() && !resident::LayerDecals::fits(scene.context()))
+        graph.note("decals do not lie on blended surfaces: the device has too few samplers");
     choose_lists(settings, graph, view);
     view.find_blended_lights(!by_lists_ && !in_half_samples_);
 }
@@ -118,6 +125,8 @@ std::optional<graph::ImageId> BlendedSurfaces::add(graph::FrameGraph& graph, con
         return counted_;
     inputs.model = model_;
     inputs.sample_shading = sample_shading_;
+    if (view.scene().softens())
+        inputs.behind = inputs.depth;
     std::optional<passes::LightLists> own;
     if (by_lists_ && !lists)
         lists = &own.emplace(passes::grid_light_lists(graph, view, "blended"));
@@ -210,10 +219,13 @@ std::optional<passes::LitLayers> BlendedSurfaces::lit_layers(graph::FrameGraph& 
     if (asked_light_ == LightOfLayers::lists)
         return {};
     const bool asked = asked_light_ == LightOfLayers::light_buffer;
-    if (!layer_light.inputs) {
-        resolve_light_of_layers(settings, LightOfLayers::lists, layer_light.obstacle);
+    if (!layer_light.inputs || view.scene().softens() || view.layer_decals()) {
+        const std::string why = !layer_light.inputs   ? layer_light.obstacle
+                                : view.layer_decals() ? "decals lie on blended surfaces"
+                                                      : "soft surfaces look at the depth behind them";
+        resolve_light_of_layers(settings, LightOfLayers::lists, why);
         if (asked)
-            graph.note(fmt::format("layer-light=light-buffer: {}, lists are taken", layer_light.obstacle));
+            graph.note(fmt::format("layer-light=light-buffer: {}, lists are taken", why));
         return {};
     }
     const size_t lights = view.lights().placed().size();
@@ -248,6 +260,9 @@ void BlendedSurfaces::tell(Stats& stats) const {
     if (taken_ == Transparency::weighted && by_lists_ && draws > 0)
         stats.notes.push_back(fmt::format(
             "transparency=weighted: {} draws of blended surfaces are composed without order, approximately", draws));
+    if (decals_ && decals_->left_out() > 0)
+        stats.notes.push_back(fmt::format("{} decals on blended surfaces are left out: {} lie on one object at most",
+                                          decals_->left_out(), LAYER_DECALS_MOST));
     if (layers_ == 0)
         return;
     const passes::LayerCounter::Sums sums = counter_->last();

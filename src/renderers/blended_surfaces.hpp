@@ -98,8 +98,9 @@ private:
     bool counting_ = false, in_half_samples_ = false;
     gpu::SampleShading sample_shading_ = gpu::SampleShading::fragment;
     passes::LightModel model_;
-    bool by_lists_ = false;     ///< of the graph that is built
-    std::list<uint64_t> draws_; ///< of each of its passes
+    bool by_lists_ = false;                         ///< of the graph that is built
+    const resident::LayerDecals* decals_ = nullptr; ///< of its view
+    std::list<uint64_t> draws_;                     ///< of each of its passes
 };
 
 } // namespace prelight

@@ -64,6 +64,8 @@ private:
 
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
         const bool layers = view.scene().blends();
+        if (view.scene().softens())
+            graph.note("inferred: soft surfaces end sharply before what is opaque");
         layer_draws_ = 0;
         note_what_is_opaque(graph, view.scene(), has_layers(settings()) ? "inferred" : "inferred-layers=off");
         // At the light's resolution.

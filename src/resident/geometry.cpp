@@ -13,6 +13,8 @@
 #include <map>
 #include <prelight/error.hpp>
 #include <prelight/material_shader.hpp>
+#include <scene/mesh_facts.hpp>
+#include <scene/takes_decals.hpp>
 #include <set>
 #include <shared/bindings.h>
 #include <tuple>
@@ -30,7 +32,7 @@ uint16_t unorm16(float v) { return static_cast<uint16_t>(std::lround(std::clamp(
 
 VertexAttributes attributes_at(const Primitive& primitive, size_t v) {
     VertexAttributes a{};
-    a.normal = primitive.normals[v];
+    a.normal = primitive.facing.empty() ? primitive.normals[v] : glm::vec3(primitive.facing[v], 0);
     a.tangent = primitive.tangents.empty() ? glm::vec4(1, 0, 0, 1) : primitive.tangents[v];
     if (!primitive.texcoords[0].empty())
         a.texcoord_0 = primitive.texcoords[0][v];
@@ -165,6 +167,7 @@ void Draw::bound(const glm::dmat4& transform) {
     glm::dvec3 reach(0);
     for (int axis = 0; axis < 3; ++axis)
         reach += glm::abs(glm::dvec3(transform[axis])) * half[axis];
+    reach += static_cast<double>(facing_reach);
     low = centre - reach;
     high = centre + reach;
 }
@@ -208,17 +211,22 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, const 
             Draw& draw = geometry.draws.emplace_back(
                 Draw{place.first_index, static_cast<uint32_t>(primitive.indices.size()), place.vertex_offset, i,
                      primitive.material, features_of(*world.scene, material), shaders.index_of(material),
-                     instance.mirrored != turned, material.double_sided, static_cast<uint32_t>(p),
-                     shaped ? nullptr : &primitive});
+                     primitive.facing.empty() && instance.mirrored != turned, material.double_sided,
+                     static_cast<uint32_t>(p), shaped ? nullptr : &primitive});
             draw.own_low = shaped ? world.deformations[*instance.deformed].low : place.low;
             draw.own_high = shaped ? world.deformations[*instance.deformed].high : place.high;
+            draw.facing_reach = facing_reach(primitive);
             draw.place(instance);
-            if (instance.receives_decals && material.receives_decals && reaches_any(decals, draw.low, draw.high))
+            if (!primitive.facing.empty())
+                draw.features |= FEATURE_FACING;
+            if (instance.receives_decals && takes_decals(material) && reaches_any(decals, draw.low, draw.high))
                 draw.features |= FEATURE_DECALS;
             if (settings.blends && material.alpha_mode == AlphaMode::blend)
                 draw.features |= FEATURE_BLENDED;
             if (settings.transmits && transmits(material))
                 draw.features |= FEATURE_TRANSMISSIVE;
+            else if (draw.blended() && material.softness > 0)
+                draw.features |= FEATURE_SOFT;
         }
     }
     if (vertices.positions.size() > 0x7fffffffu || vertices.indices.size() > 0xffffffffu)

@@ -15,10 +15,11 @@ GpuScene::GpuScene(const gpu::Context& context, const World& world, const GpuSce
             deformation_.emplace(context, world, geometry_);
     for (const Instance& instance : world.instances)
         shown_.emplace_back(instance.mesh, instance.deformed);
-    blends_ =
-        std::any_of(geometry_.draws.begin(), geometry_.draws.end(), [](const Draw& draw) { return draw.blended(); });
-    transmits_ = std::any_of(geometry_.draws.begin(), geometry_.draws.end(),
-                             [](const Draw& draw) { return draw.transmissive(); });
+    for (const Draw& draw : geometry_.draws) {
+        blends_ = blends_ || draw.blended();
+        softens_ = softens_ || (draw.features & FEATURE_SOFT) != 0;
+        transmits_ = transmits_ || draw.transmissive();
+    }
     if (settings.casters)
         upload_casters();
 }

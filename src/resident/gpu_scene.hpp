@@ -45,6 +45,8 @@ public:
     const Materials& materials() const { return materials_; }
     /// Some draw is Draw::blended(), visible or not.
     bool blends() const { return blends_; }
+    /// Some blended draw fades before what is opaque (Material::softness).
+    bool softens() const { return softens_; }
     /// Some draw is Draw::transmissive(), visible or not.
     bool transmits() const { return transmits_; }
     /// Something is drawn over the opaque picture.
@@ -78,7 +80,7 @@ private:
     Geometry geometry_;
     std::optional<DeviceDeformation> deformation_;
     WorldBox box_;
-    bool blends_ = false, transmits_ = false;
+    bool blends_ = false, softens_ = false, transmits_ = false;
     gpu::Buffer caster_rows_;
     /// What instances show, as it was uploaded: mesh and deformed mesh.
     std::vector<std::pair<uint32_t, std::optional<uint32_t>>> shown_;

@@ -37,24 +37,6 @@ const TextureRef& own_texture(const Material& material, const std::string& name)
     return found == material.textures.end() ? none : found->second;
 }
 
-shared::MaterialConstants constants_of(const Material& m, double exposure) {
-    shared::MaterialConstants c{};
-    c.base_colour = m.base_colour;
-    c.emissive = glm::vec4(m.emissive * static_cast<float>(exposure), m.alpha_cutoff);
-    c.factors = glm::vec4(m.metallic, m.roughness, m.normal_scale, m.occlusion_strength);
-    const auto place = [&](uint32_t binding, const TextureRef& ref) {
-        c.uv_linear[binding - 1] = glm::vec4(ref.uv_linear[0], ref.uv_linear[1]);
-        c.uv_offset[binding - 1] =
-            glm::vec4(ref.uv_offset, float(ref.texcoord), share_tangents(ref, m.normal_texture) ? 1 : 0);
-    };
-    for (const Slot& slot : slots)
-        place(slot.binding, m.*slot.ref);
-    if (m.shader)
-        for (const MaterialTexture& own : m.shader->textures)
-            place(MATERIAL_OWN_TEXTURE + own.slot, own_texture(m, own.name));
-    return c;
-}
-
 /// For each material what the alpha of its base-colour texture is compared with: its cut-off over the alpha that the
 /// texture is multiplied by, of the vertices their mean. 0: it has no mask, or one that its texture does not decide.
 std::vector<float> mask_cutoffs(const Scene& scene) {
@@ -199,6 +181,25 @@ private:
 
 } // namespace
 
+shared::MaterialConstants material_constants(const Material& m, double exposure) {
+    shared::MaterialConstants c{};
+    c.base_colour = m.base_colour;
+    c.emissive = glm::vec4(m.emissive * static_cast<float>(exposure),
+                           m.alpha_mode == AlphaMode::blend ? m.softness : m.alpha_cutoff);
+    c.factors = glm::vec4(m.metallic, m.roughness, m.normal_scale, m.occlusion_strength);
+    const auto place = [&](uint32_t binding, const TextureRef& ref) {
+        c.uv_linear[binding - 1] = glm::vec4(ref.uv_linear[0], ref.uv_linear[1]);
+        c.uv_offset[binding - 1] =
+            glm::vec4(ref.uv_offset, float(ref.texcoord), share_tangents(ref, m.normal_texture) ? 1 : 0);
+    };
+    for (const Slot& slot : slots)
+        place(slot.binding, m.*slot.ref);
+    if (m.shader)
+        for (const MaterialTexture& own : m.shader->textures)
+            place(MATERIAL_OWN_TEXTURE + own.slot, own_texture(m, own.name));
+    return c;
+}
+
 std::vector<MaterialKey> material_keys(const Scene& scene) {
     const std::vector<float> cutoffs = mask_cutoffs(scene);
     std::vector<MaterialKey> keys;
@@ -210,6 +211,7 @@ std::vector<MaterialKey> material_keys(const Scene& scene) {
                                                          .double_sided = material.double_sided,
                                                          .receives_decals = material.receives_decals,
                                                          .transmits = transmits(material),
+                                                         .soft = material.softness > 0,
                                                          .mask_cutoff = cutoffs[m],
                                                          .textures = {}});
         const auto add = [&](const TextureRef& ref) { key.textures.emplace_back(ref.image, ref.sampler); };
@@ -226,7 +228,7 @@ void update_material(const Materials& materials, const Scene& scene, uint32_t in
                      gpu::BufferUpdates& updates) {
     const Material& material = scene.materials[index];
     check_material(material, fmt::format("{}: material {} ({})", scene.name, index, material.name));
-    const shared::MaterialConstants constants = constants_of(material, exposure);
+    const shared::MaterialConstants constants = material_constants(material, exposure);
     updates.write(materials.constants, index * materials.constants_stride, std::as_bytes(std::span(&constants, 1)));
     if (!material.shader)
         return;
@@ -276,7 +278,7 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
     std::vector<std::byte> constants(stride * scene.materials.size()),
         parameters(parameter_stride * scene.materials.size());
     for (size_t m = 0; m < scene.materials.size(); ++m) {
-        const shared::MaterialConstants c = constants_of(scene.materials[m], exposure);
+        const shared::MaterialConstants c = material_constants(scene.materials[m], exposure);
         std::memcpy(constants.data() + m * stride, &c, sizeof c);
         if (scene.materials[m].shader)
             write_parameters(scene.materials[m], parameters.data() + m * parameter_stride);
@@ -295,6 +297,8 @@ Materials upload_materials(const gpu::Context& context, const Scene& scene, gpu:
         for (const Slot& slot : slots)
             set.push_back(cache.binding(slot.binding, slot.use, material.*slot.ref, MaterialTexture::StandIn::white,
                                         slot.binding == MATERIAL_BASE_COLOUR ? out.keys[m].mask_cutoff : 0));
+        if (out.surface_maps.size() == m)
+            out.surface_maps.push_back({set[1], set[2], set[3]});
         for (uint32_t slot = 0; slot < MATERIAL_OWN_TEXTURES; ++slot)
             set.push_back(cache.own_binding(material, slot));
         set.push_back(gpu::Binding::texture(MATERIAL_ENVIRONMENT, out.environment->view(), out.environment_sampler));

@@ -10,6 +10,7 @@
 #include <prelight/scene.hpp>
 #include <resident/material_shaders.hpp>
 #include <shared/bindings.h>
+#include <shared/frame.h>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -24,13 +25,15 @@ struct Draw {
     int32_t vertex_offset = 0;
     uint32_t object = 0; ///< index into World::instances
     uint32_t material = 0;
-    uint32_t features = 0; ///< FEATURE_… bits of its material, and those of its own: DECALS, BLENDED, TRANSMISSIVE
-    uint32_t shader = 0;   ///< of its material: index into Materials::shaders
+    /// FEATURE_… bits of its material, and those of its own: DECALS, BLENDED, SOFT, TRANSMISSIVE, FACING.
+    uint32_t features = 0;
+    uint32_t shader = 0; ///< of its material: index into Materials::shaders
     bool mirrored = false;
     bool double_sided = false;
     uint32_t part = 0;                    ///< index into Mesh::primitives
     const Primitive* primitive = nullptr; ///< whose indices and vertices these are; null: the device makes the vertices
-    glm::vec3 own_low{0}, own_high{0};    ///< a box around its vertices, object space
+    glm::vec3 own_low{0}, own_high{0};    ///< a box around its vertices' positions, object space
+    float facing_reach = 0;               ///< metres that these stand from them at most
     glm::dvec3 low{0}, high{0};           ///< the same in world space
     std::array<glm::vec4, 3> normal_row{}; ///< of the object's record
     bool visible = true;
@@ -40,6 +43,8 @@ struct Draw {
     bool blended() const { return (features & FEATURE_BLENDED) != 0 && !transmissive(); }
     /// Drawn between both, and shows what is opaque behind it.
     bool transmissive() const { return (features & FEATURE_TRANSMISSIVE) != 0; }
+    /// Its vertices stand in the viewer's plane (Primitive::facing), whichever way the object is turned.
+    bool facing() const { return (features & FEATURE_FACING) != 0; }
     /// After a change of `own_low` and `own_high`, or of the object's transform.
     void bound(const glm::dmat4& transform);
     /// All that follows from where the object is: also its record, and whether it shows.
@@ -93,7 +98,7 @@ enum class TextureUse { colour, values, normals };
 struct MaterialKey {
     const MaterialShader* shader = nullptr;
     AlphaMode alpha_mode = AlphaMode::opaque;
-    bool unlit = false, double_sided = false, receives_decals = true, transmits = false;
+    bool unlit = false, double_sided = false, receives_decals = true, transmits = false, soft = false;
     float mask_cutoff = 0;                              ///< that the levels of its texture were made for
     std::vector<std::pair<uint32_t, Sampler>> textures; ///< image and sampler of each slot
     bool operator==(const MaterialKey&) const = default;
@@ -120,6 +125,8 @@ struct Materials {
     gpu::Buffer environment_light; ///< EnvironmentConstants
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
     gpu::DescriptorSets sets; ///< by material index
+    /// Likewise: textures of base colour, metallic-roughness and normals as they are bound there.
+    std::vector<std::array<gpu::Binding, 3>> surface_maps;
     std::optional<gpu::DescriptorSets> isotropic_sets;
     /// For shaders that say themselves how large a footprint is (textureGrad): without anisotropic filtering on a
     /// software device, for lavapipe's takes its steps from neighbouring pixels whatever it is told.
@@ -134,6 +141,9 @@ std::pair<glm::vec3, glm::vec3> box_of(std::span<const glm::vec3> points);
 struct DecalBox;
 /// FEATURE_… bits of a material.
 uint32_t features_of(const Scene& scene, const Material& material);
+
+/// `exposure`: factor on emissive light.
+shared::MaterialConstants material_constants(const Material& material, double exposure);
 
 struct GpuSceneSettings;
 /// `decals`: what may reach objects.

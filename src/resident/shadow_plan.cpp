@@ -51,7 +51,7 @@ void ShadowPlan::find_moved() {
 }
 
 bool ShadowPlan::casts(const Frustum& sight, uint32_t draw) const {
-    if (!draws_[draw].visible || draws_[draw].transmissive())
+    if (!draws_[draw].visible || draws_[draw].transmissive() || draws_[draw].facing())
         return false;
     if (options_.blended == TransparentShadows::none && draws_[draw].blended())
         return false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
+#include <scene/mesh_facts.hpp>
+#include <scene/takes_decals.hpp>
 #include <shared/bindings.h>
 #include <tuple>
 
@@ -37,6 +39,7 @@ void GpuScene::set_shape(Draw& draw) const {
     }
     draw.primitive = &world_.mesh_of(instance).primitives[draw.part];
     std::tie(draw.own_low, draw.own_high) = box_of(draw.primitive->positions);
+    draw.facing_reach = facing_reach(*draw.primitive);
 }
 
 bool GpuScene::fits(uint32_t i, std::span<const DecalBox> decals) const {
@@ -45,9 +48,9 @@ bool GpuScene::fits(uint32_t i, std::span<const DecalBox> decals) const {
         return false;
     for (const uint32_t d : geometry_.draws_of[i]) {
         Draw moved = geometry_.draws[d];
-        if (moved.mirrored != (instance.mirrored != is_turned(instance)))
+        if (!moved.facing() && moved.mirrored != (instance.mirrored != is_turned(instance)))
             return false;
-        const bool receives = instance.receives_decals && world_.scene->materials[moved.material].receives_decals;
+        const bool receives = instance.receives_decals && takes_decals(world_.scene->materials[moved.material]);
         const bool drawn_with_decals = (moved.features & FEATURE_DECALS) != 0;
         if (drawn_with_decals && !receives)
             return false;

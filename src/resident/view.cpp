@@ -42,6 +42,8 @@ View::View(const GpuScene& scene, const LightSet& lights, const ViewSettings& se
                                     (settings.measures_light ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0),
                                 gpu::BufferPlace::upload);
     make_draw_buffers();
+    if (LayerDecals::wanted(scene))
+        layer_decals_.emplace(scene);
     if (settings_.shadows.on) {
         shadows_.emplace(scene.geometry().draws, settings_.shadows, context().limits().maxImageDimension2D);
         shadow_sampler_ = gpu::make_compare_sampler(context(), VK_FORMAT_D32_SFLOAT);
@@ -54,13 +56,15 @@ void View::make_draw_buffers() {
         return gpu::Buffer(context(), name, std::max<uint64_t>(bytes, 4), usage, gpu::BufferPlace::upload);
     };
     const uint64_t draws = scene_.geometry().draws.size();
-    uint64_t indices = 0;
-    for (const Draw& draw : scene_.geometry().draws)
+    uint64_t indices = 0, facing = 0;
+    for (const Draw& draw : scene_.geometry().draws) {
         indices += draw.index_count;
+        facing += draw.facing() ? draw.index_count : 0;
+    }
     indices = std::min(indices, most_trimmed);
     const DrawOptions& options = settings_.draws;
     const VkBufferUsageFlags storage = options.trims_on_device() ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
-    const uint64_t host_indices = options.trimming == IndexTrimming::host ? indices : 0;
+    const uint64_t host_indices = options.trimming == IndexTrimming::host ? indices : std::min(facing, most_trimmed);
     for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot) {
         objects_[slot] =
             make("objects", draws * sizeof(shared::ObjectData), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | storage);
@@ -188,6 +192,8 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
         find_layer_slots(layers_, scene_.geometry(), world, next, eye_, extent);
     std::copy(groups_.order.begin(), groups_.order.end(), target.order.mapped<uint32_t>());
     std::copy(groups_.bounds.begin(), groups_.bounds.end(), target.bounds.mapped<shared::LightScreenBounds>());
+    if (layer_decals_)
+        layer_decals_->update(scene_, eye_, slot);
     if (shadows_)
         update_shadows(camera, next);
     reach_ = find_reach(scene_.geometry().draws, lights_.placed(), groups_.order, settings_.object_lights,

@@ -1,6 +1,7 @@
 #pragma once
 #include "device_trimming.hpp"
 #include "gpu_scene.hpp"
+#include "layer_decals.hpp"
 #include "layer_slots.hpp"
 #include "light_reach.hpp"
 #include "light_set.hpp"
@@ -75,6 +76,8 @@ public:
     const VisibleDraws& visible() const { return visible_; }
     /// Of its blended draws, with ViewSettings::layers.
     const LayerSlots& layers() const { return layers_; }
+    /// Decals of blended draws; null: there are none, or no room for them.
+    const LayerDecals* layer_decals() const { return layer_decals_ ? &*layer_decals_ : nullptr; }
     /// Shadow maps of the last update(); null without shadows.
     const ShadowPlan* shadows() const { return shadows_ ? &*shadows_ : nullptr; }
     /// The camera's position of the last update(), world space: the origin of what shaders call world.
@@ -134,6 +137,7 @@ private:
     LightGroups groups_;
     LightReach reach_;
     LayerSlots layers_;
+    std::optional<LayerDecals> layer_decals_;
     std::optional<ShadowPlan> shadows_;
     gpu::UniqueSampler shadow_sampler_; ///< compares
     glm::dvec3 eye_{0};

@@ -1,4 +1,5 @@
 #include "visible_draws.hpp"
+#include "facing_sorter.hpp"
 #include "frustum.hpp"
 #include "objects.hpp"
 #include "sort_draws.hpp"
@@ -52,6 +53,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
 
     IndexTrimmer trimmer({constants.clip_from_world, static_cast<float>(raster.extent.width),
                           static_cast<float>(raster.extent.height), subpixel_bits, raster.samples});
+    FacingSorter facing(glm::dvec3(constants.forward));
     size_t used = 0, device_used = 0;
     uint32_t kept = 0;
     out.opaque = out.transmissives = 0;
@@ -60,17 +62,20 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         const Draw& draw = all[one.draw];
         shared::ObjectData object = object_data(world.instances[draw.object], draw.normal_row, eye);
         object.normal_row[1].w = static_cast<float>(one.draw + 1);
-        if (options.trimming == IndexTrimming::host && draw.primitive &&
-            used + draw.index_count <= buffers.indices.size()) {
+        const bool fits = draw.primitive && used + draw.index_count <= buffers.indices.size();
+        if (fits && (draw.facing() || options.trimming == IndexTrimming::host)) {
             one.first_index = static_cast<uint32_t>(used);
-            one.index_count = static_cast<uint32_t>(
-                trimmer.trim(*draw.primitive, object, draw.mirrored, draw.double_sided, &buffers.indices[used]));
+            one.index_count =
+                static_cast<uint32_t>(draw.facing() ? facing.sort(*draw.primitive, object, &buffers.indices[used])
+                                                    : trimmer.trim(*draw.primitive, object, draw.mirrored,
+                                                                   draw.double_sided, &buffers.indices[used]));
             one.trimmed = true;
             used += one.index_count;
         }
         if (one.index_count == 0)
             continue;
-        if (options.trims_on_device() && d < solid && device_used + one.index_count <= buffers.device_indices &&
+        if (options.trims_on_device() && d < solid && !draw.facing() &&
+            device_used + one.index_count <= buffers.device_indices &&
             (options.trimming != IndexTrimming::host || one.trimmed)) {
             one.device_trimmed = true;
             device_used += one.index_count;

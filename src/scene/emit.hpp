@@ -10,6 +10,7 @@ namespace prelight {
 struct Particle {
     glm::dvec3 position{0}, velocity{0}; ///< world, metres and metres a second
     double share = 0;                    ///< of its life, 0 ≤ share < 1
+    double age = 0;                      ///< seconds
     int64_t life = 0;                    ///< how many it has had
 };
 
@@ -23,7 +24,7 @@ glm::vec3 particle_colour(const Emitter& emitter, double share);
 /// What an emitter shows at a time.
 struct Emission {
     std::vector<PlacedLight> lights;
-    std::optional<Primitive> shapes; ///< octahedra around `origin`; absent: Emitter::size is 0
+    std::optional<Primitive> shapes; ///< Emitter::shape, around `origin`; absent: Emitter::size is 0
     glm::dvec3 origin{0};            ///< world
 };
 /// `node`, `before`: node → world now and `interval` seconds earlier; without `before` nothing has moved. Throws Error

@@ -20,8 +20,10 @@ bool any_node(const Scene& scene, std::optional<uint32_t> scene_index, Wanted wa
 } // namespace
 
 bool is_lit(const Scene& scene, std::optional<uint32_t> scene_index) {
-    return scene.environment || scene.ambient != glm::vec3(0) ||
-           any_node(scene, scene_index, [](const Node& node) { return node.light || node.emitter; });
+    return scene.environment || scene.ambient != glm::vec3(0) || any_node(scene, scene_index, [&](const Node& node) {
+               return node.light ||
+                      (node.emitter && *node.emitter < scene.emitters.size() && scene.emitters[*node.emitter].lights);
+           });
 }
 
 bool has_camera(const Scene& scene, std::optional<uint32_t> scene_index) {

@@ -38,13 +38,15 @@ MeshFacts facts_of(const Mesh& mesh) {
         std::vector<bool> seen(primitive.positions.size());
         for (uint32_t index : primitive.indices)
             seen[index] = true;
+        const double reach = facing_reach(primitive);
         auto& used = facts.used.emplace_back();
         const auto count = size_t(std::count(seen.begin(), seen.end(), true));
         facts.vertices += count;
         for (uint32_t i = 0; i < seen.size(); ++i) {
             if (!seen[i])
                 continue;
-            facts.box.add(glm::dvec3(primitive.positions[i]));
+            facts.box.add(glm::dvec3(primitive.positions[i]) - reach);
+            facts.box.add(glm::dvec3(primitive.positions[i]) + reach);
             if (count != seen.size())
                 used.push_back(i);
         }

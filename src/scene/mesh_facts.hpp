@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -8,6 +9,14 @@
 #include <vector>
 
 namespace prelight {
+
+/// Metres that a primitive's vertices may stand from their positions, whoever looks (Primitive::facing).
+inline float facing_reach(const Primitive& primitive) {
+    float reach = 0;
+    for (const glm::vec2& offset : primitive.facing)
+        reach = std::max(reach, std::hypot(offset.x, offset.y));
+    return reach;
+}
 
 struct Bounds {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};

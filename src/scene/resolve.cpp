@@ -264,8 +264,10 @@ private:
         Instance instance{
             .node = node, .deformed = static_cast<uint32_t>(world_.deformed.size()), .receives_decals = false};
         instance.transform[3] = glm::dvec4(emission.origin, 1);
+        const double reach = facing_reach(*emission.shapes);
         for (const glm::vec3& position : emission.shapes->positions)
-            add_point(instance.transform, glm::dvec3(position));
+            for (const double way : {-reach, reach})
+                add_point(instance.transform, glm::dvec3(position) + way);
         world_.triangles += emission.shapes->indices.size() / 3;
         world_.instances.push_back(instance);
         world_.deformations.emplace_back();

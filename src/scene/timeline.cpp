@@ -34,7 +34,7 @@ bool same_place(const Instance& a, const Instance& b) {
 
 bool same_vertices(const Primitive& a, const Primitive& b) {
     return a.positions == b.positions && a.previous_positions == b.previous_positions && a.normals == b.normals &&
-           a.tangents == b.tangents && a.colours == b.colours && a.texcoords == b.texcoords;
+           a.tangents == b.tangents && a.colours == b.colours && a.texcoords == b.texcoords && a.facing == b.facing;
 }
 
 bool same_shape(const Mesh& a, const Mesh& b) {

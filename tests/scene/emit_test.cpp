@@ -171,6 +171,46 @@ TEST(Emitter, IsLightsAndShapesOfTheWorld) {
     }
 }
 
+TEST(Emitter, BillboardsAreSquaresAroundTheirParticles) {
+    Fountain fountain;
+    Emitter& e = fountain.scene.emitters[0];
+    e.shape = ParticleShape::billboard;
+    e.lights = false;
+    e.sizes = {1, 3};
+    e.opacities = {0, 1, 0};
+    e.spin = 2;
+    const World world = resolve(fountain.scene, {}, Moment{2.5});
+    EXPECT_EQ(world.lights.size(), 1u) << "the lamp alone";
+    EXPECT_EQ(world.triangles, 30u * 2);
+    const Primitive& shapes = world.mesh_of(world.instances.at(0)).primitives.at(0);
+    ASSERT_EQ(shapes.facing.size(), 30u * 4);
+    for (uint32_t i = 0; i < 30; ++i) {
+        const Particle p = particle_at(e, tilted(), i, 2.5);
+        const double size = 0.02 * (1 + 2 * p.share), area = size * size * 4;
+        glm::dvec2 middle(0);
+        double twice = 0; // the area, counter-clockwise
+        for (uint32_t c = 0; c < 4; ++c) {
+            const glm::dvec2 a = shapes.facing[4 * i + c], b = shapes.facing[4 * i + (c + 1) % 4];
+            middle += a;
+            twice += a.x * b.y - a.y * b.x;
+            EXPECT_NEAR(glm::length(glm::dvec3(shapes.positions[4 * i + c]) - (p.position - glm::dvec3(tilted()[3]))),
+                        0, 1e-6);
+            EXPECT_NEAR(shapes.colours[4 * i + c].a, 1 - std::abs(2 * p.share - 1), 1e-6);
+            const glm::dvec3 place(world.instances[0].transform * glm::dvec4(shapes.positions[4 * i + c], 1));
+            EXPECT_TRUE(glm::all(glm::lessThanEqual(world.bounds_min + size, place + 1e-6)) &&
+                        glm::all(glm::lessThanEqual(place + size, world.bounds_max + 1e-6)));
+        }
+        EXPECT_NEAR(glm::length(middle), 0, 1e-7);
+        EXPECT_NEAR(twice / 2, area, 1e-6);
+        // The tangent is where the picture's u grows.
+        const glm::dvec2 along = glm::dvec2(shapes.facing[4 * i + 1] - shapes.facing[4 * i]) / (2 * size);
+        EXPECT_NEAR(glm::length(along - glm::dvec2(shapes.tangents[4 * i])), 0, 1e-5);
+    }
+    const World later = resolve(fountain.scene, {}, Moment{2.51});
+    const Primitive& turned = later.mesh_of(later.instances.at(0)).primitives.at(0);
+    EXPECT_NE(turned.tangents, shapes.tangents) << "they turn";
+}
+
 TEST(Emitter, AnyFrameByItselfAndByItsSeed) {
     Fountain fountain;
     const World a = resolve(fountain.scene, {}, Moment{0.4}), b = resolve(fountain.scene, {}, Moment{0.4});

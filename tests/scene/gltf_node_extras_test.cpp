@@ -115,6 +115,27 @@ TEST(GltfNodeExtras, EmittersAreReadAndWritten) {
     }
 }
 
+TEST(GltfNodeExtras, BillboardsAreReadAndWritten) {
+    const Scene first = node_with_own({{"emitter",
+                                        {{"shape", "billboard"},
+                                         {"lights", false},
+                                         {"sizes", {0.5, 2}},
+                                         {"opacities", {0, 1, 0.25}},
+                                         {"spin", 1.5},
+                                         {"material", 0}}}})
+                            .load();
+    for (const Scene& scene : {first, saved_and_loaded(first)}) {
+        ASSERT_EQ(scene.emitters.size(), 1u);
+        const Emitter& e = scene.emitters[0];
+        EXPECT_EQ(e.shape, ParticleShape::billboard);
+        EXPECT_FALSE(e.lights);
+        EXPECT_EQ(e.sizes, (std::vector<float>{0.5f, 2}));
+        EXPECT_EQ(e.opacities, (std::vector<float>{0, 1, 0.25f}));
+        EXPECT_EQ(e.spin, 1.5f);
+    }
+    EXPECT_FALSE(is_lit(first)) << "particles that are no lights";
+}
+
 TEST(GltfNodeExtras, WrongEmittersAreOneLine) {
     const auto error = [](Json emitter) {
         if (!emitter.contains("material"))
@@ -133,6 +154,11 @@ TEST(GltfNodeExtras, WrongEmittersAreOneLine) {
     EXPECT_THAT(error({{"colours", {{1, 2, -1}}}}), HasSubstr("colours is not"));
     EXPECT_THAT(error({{"range", 0}}), HasSubstr("range is 0"));
     EXPECT_THAT(error({{"material", 5}}), HasSubstr("material is 5"));
+    EXPECT_THAT(error({{"shape", "cube"}}), HasSubstr("shape \"cube\" is not known (octahedron, billboard)"));
+    EXPECT_THAT(error({{"sizes", Json::array()}}), HasSubstr("sizes is not an array of 1 to 64 numbers"));
+    EXPECT_THAT(error({{"opacities", {0.5, 1.5}}}), HasSubstr("opacities is not an array"));
+    EXPECT_THAT(error({{"sizes", {1, "x"}}}), HasSubstr("sizes is not an array"));
+    EXPECT_THAT(error({{"spin", -1}}), HasSubstr("spin is -1"));
     EXPECT_EQ(node_with_own({{"emitter", {{"size", 0}}}}).load().emitters.size(), 1u)
         << "without shapes no material is needed";
 }

@@ -70,7 +70,7 @@ Counts count(const Scene& scene) {
             for (const Primitive& primitive : scene.meshes.at(*node.mesh).primitives)
                 counts.triangles += primitive.indices.size() / 3;
         }
-        if (node.emitter)
+        if (node.emitter && scene.emitters.at(*node.emitter).lights)
             counts.lights += scene.emitters.at(*node.emitter).count;
         if (node.light) {
             ++counts.lights;

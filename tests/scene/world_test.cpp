@@ -179,6 +179,7 @@ TEST(IsLit, ByLightsEmittersAmbientAndEnvironment) {
     scene.scenes.push_back({"other", {2}});
     EXPECT_FALSE(is_lit(scene));
     scene.lights.emplace_back();
+    scene.emitters.emplace_back();
     EXPECT_FALSE(is_lit(scene)) << "a light that no node has";
     scene.nodes[3].light = 0;
     EXPECT_FALSE(is_lit(scene));

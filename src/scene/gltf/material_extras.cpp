@@ -54,6 +54,11 @@ void read_material_extras(Textures& textures, const Item& item, Material& materi
     if (!own)
         return;
     material.receives_decals = own->flag("receivesDecals", true);
+    const double softness = own->number("softness", 0);
+    if (softness >= 0 && std::isfinite(static_cast<float>(softness)))
+        material.softness = static_cast<float>(softness);
+    else
+        own->warn("softness is {}, and not metres ≥ 0; it is ignored", softness);
     bool there = false;
     const simdjson::dom::object parameters = members(*own, "parameters", there);
     if (there)

@@ -90,6 +90,25 @@ std::vector<glm::vec3> read_colours(const Item& item, std::vector<glm::vec3> abs
     return out;
 }
 
+/// 1 to 64 numbers from 0 to `high`.
+std::vector<float> read_steps(const Item& item, std::string_view key, std::vector<float> absent, double high) {
+    const auto found = item.find(key);
+    if (!found)
+        return absent;
+    constexpr size_t most = 64;
+    simdjson::dom::array list;
+    bool good = !found->get_array().get(list) && list.size() >= 1 && list.size() <= most;
+    std::vector<float> out;
+    for (const simdjson::dom::element& element : list) {
+        double value = 0;
+        good = good && !element.get_double().get(value) && value >= 0 && value <= high;
+        out.push_back(static_cast<float>(value));
+    }
+    if (!good)
+        throw Unfit(fmt::format("{} is not an array of 1 to {} numbers within 0 … {:.6g}", key, most, high));
+    return out;
+}
+
 Emitter read_emitter(Document& document, const Item& item) {
     constexpr uint64_t most = 65536;
     constexpr double far = 1e6; // metres, seconds, candela: beyond it nothing is meant
@@ -116,11 +135,20 @@ Emitter read_emitter(Document& document, const Item& item) {
     out.colours = read_colours(item, out.colours);
     out.intensity = within(item, "intensity", out.intensity, 0, far);
     out.range = within(item, "range", out.range, 1e-3, far);
+    out.lights = item.flag("lights", true);
     out.size = within(item, "size", out.size, 0, far);
     out.streak = within(item, "streak", out.streak, 0, far);
     if (out.size > 0)
         out.material = item.required_index("material", document.count(Table::materials));
     out.casts_shadow = item.flag("castsShadow", false);
+    const std::string shape = item.text("shape");
+    if (shape == "billboard")
+        out.shape = ParticleShape::billboard;
+    else if (!shape.empty() && shape != "octahedron")
+        throw Unfit(fmt::format("shape \"{}\" is not known (octahedron, billboard)", printable(shape)));
+    out.sizes = read_steps(item, "sizes", out.sizes, far);
+    out.opacities = read_steps(item, "opacities", out.opacities, 1);
+    out.spin = within(item, "spin", out.spin, 0, far);
     return out;
 }
 

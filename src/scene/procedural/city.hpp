@@ -23,4 +23,8 @@ Scene make_city_sparks(uint32_t lights, uint64_t seed);
 /// on the pavements, canopies of cloth above shops. The lights are `city`'s.
 Scene make_city_glass(uint32_t lights, uint64_t seed);
 
+/// `city-sparks` with steam over eight vents: 8,192 particles that are soft billboards and no lights. The lights are
+/// `city-sparks`'s.
+Scene make_city_smoke(uint32_t lights, uint64_t seed);
+
 } // namespace prelight

@@ -18,4 +18,11 @@ TextureImage smoke_puff() {
     return city::paint("smoke", 64, 64, texel, false);
 }
 
+TextureImage puff_slopes() {
+    return map_painting::normals_of("puff slopes", [](double u, double v) {
+        const double out = 2 * std::hypot(u - 0.5, v - 0.5);
+        return 0.6 * std::sqrt(std::max(1 - out * out, 0.04));
+    });
+}
+
 } // namespace prelight

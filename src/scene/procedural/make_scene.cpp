@@ -31,6 +31,8 @@ constexpr auto entries = std::to_array<Entry>({
     {{"city", "a wet street at night: facades, cars, neon, lamps, string lights", 1024}, make_city},
     {{"city-sparks", "the same street with sparks of welding, each a moving light: 8 in 9 of the lights", 9216},
      make_city_sparks},
+    {{"city-smoke", "city-sparks with the steam of eight vents: 8,192 soft billboards, lit by all lights", 9216},
+     make_city_smoke},
     {{"city-glass", "the same street with glass shelters and canopies of cloth, blended", 1024}, make_city_glass},
     {{"spheres", "shininess x metalness grid of spheres", 8}, make_spheres_scene},
     {{"lights", "yardstick for speed: 144 spheres, 121 columns, small point lights", 1024}, make_lights_scene},

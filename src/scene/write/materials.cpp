@@ -120,6 +120,8 @@ private:
             own["material"] = material.shader->name;
         if (!material.receives_decals)
             own["receivesDecals"] = false;
+        if (material.softness > 0)
+            own["softness"] = checked(material.softness);
         for (const auto& [name, value] : material.parameters) {
             const MaterialParameter* declared = material.shader ? material.shader->find_parameter(name) : nullptr;
             const uint32_t components = declared ? declared->components : 4;

@@ -40,6 +40,8 @@ private:
     Json write(const Primitive& primitive) {
         if (primitive.material >= scene_.materials.size())
             document_.fail(object_, "uses a material that is not there");
+        if (!primitive.facing.empty())
+            document_.fail(object_, "has triangles that face the viewer, which only emitters have in a file");
         Json entry;
         Json& attributes = entry["attributes"];
         attributes["POSITION"] = positions(primitive);

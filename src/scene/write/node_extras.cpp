@@ -47,15 +47,32 @@ Json emitter_entry(const Emitter& e) {
         entry["material"] = e.material;
     if (e.casts_shadow)
         entry["castsShadow"] = true;
+    if (!e.lights)
+        entry["lights"] = false;
+    if (e.shape == ParticleShape::billboard)
+        entry["shape"] = "billboard";
+    const auto steps = [&](const char* key, const std::vector<float>& values) {
+        if (values == std::vector<float>{1})
+            return;
+        for (const float value : values)
+            entry[key].push_back(number(value));
+    };
+    steps("sizes", e.sizes);
+    steps("opacities", e.opacities);
+    if (e.spin > 0)
+        entry["spin"] = number(e.spin);
     return entry;
 }
 
 bool emitter_is_finite(const Emitter& e) {
     float sum = e.lifetime_to + e.speed_to + e.cone + e.radius + e.gravity + e.drag + e.ground.value_or(0) + e.bounce +
-                e.slip + e.intensity + e.range + e.size + e.streak;
+                e.slip + e.intensity + e.range + e.size + e.streak + e.spin;
+    for (const std::vector<float>& values : {e.sizes, e.opacities})
+        for (const float value : values)
+            sum += value;
     for (const glm::vec3& colour : e.colours)
         sum += colour.r + colour.g + colour.b;
-    return std::isfinite(sum) && !e.colours.empty();
+    return std::isfinite(sum) && !e.colours.empty() && !e.sizes.empty() && !e.opacities.empty();
 }
 
 } // namespace

@@ -27,13 +27,14 @@
 //   material.extras.prelight.parameters  {NAME: number or [numbers]}, as that material declares them
 //   material.extras.prelight.textures    {NAME: textureInfo}, likewise
 //   material.extras.prelight.receivesDecals  bool; absent: true
+//   material.extras.prelight.softness  metres ≥ 0; absent: 0
 //
 //   node.extras.prelight.receivesDecals  bool; absent: true
-//   node.extras.prelight.decal    {material, opacity, order, fade: [from, to], channels: ["colour", "normal",
-//   "roughness"]} node.extras.prelight.emitter  {count, seed, lifetime: [from, to], speed: [from, to], cone, radius,
-//   gravity, drag, ground,
-//                                  bounce, slip, colours: [[r, g, b], …], intensity, range, size, streak, material,
-//                                  castsShadow}
+//   node.extras.prelight.decal    {material, opacity, order, fade: [from, to],
+//                                  channels: ["colour", "normal", "roughness"]}
+//   node.extras.prelight.emitter  {count, seed, lifetime: [from, to], speed: [from, to], cone, radius, gravity, drag,
+//                                  ground, bounce, slip, colours: [[r, g, b], …], intensity, range, castsShadow,
+//                                  lights, shape, size, sizes: […], opacities: […], streak, spin, material}
 //                                 members as in prelight/decal.hpp and prelight/emitter.hpp, all but the materials
 //                                 optional
 //
