@@ -40,8 +40,9 @@ SurfaceDraws::Desc forward_desc(const char* fragment, const resident::View& view
                                 bool with_base);
 void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs);
 
-/// Lists for the cells of a grid over the world's bounds.
-LightLists grid_light_lists(graph::FrameGraph& graph, const resident::View& view, const std::string& name);
+/// Lists for the cells of a grid.
+LightLists grid_light_lists(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                            GridOver over = GridOver::world);
 
 /// Every object once, with the lights that `lists` has for the pixel's place; replaces, depth test EQUAL. `kinds` and
 /// `plan` are not used. With several rounds, in several draws that add up: `colour` must be linear.

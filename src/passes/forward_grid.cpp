@@ -37,8 +37,9 @@ void forward_grid_round(graph::FrameGraph& graph, const resident::View& view, co
 
 } // namespace
 
-LightLists grid_light_lists(graph::FrameGraph& graph, const resident::View& view, const std::string& name) {
-    return build_light_lists(graph, view, name, {.rounds = light_rounds(view, LightWalk::fragment)});
+LightLists grid_light_lists(graph::FrameGraph& graph, const resident::View& view, const std::string& name,
+                            GridOver over) {
+    return build_light_lists(graph, view, name, {.over = over, .rounds = light_rounds(view, LightWalk::fragment)});
 }
 
 void forward_grid_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,

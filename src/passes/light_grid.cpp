@@ -16,6 +16,10 @@ resident::WorldBox roomy(const resident::WorldBox& box) {
 
 } // namespace
 
+resident::WorldBox box_of(GridOver over, const resident::GpuScene& scene) {
+    return over == GridOver::world ? scene.box() : resident::box_around_layers(scene.geometry().draws);
+}
+
 LightGrid light_grid(const resident::WorldBox& box, uint32_t most_cells) {
     const auto [low, high] = roomy(box);
     const auto count = [&](double edge) { return glm::max(glm::ceil((high - low) / edge), glm::dvec3(1)); };

@@ -1,12 +1,17 @@
 #pragma once
 #include <prelight/scene.hpp>
-#include <resident/world_box.hpp>
+#include <resident/gpu_scene.hpp>
 #include <span>
 
 namespace prelight::passes {
 
-/// A uniform grid over the world's bounds; no cells: none.
+/// What a grid lies over: the world, or what is drawn over the opaque picture, which may be a small part of it.
+enum class GridOver { world, layers };
+resident::WorldBox box_of(GridOver over, const resident::GpuScene& scene);
+
+/// A uniform grid over a box of the world; no cells: none.
 struct LightGrid {
+    GridOver over = GridOver::world;
     glm::dvec3 low{0};  ///< world space
     glm::dvec3 cell{1}; ///< size of a cell, metres
     glm::uvec3 cells{0};

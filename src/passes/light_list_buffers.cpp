@@ -47,7 +47,7 @@ std::optional<gpu::Buffer> ListBuffers::update(const gpu::FrameTurn& turn) {
     if (grows && !full_)
         grow(needed + needed / 4);
     if (grid_.cells.x > 0)
-        stretch(grid_, view_.scene().box()); // which grows where things move
+        stretch(grid_, box_of(grid_.over, view_.scene())); // which grows where things move
     constants_->grid_origin = glm::vec4(grid_.low - view_.eye(), 0);
     constants_->grid_cell = glm::vec4(grid_.cell, 0);
     constants_->lights.x = lights.everywhere;

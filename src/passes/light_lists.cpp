@@ -175,7 +175,8 @@ LightLists build_light_lists(graph::FrameGraph& graph, const resident::View& vie
         layout.blocks = {groups_of(width, LIT_BLOCK), groups_of(height, LIT_BLOCK), 1, 0};
         layout.coarse = {groups_of(across, LIST_COARSE_TILES), groups_of(down, LIST_COARSE_TILES), 1, 0};
     } else {
-        grid = light_grid(view.scene().box());
+        grid = light_grid(box_of(inputs.over, view.scene()));
+        grid.over = inputs.over;
         layout.cells = glm::uvec4(grid.cells, 0);
         layout.coarse = glm::uvec4((grid.cells + glm::uvec3(LIST_COARSE_CELLS - 1)) / glm::uvec3(LIST_COARSE_CELLS), 0);
     }

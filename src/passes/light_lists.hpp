@@ -1,5 +1,6 @@
 #pragma once
 #include "depth_normal.hpp"
+#include "light_grid.hpp"
 #include "light_rounds.hpp"
 #include <shared/light_lists.h>
 
@@ -8,6 +9,7 @@ namespace prelight::passes {
 /// Where the lists' cells lie, and who will walk them.
 struct LightListInputs {
     const SurfaceBuffers* surface = nullptr; ///< tiles and clusters; null: a grid over the world
+    GridOver over = GridOver::world;         ///< of that grid
     uint32_t tile_size = 8;                  ///< tiles and clusters: 8, 16 or 32 pixels
     bool sliced = false;                     ///< clusters
     bool masked = false;                     ///< tiles: masks of the lists of 8 × 8 tiles instead of lists

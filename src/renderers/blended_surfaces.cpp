@@ -129,7 +129,7 @@ std::optional<graph::ImageId> BlendedSurfaces::add(graph::FrameGraph& graph, con
         inputs.behind = inputs.depth;
     std::optional<passes::LightLists> own;
     if (by_lists_ && !lists)
-        lists = &own.emplace(passes::grid_light_lists(graph, view, "blended"));
+        lists = &own.emplace(passes::grid_light_lists(graph, view, "blended", passes::GridOver::layers));
     const passes::BlendedLights lights{.lists = by_lists_ ? lists : nullptr, .per_draw = per_draw_};
     if (view.scene().transmits()) {
         inputs.name = "transmission";

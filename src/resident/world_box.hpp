@@ -15,5 +15,7 @@ struct WorldBox {
 };
 
 WorldBox box_around(std::span<const Draw> draws);
+/// Around those that are drawn over the opaque picture: blended and transmissive ones.
+WorldBox box_around_layers(std::span<const Draw> draws);
 
 } // namespace prelight::resident
