@@ -9,5 +9,5 @@ elif [ $# -gt 0 ]; then
     echo "usage: scripts/format.sh [--check]" >&2
     exit 2
 fi
-find include src apps tests examples tools \( -name '*.cpp' -o -name '*.hpp' \) -not -path '*/node_modules/*' -print0 |
+find include src apps python tests examples tools \( -name '*.cpp' -o -name '*.hpp' \) -not -path '*/node_modules/*' -print0 |
     xargs -0 -P "$(nproc)" -n 20 clang-format "${how[@]}"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Every test: installs what is missing, builds Release and the fuzz target, runs all test binaries.
-#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli slurm package docs sanitized …
+#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli python slurm package docs sanitized …
+#                             and pip, which only runs when it is named
 # One line for each binary; the last line counts the tests. "sanitized": the fastest binary and the fuzz targets under the address
 # and undefined-behaviour sanitizers. Fuzz targets do a fixed number of runs from a fixed seed: scripts/fuzz.sh fuzzes freely.
 set -euo pipefail
@@ -36,7 +37,7 @@ for binary in "$build"/tests/test_*; do
     name=${binary##*/test_}
     [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
 done
-names=(format "${names[@]}" slurm package docs)
+names=(format "${names[@]}" python slurm package docs)
 [ -f scripts/fuzz.sh ] && names+=(sanitized)
 if [ $# -gt 0 ]; then
     names=("$@")
@@ -113,6 +114,21 @@ run_command() { # NAME COMMAND…
     echo "$counts" >"$logs/$1.count"
 }
 
+# The tests of the Python module, by the system's interpreter.
+run_python() {
+    local log=$logs/python.log status=0 total bad skipped
+    (cd "$root/tests/python" && PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1 timeout --kill-after=10 600 \
+        /usr/bin/python3 -X faulthandler -m unittest discover -p '*_test.py' >"$log" 2>&1) || status=$?
+    total=$(sed -n 's/^Ran \([0-9]*\) tests\? in .*/\1/p' "$log" | tail -n 1)
+    skipped=$(sed -n 's/.*(.*skipped=\([0-9]*\).*)$/\1/p' "$log" | tail -n 1)
+    bad=$(grep -c -E '^(FAIL|ERROR): ' "$log" || true)
+    if [ "$bad" = 0 ] && { [ "$status" != 0 ] || [ "${total:-0}" = 0 ]; }; then
+        bad=1
+        total=$((${total:-0} + 1))
+    fi
+    echo "$((total - bad - ${skipped:-0})) $bad ${skipped:-0}" >"$logs/python.count"
+}
+
 # What the failed tests wrote, and the end of the log when that says nothing (a crash, the fuzzer).
 explain_failure() { # LOG
     local text
@@ -131,10 +147,14 @@ run_one() { # NAME: runs it, then prints its line
         run_sanitized
     elif [ "$1" = docs ]; then # README and docs against the program
         run_command docs scripts/check-docs.sh
+    elif [ "$1" = python ]; then # the Python module
+        run_python
     elif [ "$1" = slurm ]; then # a sequence as a job array, with tasks that are killed
         run_command slurm tests/slurm/slurm_test.sh
     elif [ "$1" = package ]; then # what is installed, used as other projects do
         run_command package tests/package/package_test.sh
+    elif [ "$1" = pip ]; then # the Python module, built by pip
+        run_command pip tests/package/pip_test.sh
     elif [ "$1" = format ]; then # all C++ as .clang-format says
         run_command format scripts/format.sh --check
     else
