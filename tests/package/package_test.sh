@@ -2,6 +2,7 @@
 # Installs the built library, component by component, and Debian packages of it; then builds examples/embed on what was
 # installed, as other projects do: by find_package and by pkg-config, shared and static. All of them must draw the same bytes.
 #   tests/package/package_test.sh [BUILD]
+# The Python module is used from its package.
 # Needs everything built; nothing outside of a temporary folder changes.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -47,7 +48,7 @@ g++ -shared -fPIC -o libprelight.so other.cpp
 refused "another library is not" "+ symbol prelight::added()" "$root/scripts/abi.py" --library libprelight.so
 
 # 2. What is installed. The folder is moved before it is used.
-for component in runtime development program; do
+for component in runtime development program python; do
     step "cmake --install, $component" cmake --install "$build" --component $component --prefix "$folder/$component"
 done
 files() { (cd "$1" && find . ! -type d | sed 's|^\./||'); }
@@ -62,9 +63,12 @@ $(printf 'lib/cmake/prelight/%s.cmake\n' prelightConfig prelightConfigVersion Pr
 $(cd "$root" && find include/prelight -name '*.hpp')
 share/doc/libprelight-dev/copyright" "$(files development)"
 same_lines "the program" $'bin/prelight\nshare/doc/prelight/copyright' "$(files program)"
+same_lines "the Python module" "share/doc/python3-prelight/copyright
+$(printf 'lib/python3/dist-packages/prelight/%s\n' __init__.py _figures.pyi _prelight.pyi py.typed \
+    "_prelight$(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_config_var("EXT_SUFFIX"))')")" "$(files python)"
 mkdir moved
-cp -a runtime/. development/. program/. moved/
-rm -r runtime development program
+cp -a runtime/. development/. program/. python/. moved/
+rm -r runtime development program python
 prefix=$folder/moved
 if grep -rlF -e "$root/" -e "$build" "$prefix" >"$log"; then fail "what is installed names the folder it was built in"; fi
 [ "$(needs "$prefix/bin/prelight" | grep -c prelight)" = 0 ] || fail "the program needs a library that is not in its package"
@@ -95,7 +99,7 @@ refused "the static form without libraries that it is made of" "needs OpenEXR, s
 
 # 4. Debian packages, unpacked beside the system.
 step "cpack -G DEB" cpack -G DEB --config "$build/CPackConfig.cmake" -B "$folder/packages" -D CPACK_DEBIAN_COMPRESSION_TYPE=none
-for package in libprelight$soversion libprelight-dev prelight; do
+for package in libprelight$soversion libprelight-dev prelight python3-prelight; do
     deb=$(echo packages/${package}_*.deb)
     [ -f "$deb" ] || fail "$package: no package"
     [ "$(dpkg-deb -f "$deb" Version)" = "$version" ] || fail "$package: another version"
@@ -106,8 +110,20 @@ same_lines "packages hold what is installed" "$(files "$prefix")" "$(files syste
 grep -q 'libembree3' libprelight$soversion.depends || fail "libprelight$soversion: depends on its libraries"
 grep -q "libprelight$soversion (= $version)" libprelight-dev.depends || fail "libprelight-dev: depends on the library"
 if grep -q libprelight prelight.depends; then fail "prelight: needs no other package of ours"; fi
+grep -q "libprelight$soversion (= $version)" python3-prelight.depends || fail "python3-prelight: depends on the library"
+grep -q 'python3 (>= 3.*python3-numpy' python3-prelight.depends || fail "python3-prelight: depends on Python and numpy"
 export LD_LIBRARY_PATH=$folder/system/usr/lib
 step "the packaged program" system/usr/bin/prelight render lights --lights 16 --size 64x36 --msaa 1 -o program.png
+
+step "the packaged program, city" system/usr/bin/prelight render city --lights 16 --size 64x36 --msaa 1 -o city.png
+as_python() { # FOLDER SCENE PICTURE: a picture by the module that lies there, and nothing else of ours on Python's path
+    env PYTHONPATH="$1" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c "import prelight
+assert prelight.__file__.startswith('$1/'), prelight.__file__
+picture = prelight.render(prelight.make_scene('$2', lights=16), width=64, height=36)
+prelight.save_png(picture, '$3')"
+}
+step "the packaged module, city" as_python "$folder/system/usr/lib/python3/dist-packages" city python.png
+cmp -s city.png python.png || fail "the packaged module draws other bytes than the program"
 
 # 5. pkg-config, on the unpacked packages. The archive may also become part of somebody's own shared library.
 export PKG_CONFIG_PATH=$folder/system/usr/lib/pkgconfig
