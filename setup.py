@@ -14,7 +14,8 @@ BUILD = pathlib.Path(os.environ.get("PRELIGHT_BUILD", ROOT / "build" / "python")
 
 def version():
     text = (ROOT / "include/prelight/version.hpp").read_text()
-    return ".".join(re.search(rf"^#define PRELIGHT_VERSION_{part} (\d+)$", text, re.M)[1] for part in ("MAJOR", "MINOR", "PATCH"))
+    parts = ("MAJOR", "MINOR", "PATCH")
+    return ".".join(re.search(rf"^#define PRELIGHT_VERSION_{part} (\d+)$", text, re.M)[1] for part in parts)
 
 
 class CMakeBuild(build_ext):

@@ -3,8 +3,8 @@
 
     python3 examples/python/error_over_lights.py [-o FILE.png] [--size WxH] [--counts N,N,...]
 
-Renders the scene `lights` with each number of lights, casts the same picture by rays, prints a table and plots it. The light
-pre-pass stores light as half floats and recovers a mean Fresnel term; deferred shading keeps the sums in its own targets.
+Renders the scene `lights` with each number of lights, casts the same picture by rays, prints a table and plots it. The
+light pre-pass has a packed light buffer here, half floats that every light is added to; deferred shading has its own.
 """
 from __future__ import annotations
 

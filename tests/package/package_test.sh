@@ -114,7 +114,6 @@ grep -q "libprelight$soversion (= $version)" python3-prelight.depends || fail "p
 grep -q 'python3 (>= 3.*python3-numpy' python3-prelight.depends || fail "python3-prelight: depends on Python and numpy"
 export LD_LIBRARY_PATH=$folder/system/usr/lib
 step "the packaged program" system/usr/bin/prelight render lights --lights 16 --size 64x36 --msaa 1 -o program.png
-
 step "the packaged program, city" system/usr/bin/prelight render city --lights 16 --size 64x36 --msaa 1 -o city.png
 as_python() { # FOLDER SCENE PICTURE: a picture by the module that lies there, and nothing else of ours on Python's path
     env PYTHONPATH="$1" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c "import prelight

@@ -40,8 +40,8 @@ class Memory(unittest.TestCase):
         made.set_world(scene.resolve())
         made.render()
         truth = made.reference()
-        pictures = [made.read("final"), made.read("linear"), made.read("normal"), made.read("final", np.uint8), truth.linear,
-                    truth.depth, truth.position, truth.instance, truth.left_out, truth.display()]
+        pictures = [made.read("final"), made.read("linear"), made.read("normal"), made.read("final", np.uint8),
+                    truth.linear, truth.depth, truth.position, truth.instance, truth.left_out, truth.display()]
         pictures.append(prelight.tonemap(pictures[1]))
         copies = [picture.copy() for picture in pictures]
         made.close()
@@ -68,8 +68,8 @@ class Memory(unittest.TestCase):
 class SamePictures(unittest.TestCase):
     def test_as_the_program_draws(self):
         with folder() as path:
-            subprocess.run([ROOT / "build/release/prelight", "render", "lights", "--lights", "16", "--size", "96x54", "--msaa",
-                            "1", "-o", path / "program.png"], check=True, capture_output=True)
+            subprocess.run([ROOT / "build/release/prelight", "render", "lights", "--lights", "16", "--size", "96x54",
+                            "--msaa", "1", "-o", path / "program.png"], check=True, capture_output=True)
             program = np.rint(prelight.load_png(path / "program.png") * 255).astype(np.uint8)
         with renderer() as made:
             made.set_world(world())
@@ -80,7 +80,8 @@ class SamePictures(unittest.TestCase):
         with renderer() as made:
             made.set_world(world())
             made.render()
-            np.testing.assert_array_equal(made.read(dtype=np.uint8), np.floor(made.read() * np.float32(255) + .5).astype(np.uint8))
+            rounded = np.floor(made.read() * np.float32(255) + .5).astype(np.uint8)
+            np.testing.assert_array_equal(made.read(dtype=np.uint8), rounded)
 
     def test_linear_is_what_final_was_made_of(self):
         with renderer(views=["linear"]) as made:
@@ -107,9 +108,9 @@ class Files(unittest.TestCase):
                 prelight.load_exr(path / "a.png")
 
     def test_what_is_no_picture_is_refused(self):
-        for wrong, why in ((np.zeros((4, 4)), r"\(height, width, 3\) is needed, not \(4, 4\)"), (np.zeros((4, 4, 4)), "4, 4, 4"),
-                           (np.zeros((0, 4, 3)), "0, 4, 3"), ("text", "picture"), (np.zeros((2, 2, 3), np.int32), "int32"),
-                           (None, "NoneType")):
+        for wrong, why in ((np.zeros((4, 4)), r"\(height, width, 3\) is needed, not \(4, 4\)"),
+                           (np.zeros((4, 4, 4)), "4, 4, 4"), (np.zeros((0, 4, 3)), "0, 4, 3"), ("text", "picture"),
+                           (np.zeros((2, 2, 3), np.int32), "int32"), (None, "NoneType")):
             with self.assertRaisesRegex(prelight.UsageError, why):
                 prelight.save_png(wrong, "/nowhere/picture.png")
 

@@ -129,8 +129,9 @@ class Settings(unittest.TestCase):
 
     def test_wrong_ones(self):
         for options, why in (({"settings": {"colour": "red"}}, "colour"), ({"settings": {"normals": "oct3"}}, "oct3"),
-                             ({"preset": "engels"}, "engels"), ({"views": ["normals"]}, "normals"), ({"shading": "toon"}, "toon"),
-                             ({"msaa": 3}, "3"), ({"name": "raster"}, "raster"), ({"exposure": np.inf}, "exposure")):
+                             ({"preset": "engels"}, "engels"), ({"views": ["normals"]}, "normals"),
+                             ({"shading": "toon"}, "toon"), ({"msaa": 3}, "3"), ({"name": "raster"}, "raster"),
+                             ({"exposure": np.inf}, "exposure")):
             with self.assertRaisesRegex(prelight.UsageError, why) as caught:
                 renderer(**options)
             self.assertIsInstance(caught.exception, ValueError)
@@ -226,8 +227,9 @@ class Threads(unittest.TestCase):
 class Programs(unittest.TestCase):
     def test_the_example(self):
         with folder() as path:
-            ran = subprocess.run([sys.executable, ROOT / "examples/python/error_over_lights.py", "--size", "64x36", "--counts",
-                                  "16,64", "-o", path / "plot.png"], capture_output=True, text=True, cwd=path)
+            ran = subprocess.run([sys.executable, ROOT / "examples/python/error_over_lights.py", "--size", "64x36",
+                                  "--counts", "16,64", "-o", path / "plot.png"],
+                                 capture_output=True, text=True, cwd=path)
             self.assertEqual((ran.returncode, ran.stderr), (0, ""))
             figures = [float(line.split("PSNR")[1].split()[0]) for line in ran.stdout.splitlines()]
             self.assertEqual(len(figures), 4)
@@ -237,8 +239,8 @@ class Programs(unittest.TestCase):
     def test_the_manual(self):
         # What docs/python.md shows, one block after another, with less to draw.
         text = (ROOT / "docs/python.md").read_text()
-        for much, little in (('"city", lights=256', '"lights", lights=8'), ("width=640, height=360", "width=64, height=36"),
-                             ("24, endpoint", "2, endpoint")):
+        for much, little in (('"city", lights=256', '"lights", lights=8'),
+                             ("width=640, height=360", "width=64, height=36"), ("24, endpoint", "2, endpoint")):
             self.assertIn(much, text)
             text = text.replace(much, little)
         blocks = re.findall(r"^```python\n(.*?)^```", text, re.M | re.S)
@@ -259,12 +261,14 @@ class Programs(unittest.TestCase):
             self.skipTest("mypy is missing")
         with folder() as path:
             # numpy's own stubs take ten times as long as all else.
-            (path / "mypy.ini").write_text("[mypy]\nstrict = True\n[mypy-numpy.*,matplotlib.*]\nignore_missing_imports = True\n"
-                                           "follow_imports = skip\nfollow_imports_for_stubs = True\n")
+            (path / "mypy.ini").write_text("[mypy]\nstrict = True\n[mypy-numpy.*,matplotlib.*]\n"
+                                           "ignore_missing_imports = True\nfollow_imports = skip\n"
+                                           "follow_imports_for_stubs = True\n")
             (path / "wrong.py").write_text("import prelight\nprelight.Light(brightness=3)\nprelight.version().width\n"
                                            "prelight.Image().width = 3\n")
             ran = subprocess.run(["/usr/bin/mypy", "--config-file", path / "mypy.ini", "--cache-dir", path / "cache",
-                                  ROOT / "python/prelight", ROOT / "examples/python/error_over_lights.py", path / "wrong.py"],
+                                  ROOT / "python/prelight", ROOT / "examples/python/error_over_lights.py",
+                                  path / "wrong.py"],
                                  capture_output=True, text=True, env=os.environ | {"MYPYPATH": str(ROOT / "python")})
             lines = [line for line in ran.stdout.splitlines() if ": error: " in line]
             self.assertEqual([re.search(r"(\w+\.pyi?):(\d+)", line).groups() for line in lines],
@@ -273,7 +277,8 @@ class Programs(unittest.TestCase):
     def test_the_end_of_the_interpreter(self):
         # Everything is alive when it ends, a thread draws, and nothing is waited for.
         code = ("import prelight, threading\n"
-                "r = prelight.Renderer(width=64, height=36); r.set_world(prelight.make_scene('lights', lights=4).resolve())\n"
+                "r = prelight.Renderer(width=64, height=36)\n"
+                "r.set_world(prelight.make_scene('lights', lights=4).resolve())\n"
                 "r.render(); kept = r.read()\n"
                 "threading.Thread(target=lambda: r.render(frames=10**6), daemon=True).start()\n"
                 "print(kept.shape)\n")

@@ -105,7 +105,8 @@ class Materials(unittest.TestCase):
         paint = scene.add_material(prelight.Material("picture", unlit=True))
         paint.base_colour_texture = scene.add_image(halves, "halves")
         scene.add_node(scene.add_mesh(positions, indices, normals=np.tile([0, 0, 1.], (4, 1)),
-                                      texcoords=np.stack([positions[:, 0] + .5, .5 - positions[:, 1]], 1), material=paint))
+                                      texcoords=np.stack([positions[:, 0] + .5, .5 - positions[:, 1]], 1),
+                                      material=paint))
         scene.add_camera(prelight.Camera("orthographic", position=(0, 0, 2), ymag=.5, znear=0, zfar=10))
         picture = drawn(scene.resolve(), width=16, height=16)
         self.assertGreater(picture[2, 8, 0], picture[2, 8, 2] + .3)
@@ -114,7 +115,8 @@ class Materials(unittest.TestCase):
 
     def test_out_of_range(self):
         for name, value, why in (("metallic", 2, "metallic"), ("base_colour", (1, 1, 1, 3), "base_colour"),
-                                 ("emissive", (-1, 0, 0), "emissive"), ("base_colour_texture", 7, "7 is none of the scene's 0")):
+                                 ("emissive", (-1, 0, 0), "emissive"),
+                                 ("base_colour_texture", 7, "7 is none of the scene's 0")):
             scene = quad_scene()
             setattr(scene.materials[0], name, value)
             with self.assertRaisesRegex(prelight.UsageError, f'material "paint": .*{why}'):

@@ -47,13 +47,15 @@ class Lights(unittest.TestCase):
         self.assertEqual((lights[5].intensity, lights[5].range, lights[5].colour.tolist()), (5, 9, [.5] * 3))
         with self.assertRaises(ValueError):
             lights.positions[0] = 1  # would change nothing
-        for name, wrong in (("positions", np.zeros((7, 3))), ("intensities", np.zeros((8, 1))), ("colours", np.zeros(8))):
+        for name, wrong in (("positions", np.zeros((7, 3))), ("intensities", np.zeros((8, 1))),
+                            ("colours", np.zeros(8))):
             with self.assertRaisesRegex(prelight.UsageError, f"{name}: an array of shape"):
                 setattr(lights, name, wrong)
 
     def test_out_of_range(self):
-        for name, value in (("intensity", -1), ("intensity", np.nan), ("range", 0), ("colour", (1, -1, 0)), ("shininess", 0),
-                            ("size", -1), ("falloff", "linear"), ("outer_cone", 2), ("inner_cone", 1.5)):
+        for name, value in (("intensity", -1), ("intensity", np.nan), ("range", 0), ("colour", (1, -1, 0)),
+                            ("shininess", 0), ("size", -1), ("falloff", "linear"), ("outer_cone", 2),
+                            ("inner_cone", 1.5)):
             wrong = prelight.make_scene("lights", lights=4).resolve()
             wrong.lights = [prelight.Light("spot", name="lamp")]
             setattr(wrong.lights[0], name, value)
