@@ -117,7 +117,7 @@ run_command() { # NAME COMMAND…
 # The tests of the Python module, by the system's interpreter.
 run_python() {
     local log=$logs/python.log status=0 total bad skipped
-    (cd "$root/tests/python" && PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1 timeout --kill-after=10 600 \
+    (cd "$root/tests/python" && PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1 timeout --signal=ABRT --kill-after=10 600 \
         /usr/bin/python3 -X faulthandler -m unittest discover -p '*_test.py' >"$log" 2>&1) || status=$?
     total=$(sed -n 's/^Ran \([0-9]*\) tests\? in .*/\1/p' "$log" | tail -n 1)
     skipped=$(sed -n 's/.*(.*skipped=\([0-9]*\).*)$/\1/p' "$log" | tail -n 1)
