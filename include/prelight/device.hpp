@@ -7,6 +7,10 @@
 
 namespace prelight {
 
+namespace vulkan {
+struct ExistingDevice;
+}
+
 /// What `prelight devices` prints of one Vulkan device.
 struct DeviceInfo {
     uint32_t index = 0;
@@ -30,11 +34,16 @@ struct DeviceOptions {
     std::vector<std::string> window_extensions = {};
 };
 
-/// A Vulkan 1.3 device with its queue, allocator and caches. The Vulkan side is in src/gpu.
+/// A Vulkan 1.3 device with its queue, allocator and caches. The Vulkan side is in src/gpu. Renderers on one device may
+/// each be used in a thread of their own.
 class PRELIGHT_API Device {
 public:
     static std::vector<DeviceInfo> list();
     static std::unique_ptr<Device> create(const DeviceOptions& options); ///< throws Error, UsageError
+    /// Works on a device and a queue of the program's own (prelight/vulkan.hpp), and destroys nothing that it has not
+    /// made. All of it lives longer than this. Throws Error: a handle that is missing, a queue or a feature that will
+    /// not do. validation_messages() stays empty: messages are the program's.
+    static std::unique_ptr<Device> adopt(const vulkan::ExistingDevice& device);
     virtual ~Device() = default;
     virtual std::string name() const = 0;
     virtual std::string driver() const = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -176,6 +177,21 @@ struct Stats {
     bool pairs_counted = false;
 };
 
+/// A buffer of a frame in host memory, as the device has written it there: no copy of anything. It stays as it is,
+/// whatever is rendered after it, until the last copy of this handle is gone, which must be before the device is.
+struct Texels {
+    enum class Format {
+        rgba8,   ///< four bytes: display-encoded values × 255; alpha says nothing
+        rgba16f, ///< four half floats
+        rgba32f, ///< four floats
+        rgb32f,  ///< three floats: renderers that need no device
+    };
+    uint32_t width = 0, height = 0;
+    Format format = Format::rgba8;
+    std::span<const std::byte> bytes{};   ///< row by row from the top left, nothing between rows
+    std::shared_ptr<const void> memory{}; ///< what `bytes` lies in
+};
+
 /// An architecture. Made for one set of options; shows any world that is given to it.
 class PRELIGHT_API Renderer {
 public:
@@ -183,6 +199,14 @@ public:
     /// Takes the world in (uploads it). `world` and its scene must stay alive, and unchanged but for what
     /// update_world() is told.
     virtual void set_world(const World& world) = 0;
+    /// set_world() with the world that another renderer has. What that has uploaded of it is not uploaded again where
+    /// both are on one device and want it alike there (exposure, texture filter, shadows, motion, blended materials …);
+    /// lights, cameras, sizes and settings of their own they have in any case. Each is told by update_world() what has
+    /// changed, before any of them renders; a change that costs as much as set_world() ends the sharing. Renderers that
+    /// share are used by one thread at a time. Throws Error when the other has no world, and as set_world() does.
+    virtual void share_world(const Renderer& other) = 0;
+    /// Of set_world(), or null.
+    virtual const World* world() const = 0;
     /// The caller has changed the world of set_world(), or its scene's materials, where they stand, and says what: from
     /// the next render() on the picture is that of the world as it is now. What moves, is shown or hidden, takes other
     /// vertices, factors or lights costs what it takes to upload that. What needs other draws or pipelines (a texture,
@@ -213,6 +237,8 @@ public:
     /// may draw the frame again, for a picture that nobody looks at is not kept; stats() stay those of
     /// render(). Throws UsageError.
     virtual Image read(std::string_view view) = 0;
+    /// The same where it lies, instead of floats made of it. Throws as read() does.
+    virtual Texels texels(std::string_view view) = 0;
     virtual Stats stats() const = 0;
     /// The most lights that a world may have here: what memory or the device's buffers hold.
     virtual uint64_t max_lights() const = 0;

@@ -229,6 +229,7 @@
 #define CONSTANT_K_BUFFER_SLOT 105
 #define CONSTANT_HALF_SAMPLES 106
 #define CONSTANT_RESOLVED 107
+#define CONSTANT_TARGET_CONVERSION 108
 
 // Values of those constants.
 #define FEATURE_BASE_COLOUR_TEXTURE 1u
@@ -266,6 +267,11 @@
 #define COOKIE_SPOT 1
 #define COOKIE_SPHERE 2
 #define COOKIE_CUBE 3
+
+// What becomes of display-encoded values on their way into a target.
+#define TARGET_AS_IT_IS 0
+#define TARGET_DECODE 1  // the target encodes them again
+#define TARGET_ENCODE 2  // the buffer's own image has decoded them
 
 // Which of a pixel's samples count, and as what.
 #define RESOLVED_ALL 0

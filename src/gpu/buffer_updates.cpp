@@ -16,10 +16,9 @@ void BufferUpdates::write(const Buffer& target, uint64_t offset, std::span<const
     }
 }
 
-void BufferUpdates::record(VkCommandBuffer commands, uint32_t slot) {
+void BufferUpdates::record(VkCommandBuffer commands, Buffer& staging) {
     if (bytes_.empty())
         return;
-    Buffer& staging = staging_[slot];
     if (staging.size() < bytes_.size())
         staging = Buffer(context_, "update staging", bytes_.size() + bytes_.size() / 2,
                          VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::upload);

@@ -1,6 +1,5 @@
 #pragma once
 #include "buffer.hpp"
-#include "frames_in_flight.hpp"
 #include <map>
 #include <utility>
 #include <vector>
@@ -17,8 +16,8 @@ public:
     void write(const Buffer& target, uint64_t offset, std::span<const std::byte> bytes);
     /// Bytes that wait for record().
     uint64_t waiting() const { return bytes_.size(); }
-    /// Into the frame's commands, through staging memory of its slot, which no frame in flight may use.
-    void record(VkCommandBuffer commands, uint32_t slot);
+    /// Into the frame's commands, through `staging`, which no frame in flight may use; it grows as needed.
+    void record(VkCommandBuffer commands, Buffer& staging);
 
 private:
     struct Region {
@@ -29,7 +28,6 @@ private:
     std::vector<std::byte> bytes_;
     std::vector<Region> regions_;
     std::map<std::pair<VkBuffer, uint64_t>, size_t> known_; ///< target and offset → its region
-    PerFrame<Buffer> staging_;
 };
 
 } // namespace prelight::gpu

@@ -1,5 +1,6 @@
 #include "context.hpp"
 #include "check.hpp"
+#include "device_features.hpp"
 #include "pipeline_cache.hpp"
 #include "pipeline_library.hpp"
 #include <algorithm>
@@ -21,8 +22,39 @@ std::vector<DeviceInfo> Device::list() {
 
 std::unique_ptr<Device> Device::create(const DeviceOptions& options) { return std::make_unique<gpu::Context>(options); }
 
+std::unique_ptr<Device> Device::adopt(const vulkan::ExistingDevice& device) {
+    return std::make_unique<gpu::Context>(device);
+}
+
+vulkan::ExistingDevice vulkan::handles(const Device& device) {
+    return dynamic_cast<const gpu::Context&>(device).handles();
+}
+
 namespace gpu {
 namespace {
+
+/// Throws Error where a handle is missing or does not belong to the others.
+const vulkan::ExistingDevice& checked(const vulkan::ExistingDevice& given) {
+    if (!given.instance || !given.physical_device || !given.device || !given.queue)
+        throw UsageError("Device::adopt(): instance, physical device, device and queue are all needed");
+    if (!given.lock_queue != !given.unlock_queue)
+        throw UsageError("Device::adopt(): lock_queue and unlock_queue come together");
+    const std::vector<VkPhysicalDevice> all = Instance(given.instance, false).physical_devices();
+    if (std::find(all.begin(), all.end(), given.physical_device) == all.end())
+        throw UsageError("Device::adopt(): the physical device is not one of the instance's");
+    return given;
+}
+
+Candidate take_adopted(const vulkan::ExistingDevice& given) {
+    Candidate candidate = examine(given.physical_device, 0, given.queue_family);
+    if (!candidate.info.usable)
+        throw Error(fmt::format("{}: {}", candidate.info.name, candidate.info.why_not));
+    if (const std::string lacks = keep_enabled(candidate.optional, given.enabled); !lacks.empty())
+        throw Error(fmt::format("{}: the device was made without {} (vulkan::wanted_features() has all that is needed)",
+                                candidate.info.name, lacks));
+    candidate.info.chosen = true;
+    return candidate;
+}
 
 Candidate take_chosen(const std::vector<Candidate>& all) {
     return *std::find_if(all.begin(), all.end(), [](const Candidate& c) { return c.info.chosen; });
@@ -40,13 +72,33 @@ Context::Context(const DeviceOptions& options)
     chosen_.optional.conditional_rendering &= !hides(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     chosen_.optional.stencil_export &= !hides(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
     presents_ = !options.window_extensions.empty();
+    create_device();
+    vkGetDeviceQueue(device_, queue_family(), 0, &queue_);
+    set_up();
+    set_name(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<uint64_t>(queue_), "graphics queue");
+    handles_.instance = instance();
+    handles_.physical_device = physical();
+    handles_.device = device_;
+    handles_.queue = queue_;
+    handles_.queue_family = queue_family();
+    handles_.debug_utils = instance_.debug_utils();
+    handles_.lock_queue = [this] { queue_mutex_.lock(); };
+    handles_.unlock_queue = [this] { queue_mutex_.unlock(); };
+}
+
+Context::Context(const vulkan::ExistingDevice& existing)
+    : instance_(checked(existing).instance, existing.debug_utils), chosen_(take_adopted(existing)),
+      device_(existing.device), queue_(existing.queue), owned_(false), handles_(existing) {
+    const auto& extensions = existing.enabled.extensions;
+    presents_ =
+        std::ranges::any_of(extensions, [](std::string_view one) { return one == VK_KHR_SWAPCHAIN_EXTENSION_NAME; });
+    set_up();
+}
+
+void Context::set_up() {
     vkGetPhysicalDeviceProperties(physical(), &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical(), &memory_);
-    create_device();
     load_functions();
-    vkGetDeviceQueue(device_, queue_family(), 0, &queue_);
-    set_name(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<uint64_t>(queue_), "graphics queue");
-
     cache_file_ = pipeline_cache_file(properties_);
     cache_ = load_pipeline_cache(device_, cache_file_);
     pipelines_ = std::make_unique<PipelineLibrary>();
@@ -66,56 +118,48 @@ Context::Context(const DeviceOptions& options)
     timeline_ = {device_, semaphore_handle};
 }
 
+/// The caller's own lock comes second, so that no two threads of Prelight's wait in it.
+class Context::QueueLock {
+public:
+    explicit QueueLock(const Context& context) : context_(context), lock_(context.queue_mutex_) {
+        if (!context_.owned_ && context_.handles_.lock_queue)
+            context_.handles_.lock_queue();
+    }
+    ~QueueLock() {
+        if (!context_.owned_ && context_.handles_.unlock_queue)
+            context_.handles_.unlock_queue();
+    }
+    QueueLock(const QueueLock&) = delete;
+    QueueLock& operator=(const QueueLock&) = delete;
+
+private:
+    const Context& context_;
+    std::scoped_lock<std::mutex> lock_;
+};
+
 Context::~Context() {
-    vkDeviceWaitIdle(device_);
+    wait_idle();
     save_pipeline_cache(device_, cache_, cache_file_);
     pipelines_.reset();
     cache_ = {};
     pool_ = {};
     timeline_ = {};
-    vkDestroyDevice(device_, nullptr);
+    if (owned_)
+        vkDestroyDevice(device_, nullptr);
 }
 
 void Context::create_device() {
-    VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
-    v13.dynamicRendering = VK_TRUE;
-    v13.synchronization2 = VK_TRUE;
-    v13.maintenance4 = VK_TRUE; // shaderc writes compute shaders' sizes as LocalSizeId, which wants it
-    VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
-    v12.pNext = &v13;
-    v12.timelineSemaphore = VK_TRUE;
-    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12, {}};
-    const OptionalFeatures& o = chosen_.optional;
-    features.features.samplerAnisotropy = o.anisotropy;
-    features.features.depthClamp = o.depth_clamp;
-    features.features.depthBounds = o.depth_bounds;
-    features.features.multiDrawIndirect = o.multi_draw_indirect;
-    features.features.drawIndirectFirstInstance = o.first_instance_indirect;
-    features.features.fragmentStoresAndAtomics = VK_TRUE;
-    features.features.sampleRateShading = o.sample_rate_shading;
-    features.features.occlusionQueryPrecise = o.precise_occlusion;
-    features.features.shaderStorageImageWriteWithoutFormat = o.store_without_format;
-
+    handles_.enabled = features_to_enable(features());
+    if (presents_)
+        handles_.enabled.extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
     queue.queueFamilyIndex = queue_family();
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
-    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
-    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{
-        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT};
-    conditional.conditionalRendering = VK_TRUE;
-    std::vector<const char*> extensions;
-    if (o.conditional_rendering) {
-        v13.pNext = &conditional;
-        extensions.push_back(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
-    }
-    if (o.stencil_export)
-        extensions.push_back(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
-    if (presents_)
-        extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
-    info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
-    info.ppEnabledExtensionNames = extensions.data();
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, handles_.enabled.chain()};
+    info.enabledExtensionCount = static_cast<uint32_t>(handles_.enabled.extensions.size());
+    info.ppEnabledExtensionNames = handles_.enabled.extensions.data();
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     check(vkCreateDevice(physical(), &info, nullptr, &device_), name());
@@ -161,6 +205,7 @@ bool Context::supports(VkFormat format, VkFormatFeatureFlags wanted) const {
 }
 
 void Context::run(std::string_view label, const std::function<void(VkCommandBuffer)>& record) const {
+    const std::scoped_lock lock(run_mutex_);
     VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
     allocate.commandPool = pool_;
     allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
@@ -178,32 +223,39 @@ void Context::run(std::string_view label, const std::function<void(VkCommandBuff
     vkFreeCommandBuffers(device_, pool_, 1, &commands);
 }
 
-uint64_t Context::submit(VkCommandBuffer commands, const WindowSync& sync) const {
+uint64_t Context::submit(VkCommandBuffer commands, const Semaphores& semaphores) const {
     VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
     buffer.commandBuffer = commands;
-    VkSemaphoreSubmitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-    wait.semaphore = sync.wait;
-    wait.stageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_TRANSFER_BIT;
-    std::array<VkSemaphoreSubmitInfo, 2> signals{};
-    signals[0].sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
-    signals[0].semaphore = timeline_;
-    signals[0].value = ++timeline_value_;
-    signals[0].stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    signals[1] = signals[0];
-    signals[1].semaphore = sync.signal;
+    VkSemaphoreSubmitInfo end{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    end.semaphore = timeline_;
+    end.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    std::vector<VkSemaphoreSubmitInfo> signals{end};
+    signals.insert(signals.end(), semaphores.signal.begin(), semaphores.signal.end());
     VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-    submit.waitSemaphoreInfoCount = sync.wait ? 1 : 0;
-    submit.pWaitSemaphoreInfos = &wait;
+    submit.waitSemaphoreInfoCount = static_cast<uint32_t>(semaphores.wait.size());
+    submit.pWaitSemaphoreInfos = semaphores.wait.data();
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &buffer;
-    submit.signalSemaphoreInfoCount = sync.signal ? 2 : 1;
+    submit.signalSemaphoreInfoCount = static_cast<uint32_t>(signals.size());
     submit.pSignalSemaphoreInfos = signals.data();
+    const QueueLock lock(*this);
+    signals[0].value = timeline_value_ + 1;
     check(lost_ ? VK_ERROR_DEVICE_LOST : vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), name());
-    return timeline_value_;
+    return ++timeline_value_;
+}
+
+VkResult Context::present(const VkPresentInfoKHR& info) const {
+    const QueueLock lock(*this);
+    return vkQueuePresentKHR(queue_, &info);
+}
+
+void Context::wait_idle() const noexcept {
+    const QueueLock lock(*this);
+    vkQueueWaitIdle(queue_);
 }
 
 void Context::lose() {
-    vkDeviceWaitIdle(device_);
+    wait_idle();
     lost_ = true;
 }
 

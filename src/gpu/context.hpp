@@ -6,7 +6,10 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <prelight/vulkan.hpp>
 #include <string_view>
+#include <vector>
 
 namespace prelight::gpu {
 
@@ -16,6 +19,8 @@ class PipelineLibrary;
 class Context final : public Device {
 public:
     explicit Context(const DeviceOptions& options);
+    /// Device::adopt().
+    explicit Context(const vulkan::ExistingDevice& existing);
     ~Context() override;
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
@@ -30,6 +35,10 @@ public:
     VkPhysicalDevice physical() const { return chosen_.physical; }
     VkQueue queue() const { return queue_; }
     uint32_t queue_family() const { return chosen_.queue_family; }
+    /// Swapchains can be made on it.
+    bool presents() const { return presents_; }
+    /// The device as others would adopt it.
+    const vulkan::ExistingDevice& handles() const { return handles_; }
     /// Timestamps wrap around within this mask; 0: the queue has none.
     uint64_t timestamp_mask() const { return chosen_.timestamp_mask; }
     VkPipelineCache pipeline_cache() const { return cache_; }
@@ -50,15 +59,19 @@ public:
 
     /// Records and submits commands, and waits until they are done.
     void run(std::string_view label, const std::function<void(VkCommandBuffer)>& record) const;
-    /// What a window's submission waits for before it writes colours, and signals at its end: binary semaphores.
-    struct WindowSync {
-        VkSemaphore wait = VK_NULL_HANDLE, signal = VK_NULL_HANDLE;
+    /// What a submission waits for and signals beside the timeline.
+    struct Semaphores {
+        std::vector<VkSemaphoreSubmitInfo> wait, signal;
     };
     /// Submits one command buffer and waits for its end with the timeline semaphore. Throws Error.
     void submit_and_wait(VkCommandBuffer commands) const { wait(submit(commands)); }
     /// Submits one command buffer, and gives the value that the timeline semaphore has at its end.
-    uint64_t submit(VkCommandBuffer commands) const { return submit(commands, WindowSync{}); }
-    uint64_t submit(VkCommandBuffer commands, const WindowSync& sync) const;
+    uint64_t submit(VkCommandBuffer commands) const { return submit(commands, Semaphores{}); }
+    uint64_t submit(VkCommandBuffer commands, const Semaphores& semaphores) const;
+    /// vkQueuePresentKHR.
+    VkResult present(const VkPresentInfoKHR& info) const;
+    /// Until all that was submitted to the queue is done, by whomever.
+    void wait_idle() const noexcept;
     /// A test's: waits for the device and takes it for lost from then on.
     void lose();
     /// Waits until the timeline has come to `value`. Throws Error.
@@ -88,7 +101,11 @@ public:
     void count_created(Kind kind) const { ++created_[static_cast<size_t>(kind)]; }
 
 private:
+    /// The queue, whoever else uses it in another thread.
+    class QueueLock;
     void create_device();
+    /// What both ways to a device have in common, once it is there.
+    void set_up();
     void load_functions();
 
     Instance instance_;
@@ -98,13 +115,17 @@ private:
     VkPhysicalDeviceMemoryProperties memory_{};
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
+    bool owned_ = true;              ///< the device is this object's to destroy
+    vulkan::ExistingDevice handles_; ///< with the queue's locks, where they are the caller's
+    mutable std::mutex queue_mutex_; ///< the timeline's values follow the order of submissions
+    mutable std::mutex run_mutex_;   ///< of `pool_`
     UniquePipelineCache cache_;
     std::unique_ptr<PipelineLibrary> pipelines_;
     std::filesystem::path cache_file_;
     UniqueCommandPool pool_;
     UniqueSemaphore timeline_;
     mutable uint64_t timeline_value_ = 0;
-    bool lost_ = false; ///< lose()
+    std::atomic<bool> lost_ = false; ///< lose()
     bool presents_ = false;
     mutable std::atomic<uint64_t> device_bytes_ = 0, device_bytes_peak_ = 0;
     mutable std::array<std::atomic<uint64_t>, static_cast<size_t>(Kind::count)> created_{};

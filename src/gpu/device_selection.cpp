@@ -32,10 +32,12 @@ std::vector<VkQueueFamilyProperties> queue_families(VkPhysicalDevice physical) {
     return families;
 }
 
-std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice physical) {
+/// `asked` if it will do; without one the first that does.
+std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice physical, std::optional<uint32_t> asked) {
     const std::vector<VkQueueFamilyProperties> families = queue_families(physical);
     for (uint32_t i = 0; i < families.size(); ++i)
-        if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) && (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT))
+        if ((!asked || i == *asked) && (families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) &&
+            (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT))
             return i;
     return {};
 }
@@ -92,7 +94,20 @@ uint32_t shuffle_lanes(const VkPhysicalDeviceSubgroupProperties& subgroups) {
 /// each loop at its next turn when they are used up (LP_MAX_TGSI_LOOP_ITERATIONS in lp_bld_limits.h).
 uint32_t loop_turns(VkDriverId driver) { return driver == VK_DRIVER_ID_MESA_LLVMPIPE ? 65535 : 0; }
 
-Candidate examine(VkPhysicalDevice physical, uint32_t index) {
+std::vector<Candidate>::iterator find_named(std::vector<Candidate>& all, const std::string& select) {
+    const bool index =
+        !select.empty() && std::all_of(select.begin(), select.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return std::find_if(all.begin(), all.end(), [&](const Candidate& c) {
+        if (select == "cpu")
+            return c.info.type == "software" && c.info.usable;
+        return index ? std::to_string(c.info.index) == select
+                     : !select.empty() && c.info.name.find(select) != std::string::npos;
+    });
+}
+
+} // namespace
+
+Candidate examine(VkPhysicalDevice physical, uint32_t index, std::optional<uint32_t> asked) {
     Candidate candidate;
     candidate.physical = physical;
     VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
@@ -134,11 +149,12 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
         driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE &&
         properties.properties.limits.maxTexelBufferElements >= properties.properties.limits.maxStorageBufferRange / 16;
     const bool fragment_stores = features.features.fragmentStoresAndAtomics;
-    const std::optional<uint32_t> family = graphics_queue_family(physical);
+    const std::optional<uint32_t> family = graphics_queue_family(physical, asked);
     if (!family)
-        info.why_not = "no queue for graphics and compute";
-    else if (!v13.dynamicRendering || !v13.synchronization2 || !v12.timelineSemaphore)
-        info.why_not = "dynamic rendering, synchronization2 or timeline semaphores are missing";
+        info.why_not = asked ? fmt::format("queue family {} is not for graphics and compute", *asked)
+                             : "no queue for graphics and compute";
+    else if (!v13.dynamicRendering || !v13.synchronization2 || !v13.maintenance4 || !v12.timelineSemaphore)
+        info.why_not = "dynamic rendering, synchronization2, maintenance4 or timeline semaphores are missing";
     else if (!fragment_stores)
         info.why_not = "fragment shaders cannot write to buffers";
     info.usable = info.why_not.empty();
@@ -146,19 +162,6 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index) {
     candidate.timestamp_mask = timestamp_mask(physical, candidate.queue_family);
     return candidate;
 }
-
-std::vector<Candidate>::iterator find_named(std::vector<Candidate>& all, const std::string& select) {
-    const bool index =
-        !select.empty() && std::all_of(select.begin(), select.end(), [](char c) { return c >= '0' && c <= '9'; });
-    return std::find_if(all.begin(), all.end(), [&](const Candidate& c) {
-        if (select == "cpu")
-            return c.info.type == "software" && c.info.usable;
-        return index ? std::to_string(c.info.index) == select
-                     : !select.empty() && c.info.name.find(select) != std::string::npos;
-    });
-}
-
-} // namespace
 
 std::vector<Candidate> candidates(const Instance& instance) {
     std::vector<Candidate> all;

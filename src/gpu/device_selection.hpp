@@ -1,5 +1,6 @@
 #pragma once
 #include "instance.hpp"
+#include <optional>
 #include <prelight/device.hpp>
 
 namespace prelight::gpu {
@@ -31,6 +32,9 @@ struct Candidate {
     DeviceInfo info;
 };
 
+/// One device, with what it has and why it cannot be used. `family`: of the queue that it is to be used by; absent: the
+/// first for graphics and compute.
+Candidate examine(VkPhysicalDevice physical, uint32_t index, std::optional<uint32_t> family = {});
 /// Every device of the instance, with what it has and why it cannot be used, in the loader's order.
 std::vector<Candidate> candidates(const Instance& instance);
 /// Marks the one that `select` takes: auto, cpu, an index, or a part of a name.

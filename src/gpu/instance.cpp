@@ -132,7 +132,8 @@ Instance::~Instance() {
             vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
         destroy(instance_, messenger_, nullptr);
     }
-    vkDestroyInstance(instance_, nullptr);
+    if (owned_)
+        vkDestroyInstance(instance_, nullptr);
 }
 
 std::vector<VkPhysicalDevice> Instance::physical_devices() const {

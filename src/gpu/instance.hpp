@@ -26,6 +26,8 @@ public:
     /// Throws Error when there is no loader or driver, when validation is asked for and no
     /// validation layer is installed, or when one of `extensions` is missing.
     explicit Instance(bool validate, const std::vector<std::string>& extensions = {});
+    /// One that somebody else has made and will destroy. `debug_utils`: it has VK_EXT_debug_utils.
+    Instance(VkInstance existing, bool debug_utils) : instance_(existing), owned_(false), debug_utils_(debug_utils) {}
     ~Instance();
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;
@@ -40,6 +42,7 @@ private:
     std::unique_ptr<MessageLog> log_ = std::make_unique<MessageLog>();
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    bool owned_ = true;
     bool debug_utils_ = false;
 };
 

@@ -40,6 +40,13 @@ void transition(VkCommandBuffer commands, VkImage image, const Use& from, const 
     vkCmdPipelineBarrier2(commands, &info);
 }
 
+VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineStageFlags2 stages) {
+    VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    info.semaphore = semaphore;
+    info.stageMask = stages;
+    return info;
+}
+
 VkOffset3D corner(VkExtent2D extent) {
     return {static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height), 1};
 }
@@ -55,7 +62,7 @@ Presenter::Presenter(const Context& context, VkSurfaceKHR surface) : context_(co
     }
 }
 
-Presenter::~Presenter() { vkDeviceWaitIdle(context_.device()); }
+Presenter::~Presenter() { context_.wait_idle(); }
 
 void Presenter::wait(Slot& slot) {
     if (const uint64_t value = std::exchange(slot.value, 0))
@@ -174,7 +181,7 @@ bool Presenter::show(VkExtent2D window, const std::function<void(const OverlayCo
         return false;
     }
     if (swapchain_.stale() || !equal(window, swapchain_.extent())) {
-        vkDeviceWaitIdle(context_.device());
+        context_.wait_idle();
         swapchain_.make(window);
     }
     slot_ = (slot_ + 1) % frames_in_flight;
@@ -191,7 +198,10 @@ bool Presenter::show(VkExtent2D window, const std::function<void(const OverlayCo
     record(commands, *index, slot_, overlay);
     context_.end_label(commands);
     check(vkEndCommandBuffer(commands), "window");
-    slot.value = context_.submit(commands, {slot.ready, swapchain_.done(*index)});
+    slot.value = context_.submit(
+        commands, {.wait = {semaphore_info(slot.ready, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
+                                                           VK_PIPELINE_STAGE_2_TRANSFER_BIT)},
+                   .signal = {semaphore_info(swapchain_.done(*index), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)}});
     swapchain_.present(*index);
     return true;
 }

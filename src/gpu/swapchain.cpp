@@ -28,7 +28,7 @@ Swapchain::Swapchain(const Context& context, VkSurfaceKHR surface) : context_(co
 }
 
 Swapchain::~Swapchain() {
-    vkDeviceWaitIdle(context_.device()); // presentation has no other end to wait for
+    context_.wait_idle(); // presentation has no other end to wait for
     images_.clear();
     vkDestroySwapchainKHR(context_.device(), swapchain_, nullptr);
     vkDestroySurfaceKHR(context_.instance(), surface_, nullptr);
@@ -135,7 +135,7 @@ void Swapchain::present(uint32_t index) {
     info.swapchainCount = 1;
     info.pSwapchains = &swapchain_;
     info.pImageIndices = &index;
-    const VkResult result = vkQueuePresentKHR(context_.queue(), &info);
+    const VkResult result = context_.present(info);
     if (result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR)
         stale_ = true;
     else

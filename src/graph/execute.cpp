@@ -44,11 +44,11 @@ void FrameGraph::begin_rendering(VkCommandBuffer commands, uint32_t index, VkExt
     for (const Pass::Attachment& attachment : pass.colours_) {
         VkRenderingAttachmentInfo& info =
             colours.emplace_back(VkRenderingAttachmentInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
-        info.imageView = images_[attachment.image.index].view;
+        info.imageView = attachment.image == external_ ? bound_->view : images_[attachment.image.index].view;
         info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
         info.loadOp = load_op(again ? Load::keep : attachment.load);
-        info.storeOp = pass.between_ || needed_after(attachment.image, index) ? VK_ATTACHMENT_STORE_OP_STORE
-                                                                              : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+        const bool stays = pass.between_ || attachment.image == external_ || needed_after(attachment.image, index);
+        info.storeOp = stays ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
         std::memcpy(info.clearValue.color.float32, attachment.clear.data(), sizeof attachment.clear);
     }
     VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
@@ -126,6 +126,22 @@ void FrameGraph::draw_between(VkCommandBuffer commands, uint32_t index, VkExtent
     cover(commands, extent, drawn);
 }
 
+void FrameGraph::turn_external(VkCommandBuffer commands, bool begins) const {
+    const Access drawn = Access::colour();
+    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    // Whatever the caller does with it: with all stages the layout's change waits for semaphores too, of any stage.
+    barrier.srcStageMask = begins ? VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT : drawn.stages;
+    barrier.srcAccessMask = begins ? VK_ACCESS_2_MEMORY_WRITE_BIT : VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    barrier.dstStageMask = begins ? drawn.stages : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.dstAccessMask = begins ? drawn.access : VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.oldLayout = begins ? bound_->before : drawn.layout;
+    barrier.newLayout = begins ? drawn.layout : bound_->after;
+    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = bound_->image;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    pipeline_barrier(commands, {barrier}, {});
+}
+
 void FrameGraph::record_begin(const gpu::FrameTurn& turn) {
     turn_ = turn;
     ++frame_;
@@ -153,12 +169,15 @@ void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_
     // Before the barrier: lavapipe notes the time when it next waits, and a dispatch waits for nothing.
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query);
     barrier(commands, pass.image_barriers_, pass.buffer_barriers_);
-    const std::optional<ImageId> target = pass.target();
+    const bool external = draws_external(pass);
+    const std::optional<ImageId> target = external && !bound_ ? std::nullopt : pass.target();
     PassContext pass_context{commands, pass.sets_[turn_.slot], {}, turn_.slot, one_pixel};
     if (target) {
         pass_context.extent = raster(*target).extent;
         if (pass.before_rendering_)
             pass.before_rendering_(pass_context);
+        if (external)
+            turn_external(commands, true);
         begin_rendering(commands, index, pass_context.extent);
         const VkExtent2D drawn = one_pixel ? VkExtent2D{1, 1} : pass_context.extent;
         cover(commands, pass_context.extent, drawn);
@@ -167,9 +186,12 @@ void FrameGraph::record_pass(VkCommandBuffer commands, uint32_t index, bool one_
                 draw_between(commands, index, drawn, draw);
             };
     }
-    pass.record_(pass_context);
+    if (target || !external)
+        pass.record_(pass_context);
     if (target)
         vkCmdEndRendering(commands);
+    if (target && external)
+        turn_external(commands, false);
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query + 1);
     context_.end_label(commands);
 }
@@ -244,13 +266,18 @@ gpu::ShownImage FrameGraph::shown(ImageId id) const {
 }
 
 std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
+    const gpu::Buffer texels = read_back_buffer(id);
+    return {texels.mapped<std::byte>(), texels.mapped<std::byte>() + texels.size()};
+}
+
+gpu::Buffer FrameGraph::read_back_buffer(ImageId id) const {
     const GraphImage& image = images_[id.index];
     if (!image.kept || !image.usage)
         throw Error("frame graph: image " + image.name + " was not kept");
     const VkExtent2D extent = image.desc.raster.extent;
     const bool depth = is_depth(image.desc.format); // copied alone, in 4 bytes
     const uint64_t size = uint64_t(extent.width) * extent.height * (depth ? 4 : texel_bytes(image.desc.format));
-    const gpu::Buffer target(context_, "readback", size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferPlace::readback);
+    gpu::Buffer target(context_, "readback", size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferPlace::readback);
     const VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     context_.run("read back " + image.name, [&](VkCommandBuffer commands) {
         VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
@@ -277,7 +304,7 @@ std::vector<std::byte> FrameGraph::read_back(ImageId id) const {
         barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT;
         pipeline_barrier(commands, {barrier}, {});
     });
-    return {target.mapped<std::byte>(), target.mapped<std::byte>() + size};
+    return target;
 }
 
 } // namespace prelight::graph

@@ -122,6 +122,11 @@ Pass& Pass::raster(const gpu::Raster& raster) {
     return *this;
 }
 
+Pass& Pass::always() {
+    always_ = true;
+    return *this;
+}
+
 Pass& Pass::prepare(std::function<void(const PassInterface&)> callback) {
     prepare_ = std::move(callback);
     return *this;
@@ -138,6 +143,10 @@ ImageId FrameGraph::image(std::string name, const ImageDesc& desc) {
     image.desc = desc;
     images_.push_back(std::move(image));
     return {static_cast<uint32_t>(images_.size() - 1)};
+}
+
+ImageId FrameGraph::external_image(std::string name, const ImageDesc& desc) {
+    return external_ = image(std::move(name), desc);
 }
 
 ImageId FrameGraph::image(std::string name, const gpu::Raster& raster, std::span<const VkFormat> formats) {
@@ -242,10 +251,11 @@ void FrameGraph::compile() {
 void FrameGraph::cull_passes() {
     std::vector<bool> needed(images_.size());
     for (size_t i = 0; i < images_.size(); ++i)
-        needed[i] = images_[i].kept;
+        needed[i] = images_[i].kept || external_ == ImageId{static_cast<uint32_t>(i)};
     for (auto it = passes_.rbegin(); it != passes_.rend(); ++it) {
         Pass& pass = **it;
         pass.alive_ =
+            pass.always_ ||
             std::any_of(pass.images_.begin(), pass.images_.end(),
                         [&](const Pass::ImageUse& use) { return use.access.writes && needed[use.image.index]; }) ||
             std::any_of(pass.buffers_.begin(), pass.buffers_.end(),
@@ -260,9 +270,8 @@ void FrameGraph::cull_passes() {
 std::vector<gpu::Binding> FrameGraph::bindings(const Pass& pass, uint32_t slot) const {
     std::vector<gpu::Binding> bindings;
     for (const auto& [binding, image] : pass.sampled_) {
-        const GraphImage& source = images_[image.index];
         bindings.push_back(
-            gpu::Binding::sampled(binding, sampled_view(pass, binding, source), sampled_access(pass, image).layout));
+            gpu::Binding::sampled(binding, sampled_view(pass, binding, image), sampled_access(pass, image).layout));
     }
     for (const auto& [binding, image] : pass.stored_)
         bindings.push_back(gpu::Binding::storage_image(binding, images_[image.index].view));
@@ -271,11 +280,16 @@ std::vector<gpu::Binding> FrameGraph::bindings(const Pass& pass, uint32_t slot) 
     return bindings;
 }
 
-VkImageView FrameGraph::sampled_view(const Pass& pass, uint32_t binding, const GraphImage& image) const {
+VkImageView FrameGraph::sampled_view(const Pass& pass, uint32_t binding, ImageId image) const {
     if (std::find(pass.bits_.begin(), pass.bits_.end(), binding) != pass.bits_.end())
-        return image.bits_view;
+        return images_[image.index].bits_view;
     if (std::find(pass.stencils_.begin(), pass.stencils_.end(), binding) != pass.stencils_.end())
-        return image.stencil_only_view;
+        return images_[image.index].stencil_only_view;
+    return sampled_view(image);
+}
+
+VkImageView FrameGraph::sampled_view(ImageId id) const {
+    const GraphImage& image = images_[id.index];
     return has_stencil(image.desc.format) ? image.depth_only_view : image.view;
 }
 

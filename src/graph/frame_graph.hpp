@@ -77,6 +77,8 @@ public:
     /// What the shader finds as `raster` in set `inputs`: that of the images which it reads or writes by pixel. Without
     /// it, the attachments'; a pass that has none, and names none, has an empty one.
     Pass& raster(const gpu::Raster& raster);
+    /// The pass stays even where nothing that the graph knows needs it.
+    Pass& always();
     Pass& prepare(std::function<void(const PassInterface&)> callback);
     /// Commands that may not stand inside of rendering, recorded before it begins.
     Pass& before_rendering(std::function<void(const PassContext&)> callback);
@@ -118,6 +120,7 @@ private:
     bool stencil_ = false;
     std::optional<Load> stencil_load_; ///< keeps_stencil()
     bool blends_ = false;
+    bool always_ = false;
     std::vector<ImageUse> images_;
     std::vector<BufferUse> buffers_;
     std::vector<std::pair<uint32_t, ImageId>> sampled_, stored_;
@@ -144,6 +147,13 @@ struct PassTraffic {
     uint64_t bytes_read = 0, bytes_written = 0;
 };
 
+/// An image of somebody else's, for one frame.
+struct ExternalImage {
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+    VkImageLayout before = VK_IMAGE_LAYOUT_UNDEFINED, after = VK_IMAGE_LAYOUT_UNDEFINED;
+};
+
 /// Passes in the order in which they were added, compiled once and recorded once a frame.
 /// Images belong to the graph and share memory where their lifetimes do not meet.
 class FrameGraph {
@@ -159,6 +169,11 @@ public:
     ImageId image(std::string name, const gpu::Raster& raster, std::initializer_list<VkFormat> formats) {
         return image(std::move(name), raster, std::span(formats.begin(), formats.size()));
     }
+    /// A colour image that bind() brings for each frame, for one pass that draws all of it; one in a graph. In a frame
+    /// without one that pass draws nothing.
+    ImageId external_image(std::string name, const ImageDesc& desc);
+    /// For the frame that is recorded next, and all until the next call.
+    void bind(const std::optional<ExternalImage>& image) { bound_ = image; }
     /// What is not as asked for, one line each.
     const std::vector<std::string>& notes() const { return notes_; }
     /// Adds a line to notes(), once.
@@ -190,6 +205,8 @@ public:
     const ImageDesc& desc(ImageId image) const { return images_[image.index].desc; }
     gpu::Raster raster(ImageId image) const { return desc(image).raster; }
     const std::string& name(ImageId image) const { return images_[image.index].name; }
+    /// Of a compiled graph: as shaders sample it, its depth alone where it has stencil too.
+    VkImageView sampled_view(ImageId image) const;
 
     /// Removes passes that nothing needs, places the images, derives the barriers, makes descriptor
     /// sets and lets each pass make its pipelines. Throws Error.
@@ -212,6 +229,8 @@ public:
     std::vector<PassTraffic> traffic() const;
     /// Texels of a kept image, row by row, tightly packed. Submits and waits.
     std::vector<std::byte> read_back(ImageId image) const;
+    /// The same in the memory that the device copied it into.
+    gpu::Buffer read_back_buffer(ImageId image) const;
     /// A kept image of four bytes a texel as a frame leaves it, for whoever shows it; until the graph is gone.
     gpu::ShownImage shown(ImageId image) const;
     /// Memory that all images share, after aliasing.
@@ -254,9 +273,12 @@ private:
     void create_views();
     void begin_persistent_images() const;
     gpu::UniqueImageView create_view(const GraphImage& image, VkImageAspectFlags aspects, VkFormat format) const;
-    VkImageView sampled_view(const Pass& pass, uint32_t binding, const GraphImage& image) const;
+    VkImageView sampled_view(const Pass& pass, uint32_t binding, ImageId image) const;
     void derive_barriers();
     void derive_image_barriers(GraphImage& image, uint32_t index);
+    bool draws_external(const Pass& pass) const { return external_ && pass.target() == external_; }
+    /// The bound image's way between the caller's uses and the graph's.
+    void turn_external(VkCommandBuffer commands, bool begins) const;
     void derive_buffer_barriers(uint32_t index);
     Access everything_that_shares_memory(const GraphImage& image) const;
     gpu::Raster raster_of(const Pass& pass) const;
@@ -282,6 +304,8 @@ private:
     std::vector<GraphImage> images_;
     std::vector<GraphBuffer> buffers_;
     std::vector<std::unique_ptr<Pass>> passes_;
+    ImageId external_;
+    std::optional<ExternalImage> bound_;
     std::vector<Pass::BufferBarrier> host_barriers_; ///< at the frame's end
     std::vector<std::function<void(const gpu::FrameTurn&)>> before_frame_;
     gpu::FrameTurn turn_;                        ///< of the frame that is recorded

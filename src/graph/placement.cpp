@@ -33,6 +33,8 @@ void FrameGraph::find_lifetimes() {
         for (const auto& [binding, image] : pass.stored_)
             images_[image.index].usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     }
+    if (external_)
+        images_[external_.index].usage = 0; // nothing to make, to place or to derive
     for (GraphImage& image : images_) {
         if (!image.usage)
             continue;

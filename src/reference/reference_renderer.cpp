@@ -130,6 +130,13 @@ public:
             stats_.draws += world.mesh_of(instance).primitives.size();
     }
 
+    void share_world(const Renderer& other) override {
+        if (!other.world())
+            throw Error("renderer: share_world() with one that has no world");
+        set_world(*other.world());
+    }
+    const World* world() const override { return given_; }
+
     void update_world(const WorldChanges& changes) override {
         if (!world_)
             throw Error("renderer: set_world() comes before update_world()");
@@ -184,6 +191,15 @@ public:
         if (std::find(options_.views.begin(), options_.views.end(), view) == options_.views.end())
             throw UsageError(fmt::format("reference: view {} was not asked for", view));
         return reference::draw_view(view, picture_, buffers_, std::exp2(options_.exposure));
+    }
+
+    Texels texels(std::string_view view) override {
+        const auto picture = std::make_shared<const Image>(read(view));
+        return {.width = picture->width,
+                .height = picture->height,
+                .format = Texels::Format::rgb32f,
+                .bytes = std::as_bytes(std::span(picture->pixels)),
+                .memory = picture};
     }
 
     uint64_t max_lights() const override { return uint64_t(1) << 24; }

@@ -91,6 +91,7 @@ private:
             find_light_scale(graph, view, maps);
         const auto drawn = passes::gbuffer_pass(graph, view, format());
         passes::decal_geometry_pass(graph, view, drawn, passes::decal_pass(graph, view, drawn.surface));
+        own_passes(vulkan::Stage::after_surfaces, graph, view, drawn.surface);
         const bool halves = blended().in_half_samples();
         if (halves) {
             blended().count_layers(graph, view, drawn.surface.depth);
@@ -118,6 +119,7 @@ private:
             lists.samples = &surfaces.samples;
         lighting.lists = passes::screen_light_lists(graph, view, "light", lighting, lists);
         passes::light_pass(graph, view, "light", lighting);
+        own_passes(vulkan::Stage::after_light, graph, view, gbuffer.surface, {{"light", gbuffer.light}});
         std::optional<passes::SampleColours> samples;
         if (surfaces.edges) {
             const VkFormat light = graph.desc(gbuffer.light).format;

@@ -1,5 +1,4 @@
 #include "device_renderer.hpp"
-#include "read_back.hpp"
 #include "settings/draw_settings.hpp"
 #include "settings/sample_settings.hpp"
 #include "settings/shadow_settings.hpp"
@@ -10,8 +9,8 @@
 #include <fmt/format.h>
 #include <passes/deformation.hpp>
 #include <passes/index_trimming.hpp>
+#include <passes/target.hpp>
 #include <prelight/error.hpp>
-#include <resident/texture_limit.hpp>
 #include <timing/clocks.hpp>
 
 namespace prelight {
@@ -69,7 +68,19 @@ resident::GpuSceneSettings DeviceRenderer::scene_settings() const {
             .transmits = blended_.wanted()};
 }
 
-void DeviceRenderer::set_world(const World& world) {
+void DeviceRenderer::set_world(const World& world) { take_world(world, nullptr); }
+
+void DeviceRenderer::share_world(const Renderer& other) {
+    const auto* const owner = dynamic_cast<const DeviceRenderer*>(&other);
+    if (!other.world())
+        throw Error("renderer: share_world() with one that has no world");
+    if (owner == this)
+        return;
+    const bool same = owner && &owner->context_ == &context_ && owner->scene_->settings() == scene_settings();
+    take_world(*other.world(), same ? owner->scene_ : nullptr);
+}
+
+void DeviceRenderer::take_world(const World& world, std::shared_ptr<resident::GpuScene> scene) {
     drop_graph(); // before what its passes refer to
     blended_.forget();
     view_.reset();
@@ -78,7 +89,7 @@ void DeviceRenderer::set_world(const World& world) {
     scene_.reset();
     changes_ms_ = 0;
     world_ = nullptr; // until all of the new one is there
-    scene_ = std::make_unique<resident::GpuScene>(context_, world, scene_settings());
+    scene_ = scene ? std::move(scene) : std::make_shared<resident::GpuScene>(context_, world, scene_settings());
     lights_ = std::make_unique<resident::LightSet>(*scene_);
     make_view();
     build_graph();
@@ -205,7 +216,11 @@ void DeviceRenderer::build_graph() {
     shadows_.reset();
     passes::deformation_pass(*graph, *view_);
     each_view([&](const resident::View& view) { passes::index_trimming_passes(*graph, view); });
+    own_passes_.begin();
     outputs_ = build(*graph, *view_);
+    own_passes_.end();
+    if (target_form_)
+        passes::target_pass(*graph, *view_, output(target_form_->buffer), target_form_->format);
     for (const auto& [name, image] : outputs_)
         graph->keep(image);
     graph->compile();
@@ -256,7 +271,7 @@ void DeviceRenderer::count_layers(const PlacedCamera& camera) {
     warm_up(camera);
 }
 
-void DeviceRenderer::render_frame(const PlacedCamera& camera) {
+void DeviceRenderer::render_frame(const PlacedCamera& camera, const vulkan::Target* target) {
     const CreatedObjects before = created_since(context_, {});
     if (std::exchange(outgrown_, false)) {
         build_again();
@@ -272,10 +287,12 @@ void DeviceRenderer::render_frame(const PlacedCamera& camera) {
         uploaded.frame += view.written_bytes();
         times += view.update_times();
     });
-    scene_->updates().record(queue_->commands(), turn.slot);
+    scene_->updates().record(queue_->commands(), update_staging_[turn.slot]);
     clear_counters(queue_->commands());
+    graph_->bind(target ? std::optional(external_image(*target)) : std::nullopt);
     graph_->record(queue_->commands(), turn);
-    queue_->submit(*graph_);
+    graph_->bind({}); // whatever is recorded beside frames
+    queue_->submit(*graph_, target ? semaphores_of(*target) : gpu::Context::Semaphores{});
     costs_.add(std::exchange(changes_ms_, 0.0), times, thread_ms() - start, created_since(context_, before), uploaded);
 }
 
@@ -291,7 +308,9 @@ void DeviceRenderer::time_passes(const PlacedCamera& camera) {
     }
 }
 
-void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
+void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) { render(camera, frames, nullptr); }
+
+void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames, const vulkan::Target* target) {
     if (!world_ || !graph_)
         throw Error("renderer: set_world() comes before render()");
     stats_stay_ = false;
@@ -300,101 +319,11 @@ void DeviceRenderer::render(const PlacedCamera& camera, uint32_t frames) {
     queue_->start();
     costs_.start(frames);
     for (uint32_t f = 0; f < frames; ++f)
-        render_frame(camera);
+        render_frame(camera, target);
     for (uint32_t f = 0; options_.pass_cpu && f < frames; ++f)
         time_passes(camera);
     drawn_ = true;
     camera_ = camera;
-}
-
-Stats DeviceRenderer::stats() const {
-    if (drawn_ ? stats_stay_ : stats_.frames > 0)
-        return stats_;
-    Stats stats;
-    stats.device = context_.name();
-    stats.driver = context_.driver();
-    stats.settings = settings_.all();
-    stats.choices = settings_.choices();
-    stats.shading = settings_.shading();
-    if (!drawn_)
-        return stats;
-    queue_->drain();
-    stats.notes = graph_->notes();
-    for (std::string& note : resident::notes_on_large_textures(*world_->scene, context_.limits().maxImageDimension2D))
-        stats.notes.push_back(std::move(note));
-    stats.lights = lights_->placed().size();
-    stats.triangles = triangles_;
-    stats.draws = draws(*view_);
-    blended_.tell(stats);
-    stats.triangles_drawn = view_->triangles_drawn();
-    stats.draws_skipped = view_->draws_skipped();
-    stats.triangles_skipped = view_->triangles_skipped();
-    costs_.tell(stats, queue_->samples(), graph_->traffic());
-    stats.attachment_bytes = graph_->memory_bytes();
-    stats.attachment_bytes_unshared = graph_->unshared_bytes();
-    stats.device_bytes = context_.device_bytes();
-    stats.device_bytes_peak = context_.device_bytes_peak();
-    stats.pairs_counted = options_.count_pairs;
-    if (options_.count_pairs)
-        pair_counters_->tell(stats);
-    tell_shadows(stats);
-    add_figures(stats);
-    return stats;
-}
-
-void DeviceRenderer::tell_shadows(Stats& stats) const {
-    if (!light_view().shadows())
-        return;
-    ShadowStats shadows = light_view().shadows()->stats();
-    shadows.tiles_drawn = shadow_counts_.tiles_drawn;
-    shadows.tiles_reused = shadow_counts_.tiles_reused;
-    shadows.casters_drawn = shadow_counts_.casters_drawn;
-    stats.shadows = shadows;
-    if (shadows.lights_reduced > 0)
-        stats.notes.push_back(fmt::format(
-            "shadow-budget: {} of {} lights have shadow maps with less than a texel for eight pixels across",
-            shadows.lights_reduced, shadows.lights));
-    if (shadows.lights_without > 0)
-        stats.notes.push_back(fmt::format("shadow-budget: {} lights have no shadow, not a texel was left for them",
-                                          shadows.lights_without));
-}
-
-gpu::ShownImage DeviceRenderer::shown(std::string_view view) const {
-    if (!drawn_)
-        throw Error("renderer: render() comes before shown()");
-    const auto found = outputs_.find(view);
-    if (found == outputs_.end())
-        throw UsageError(fmt::format("--view {}: was not asked for when the renderer was made", view));
-    return graph_->shown(found->second);
-}
-
-Image DeviceRenderer::read(std::string_view view) {
-    if (!drawn_)
-        throw Error("renderer: render() comes before read()");
-    queue_->drain();
-    for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot)
-        outgrown_ = outgrown(slot) || outgrown_;
-    const bool absent = view == "linear" && !outputs_.contains(view); // the graph has no such image
-    if (absent)
-        options_.views.emplace_back(view);
-    if (absent || outgrown_) { // once more
-        Stats stats = this->stats();
-        const bool outgrown = std::exchange(outgrown_, false);
-        build_again();
-        render(camera_, 1);
-        if (outgrown) { // the picture is not the one that render() drew
-            stats.layers = this->stats().layers;
-            stats.notes = this->stats().notes;
-        }
-        stats_ = stats;
-        stats_stay_ = true;
-    }
-    const auto found = outputs_.find(view);
-    if (found == outputs_.end())
-        throw UsageError(fmt::format("--view {}: was not asked for when the renderer was made", view));
-    const graph::ImageDesc& desc = graph_->desc(found->second);
-    queue_->drain();
-    return unpack(graph_->read_back(found->second), desc.format, desc.raster.extent);
 }
 
 } // namespace prelight

@@ -3,6 +3,7 @@
 #include "frame_queue.hpp"
 #include "frame_stats.hpp"
 #include "light_sums.hpp"
+#include "own_passes.hpp"
 #include "pair_counters.hpp"
 #include "post_filter.hpp"
 #include "settings/settings.hpp"
@@ -23,15 +24,22 @@ namespace prelight {
 class DeviceRenderer : public Renderer {
 public:
     void set_world(const World& world) final;
+    void share_world(const Renderer& other) final;
+    const World* world() const final { return world_; }
     void update_world(const WorldChanges& changes) final;
     void set_lights(std::span<const PlacedLight> lights) final;
     void resize(uint32_t width, uint32_t height) final;
     void render(const PlacedCamera& camera, uint32_t frames) final;
     Image read(std::string_view view) final;
+    Texels texels(std::string_view view) final;
     Stats stats() const final;
     /// A buffer of the last frame where it lies, for a window: valid until the next call of anything that is not const.
     /// The frame may still be in flight; later submissions to the device's queue come after it. Throws as read() does.
     gpu::ShownImage shown(std::string_view view) const;
+    /// vulkan::render_into(), add_pass() and remove_pass().
+    void render_into(const PlacedCamera& camera, const vulkan::Target& target);
+    uint64_t add_pass(vulkan::Pass pass);
+    void remove_pass(uint64_t number);
     /// Figures of the last frame that is known to be done, without waiting for one.
     const FrameFigures& last_frame() { return queue_->last_frame(); }
     /// Every setting with the value in force: Stats::settings, without waiting.
@@ -91,11 +99,17 @@ protected:
     /// passes::sampled_surfaces() as `msaa-light` says; with one sample a pixel `surface` and `colours` as they are.
     passes::SampledSurfaces sampled(graph::FrameGraph& graph, const resident::View& view,
                                     const passes::SurfaceBuffers& surface, passes::GBufferColours* colours = nullptr);
+    /// The program's own passes of a stage; `surface` without normals: they are its depth. `more`: what else there is.
+    void own_passes(vulkan::Stage stage, graph::FrameGraph& graph, const resident::View& view,
+                    const passes::SurfaceBuffers& surface, std::vector<OwnPasses::Offered> more = {});
+    const OwnPasses& own_passes() const { return own_passes_; }
     const gpu::Buffer& pair_counters() const { return pair_counters_->buffer(); }
     /// For an architecture that draws blended surfaces in half of the samples.
     BlendedSurfaces& blended() { return blended_; }
 
 private:
+    /// set_world(), with what is on the device already. Null: nothing is.
+    void take_world(const World& world, std::shared_ptr<resident::GpuScene> scene);
     /// update_world(). Throws Error, and has taken in some of it.
     void take_changes(const WorldChanges& changes);
     /// How many layers there are, and single ones, where that was asked for. `layers`: none where nothing is blended.
@@ -124,10 +138,18 @@ private:
     void warm_up(const PlacedCamera& camera);
     /// Before the first frame of a world whose blended surfaces are drawn layer by layer: finds out how many there are.
     void count_layers(const PlacedCamera& camera);
-    void render_frame(const PlacedCamera& camera);
+    void render(const PlacedCamera& camera, uint32_t frames, const vulkan::Target* target);
+    void render_frame(const PlacedCamera& camera, const vulkan::Target* target);
     /// One more frame, pass by pass: adds each pass's CPU time to costs_.
     void time_passes(const PlacedCamera& camera);
     void build_again();
+    /// Throws UsageError.
+    void check_target(const vulkan::Target& target) const;
+    static graph::ExternalImage external_image(const vulkan::Target& target);
+    static gpu::Context::Semaphores semaphores_of(const vulkan::Target& target);
+    /// An image of the last frame, which is done, drawn once more where that takes it. Throws as read() does.
+    graph::ImageId finished(std::string_view view);
+    graph::ImageId output(std::string_view view) const;
     /// Whether an earlier frame in this slot, which is done, had too little room for its edges or its layers.
     bool outgrown(uint32_t slot) {
         const bool edges = edges_ && edges_->take(slot);
@@ -146,11 +168,20 @@ private:
     std::optional<passes::EdgeCounter> edges_; ///< with several samples a pixel
     std::optional<passes::Shadows> shadows_;   ///< of the graph that is built
     const World* world_ = nullptr;
-    std::unique_ptr<resident::GpuScene> scene_;
+    std::shared_ptr<resident::GpuScene> scene_; ///< of several renderers, after share_world()
+    gpu::PerFrame<gpu::Buffer> update_staging_;
     std::unique_ptr<resident::LightSet> lights_;
     std::unique_ptr<resident::View> view_, light_view_;
     std::unique_ptr<graph::FrameGraph> graph_;
     Outputs outputs_;
+    /// What the graph has a last pass for.
+    struct TargetForm {
+        VkFormat format = VK_FORMAT_UNDEFINED;
+        std::string buffer;
+        bool operator==(const TargetForm&) const = default;
+    };
+    std::optional<TargetForm> target_form_;
+    OwnPasses own_passes_;
     uint64_t triangles_ = 0;             ///< of the world
     passes::ShadowCounts shadow_counts_; ///< of the last recording
     bool drawn_ = false;                 ///< the graph's images hold a frame

@@ -37,14 +37,14 @@ gpu::FrameTurn FrameQueue::begin() {
     return {slot_, drained_};
 }
 
-uint64_t FrameQueue::end_commands() {
+uint64_t FrameQueue::end_commands(const gpu::Context::Semaphores& semaphores) {
     gpu::check(vkEndCommandBuffer(commands()), "frame");
-    return context_.submit(commands());
+    return context_.submit(commands(), semaphores);
 }
 
-void FrameQueue::submit(const graph::FrameGraph& graph) {
+void FrameQueue::submit(const graph::FrameGraph& graph, const gpu::Context::Semaphores& semaphores) {
     drained_ = false;
-    pending_.push_back({slot_, end_commands(), run_, &graph});
+    pending_.push_back({slot_, end_commands(semaphores), run_, &graph});
 }
 
 void FrameQueue::collect() {

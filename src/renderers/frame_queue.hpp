@@ -43,7 +43,7 @@ public:
     gpu::FrameTurn begin();
     VkCommandBuffer commands() const { return slots_[slot_].commands; }
     /// Submits what was recorded since begin(), a frame of `graph`.
-    void submit(const graph::FrameGraph& graph);
+    void submit(const graph::FrameGraph& graph, const gpu::Context::Semaphores& semaphores = {});
     /// Waits for all frames. Throws Error.
     void drain();
     /// Records commands, submits them and waits; no frame may be in flight, and none is counted.
@@ -60,7 +60,7 @@ private:
         uint64_t run = 0;
         const graph::FrameGraph* graph = nullptr;
     };
-    uint64_t end_commands();
+    uint64_t end_commands(const gpu::Context::Semaphores& semaphores = {});
     void collect();
 
     const gpu::Context& context_;

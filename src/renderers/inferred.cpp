@@ -76,10 +76,12 @@ private:
                                        .ids = true,
                                        .specular_antialiasing = settings().is("specular-antialiasing", "on")});
         passes::decal_normal_pass(graph, lit, surface, passes::decal_pass(graph, lit, surface));
+        own_passes(vulkan::Stage::after_surfaces, graph, lit, surface);
         const auto visibility = this->visibility(graph, lit, surface);
         if (layers)
             passes::layer_geometry_pass(graph, lit, surface);
         const LightStage stage = light_stage(graph, lit, {surface, surface, {}});
+        own_passes_after_light(graph, lit, surface, stage.light);
         // At the picture's.
         const auto drawn = picture_surface(graph, view);
         passes::clear_unmatched_pass(graph, unmatched_);

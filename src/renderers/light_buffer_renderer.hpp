@@ -26,6 +26,11 @@ protected:
     /// All lights of `view`, culled as it says, on `surfaces`.
     LightStage light_stage(graph::FrameGraph& graph, const resident::View& view,
                            const passes::SampledSurfaces& surfaces);
+    void own_passes_after_light(graph::FrameGraph& graph, const resident::View& view,
+                                const passes::SurfaceBuffers& surface, const passes::LightBuffer& light) {
+        own_passes(vulkan::Stage::after_light, graph, view, surface,
+                   {{"diffuse-light", light.diffuse}, {"specular-light", light.specular}});
+    }
     /// Whether there is anything for stage 2: not in a scene that its environment alone lights, for one.
     bool has_light(const resident::View& view) const {
         return !view.lights().placed().empty() || model_.ambient_as_light;

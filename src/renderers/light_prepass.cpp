@@ -80,9 +80,9 @@ private:
     /// Whether anything but the materials themselves asks what the surfaces are like.
     bool needs_surfaces(const resident::View& view) const {
         const auto shows_surfaces = [](const std::string& name) { return name != "final" && name != "linear"; };
-        return has_light(view) || model().fixed_point() || occludes() || view.scene().shows_through() ||
-               !view.scene().decals().empty() || settings().is("antialiasing", "edge-blur") ||
-               std::ranges::any_of(options().views, shows_surfaces);
+        return own_passes().any_before_materials() || has_light(view) || model().fixed_point() || occludes() ||
+               view.scene().shows_through() || !view.scene().decals().empty() ||
+               settings().is("antialiasing", "edge-blur") || std::ranges::any_of(options().views, shows_surfaces);
     }
 
     /// Depth and materials: no light, no light buffer to fill, nobody to read normals. A picture of a file without
@@ -104,6 +104,7 @@ private:
         const auto drawn = passes::depth_normal_pass(graph, view, surface_format(settings()));
         const auto decals = passes::decal_pass(graph, view, drawn);
         passes::decal_normal_pass(graph, view, drawn, decals);
+        own_passes(vulkan::Stage::after_surfaces, graph, view, drawn);
         const bool halves = blended().in_half_samples();
         if (halves) {
             blended().count_layers(graph, view, drawn.depth);
@@ -111,6 +112,7 @@ private:
         }
         const passes::SampledSurfaces surfaces = sampled(graph, view, drawn);
         const LightStage stage = light_stage(graph, view, surfaces);
+        own_passes_after_light(graph, view, surfaces.pixels, stage.light);
         passes::MaterialInputs materials{.depth = drawn.depth,
                                          .light = stage.light,
                                          .model = model(),

@@ -11,6 +11,7 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
                                                        graph::ImageId linear, const passes::SurfaceBuffers& surface,
                                                        const std::function<graph::ImageId(graph::ImageId)>& filter) {
     passes::background_pass(graph, view, linear, surface.depth, {});
+    own_passes(vulkan::Stage::after_opaque, graph, view, surface, {{"picture", linear}});
     passes::ForwardInputs over{
         .name = {}, .depth = surface.depth, .colour = linear, .kinds = {}, .plan = {}, .model = {}};
     over.shadows = shadows(graph, view);
@@ -24,10 +25,12 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
         linear = filter(passes::resolve_pass(graph, view, linear, which));
         which = passes::Resolved::all;
     }
+    own_passes(vulkan::Stage::before_display, graph, view, surface, {{"picture", linear}});
     const bool one = graph.raster(linear).samples == 1;
     const graph::ImageId picture = one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
                                        : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap, which);
     Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
+    own_passes(vulkan::Stage::after_display, graph, view, surface, {{"picture", outputs["final"]}});
     add_layers_views(outputs, graph, view, surface, layers);
     if (wants("linear"))
         outputs["linear"] = passes::resolve_pass(graph, view, linear, which);
@@ -37,11 +40,12 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
 DeviceRenderer::Outputs DeviceRenderer::picture_outputs(graph::FrameGraph& graph, const resident::View& view,
                                                         const passes::SurfaceBuffers& surface,
                                                         const std::function<graph::ImageId(passes::Display)>& draw) {
-    if (wants("linear") || view.scene().shows_through())
+    if (wants("linear") || view.scene().shows_through() || own_passes_.any_linear())
         return linear_outputs(graph, view, draw({}), surface);
     const graph::ImageId picture = draw(options_.tonemap);
     passes::background_pass(graph, view, picture, surface.depth, options_.tonemap);
     Outputs outputs{{"final", post_filter_.add(graph, view, surface, passes::resolve_pass(graph, view, picture))}};
+    own_passes(vulkan::Stage::after_display, graph, view, surface, {{"picture", outputs["final"]}});
     add_layers_views(outputs, graph, view, surface, {});
     return outputs;
 }

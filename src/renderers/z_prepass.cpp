@@ -44,6 +44,7 @@ private:
 
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
         const auto depth = depth_pass(graph, view);
+        own_passes(vulkan::Stage::after_surfaces, graph, view, surface_of(depth));
         lists_.reset();
         if (grid_)
             lists_ = passes::grid_light_lists(graph, view, "opaque");

@@ -18,6 +18,7 @@ struct GpuSceneSettings {
     bool surface_ids = false; ///< fill Geometry::groups
     bool blends = false;      ///< draws of materials with alphaMode BLEND are Draw::blended(); else they are opaque
     bool transmits = false;   ///< draws of materials that light comes through are Draw::transmissive(); else opaque
+    bool operator==(const GpuSceneSettings&) const = default;
 };
 
 /// A world on the device: geometry, materials with their textures, environment. It knows no camera, no picture and no
@@ -39,6 +40,7 @@ public:
 
     const gpu::Context& context() const { return context_; }
     const World& world() const { return world_; }
+    const GpuSceneSettings& settings() const { return settings_; }
     /// Null: ambient light is the world's radiance.
     const Environment* environment() const { return world_.scene->environment.get(); }
     const Geometry& geometry() const { return geometry_; }

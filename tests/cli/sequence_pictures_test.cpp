@@ -168,11 +168,14 @@ TEST(Sequence, WhatCannotBeIsToldBeforeWork) {
 class NotingRenderer : public Renderer {
 public:
     void set_world(const World& world) override { worlds.push_back(&world); }
+    void share_world(const Renderer&) override {}
+    const World* world() const override { return worlds.empty() ? nullptr : worlds.back(); }
     void update_world(const WorldChanges& changes) override { updates.push_back(changes); }
     void set_lights(std::span<const PlacedLight>) override {}
     void resize(uint32_t, uint32_t) override {}
     void render(const PlacedCamera&, uint32_t) override {}
     Image read(std::string_view) override { return {}; }
+    Texels texels(std::string_view) override { return {}; }
     Stats stats() const override { return {}; }
     uint64_t max_lights() const override { return 65536; }
     std::vector<const World*> worlds;

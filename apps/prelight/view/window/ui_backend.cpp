@@ -58,7 +58,7 @@ UiBackend::UiBackend(const gpu::Context& context, VkFormat format) : context_(co
     pipeline_ = gpu::GraphicsPipeline(context, desc);
 }
 
-UiBackend::~UiBackend() { vkDeviceWaitIdle(context_.device()); }
+UiBackend::~UiBackend() { context_.wait_idle(); }
 
 void UiBackend::fill(const ImDrawData& data, Slot& slot) const {
     reserve(context_, slot.vertices, "user interface vertices", uint64_t(data.TotalVtxCount) * sizeof(ImDrawVert),
