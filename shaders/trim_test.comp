@@ -24,8 +24,9 @@ const uint OUTSIDE_LEFT = 1u, OUTSIDE_RIGHT = 2u, OUTSIDE_TOP = 4u, OUTSIDE_BOTT
 // Behind the camera, or so far off that single precision does not tell where: its triangles are kept.
 const uint UNKNOWN_PLACE = 64u;
 const float farthest = 16384.0; // pixels from the picture's corner
-// Pixels; several samples lie anywhere within theirs.
-float margin = exp2(-float(subpixel_bits)) + 1.0 / 128.0 + (samples > 1 ? 0.5 : 0.0);
+// Pixels that a vertex may be off where the device sees it, and from a pixel's centre to its samples.
+float margin = exp2(-float(subpixel_bits)) + 1.0 / 128.0;
+float reach = samples > 1 ? 0.5 : 0.0;
 
 struct View {
     mat4 clip;   // object space → clip space
@@ -68,10 +69,12 @@ Corner corner_at(View view, uint vertex) {
 // Twice the signed area, positive when clockwise on a screen whose y points down.
 float turn(vec2 a, vec2 b, vec2 c) { return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y); }
 
-// ≥ 0 on the triangle's side of an edge; both ends may be off by the margin, and so may the sum's rounding be.
+// ≥ 0 on the triangle's side of an edge; both ends may be off by the margin, and so may the sum's rounding be; a sample
+// by its reach.
 vec3 edge(vec2 from, vec2 to, float side) {
     float a = -side * (to.y - from.y), b = side * (to.x - from.x);
-    return vec3(a, b, -(a * from.x + b * from.y) + 2.0 * margin * (abs(a) + abs(b) + margin));
+    float size = abs(a) + abs(b), room = 2.0 * margin * (size + margin + 2.0 * reach) + reach * size;
+    return vec3(a, b, room - (a * from.x + b * from.y));
 }
 
 #ifdef BY_DEPTH
@@ -120,7 +123,8 @@ bool may_show(View view, uint state, uvec3 vertices) {
     float facing = (state & TRIM_MIRRORED) != 0u ? 1.0 : -1.0;
     bool away = (state & TRIM_DOUBLE_SIDED) == 0u && facing * area < -2.0 * margin * (around + margin);
     // The pixels whose centres lie in the box around it.
-    ivec2 first = ivec2(ceil(low - margin - 0.5)), last = ivec2(floor(high + margin - 0.5));
+    float around_it = margin + reach;
+    ivec2 first = ivec2(ceil(low - around_it - 0.5)), last = ivec2(floor(high + around_it - 0.5));
     bool none = any(greaterThan(first, last));
     int pixels = (last.x - first.x + 1) * (last.y - first.y + 1);
     if (off || (known && (away || none)))

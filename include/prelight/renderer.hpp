@@ -94,12 +94,12 @@ struct CreatedObjects {
     bool operator==(const CreatedObjects&) const = default;
 };
 
-/// CPU time of the calling thread for one frame, milliseconds.
+/// CPU time of one frame, milliseconds: the calling thread's, and of threads that help it.
 struct HostTimes {
     Spread lights;  ///< the lights' records: what of each light shaders read; with the time of set_lights() and
                     ///< update_world()
     Spread culling; ///< which lights reach the picture or an object, in which group, with which bounds
-    Spread objects; ///< the objects' records
+    Spread objects; ///< the objects' records, and which of their triangles may show
     Spread record;  ///< recording and submitting the frame's commands
 };
 

@@ -27,9 +27,11 @@ DeviceTrimming::Output make_output(const gpu::Context& context, uint64_t draws, 
 
 } // namespace
 
-uint64_t DeviceTrimming::Output::triangles(uint32_t slot, size_t draws) const {
+uint64_t DeviceTrimming::Output::triangles(uint32_t slot, std::span<const VisibleDraw> draws) const {
     const uint32_t* counts = host_counts[slot].mapped<uint32_t>();
-    return std::accumulate(counts, counts + draws, uint64_t(0)) / 3;
+    return std::accumulate(draws.begin(), draws.end(), uint64_t(0), [&](uint64_t sum, const VisibleDraw& one) {
+        return sum + (one.device_trimmed ? counts[one.instance] : one.index_count) / 3;
+    });
 }
 
 DeviceTrimming::DeviceTrimming(const gpu::Context& context, const Geometry& geometry, uint64_t indices,

@@ -16,8 +16,9 @@ public:
         gpu::Buffer indices;                    ///< uint32
         gpu::Buffer commands;                   ///< VkDrawIndexedIndirectCommand, by visible draw
         gpu::PerFrame<gpu::Buffer> host_counts; ///< uint32 a visible draw: indices kept
-        /// Triangles of the slot's last frame, which must be done.
-        uint64_t triangles(uint32_t slot, size_t draws) const;
+        /// Of the slot's last frame, which must be done and have shown `draws`: those that the device trimmed and those
+        /// that it drew whole, which it did not count.
+        uint64_t triangles(uint32_t slot, std::span<const VisibleDraw> draws) const;
     };
     /// `indices`: room of each output. Throws Error when the geometry is larger than a storage buffer.
     DeviceTrimming(const gpu::Context& context, const Geometry& geometry, uint64_t indices, const DrawOptions& options);

@@ -1,8 +1,8 @@
 #pragma once
+#include "scene.hpp"
+#include "screen_triangles.hpp"
 #include <glm/mat4x4.hpp>
-#include <prelight/scene.hpp>
 #include <shared/frame.h>
-#include <span>
 #include <vector>
 
 namespace prelight::resident {
@@ -16,25 +16,28 @@ struct TrimView {
 };
 
 /// Leaves out triangles that cannot show, on the host: those that face away, those off screen, and those
-/// that cover no sample. A triangle that the device's own rounding might let show is kept, so a
+/// that cover no sample; whole objects first. A triangle that the device's own rounding might let show is kept, so a
 /// picture is the same byte for byte.
 class IndexTrimmer {
 public:
     explicit IndexTrimmer(const TrimView& view);
-    /// Writes the indices of what may show to `out`, which has room for all of them; returns how many.
-    /// `object`: where the primitive stands.
-    size_t trim(const Primitive& primitive, const shared::ObjectData& object, bool mirrored, bool double_sided,
-                uint32_t* out);
+    /// Writes the indices of what may show of the draw's primitive to `out`, which has room for all of them; returns
+    /// how many. `object`: where it stands.
+    size_t trim(const Draw& draw, const shared::ObjectData& object, uint32_t* out);
 
 private:
-    void project(const Primitive& primitive, const shared::ObjectData& object);
-    template <bool double_sided>
-    size_t select(const std::vector<uint32_t>& indices, float facing, uint32_t* out) const;
+    /// Where the object's box lies on the screen. Outside: not one sample is in it. Inside: no side of the picture cuts
+    /// it, and every vertex has a known place.
+    enum class Place { outside, inside, crossing };
+
+    void look_at(const Draw& draw, const shared::ObjectData& object);
+    Place place_of(const Draw& draw) const;
 
     TrimView view_;
-    float margin_; ///< pixels that a vertex may be off where the device sees it, or a sample off the pixel's centre
-    std::vector<glm::vec2> place_; ///< of each vertex, pixels
-    std::vector<uint8_t> outside_; ///< OUTSIDE_… bits
+    ScreenPlacing placing_;
+    TriangleTest test_;
+    std::vector<float> x_, y_; ///< ScreenVertices of the primitive
+    std::vector<uint32_t> outside_;
 };
 
 } // namespace prelight::resident

@@ -83,10 +83,7 @@ uint64_t View::triangles_drawn() const {
     const bool on_device = settings_.draws.trimming == IndexTrimming::device;
     if (!on_device)
         return visible_.triangles;
-    uint64_t triangles = device_trimming_->first().triangles(slot_, visible_.draws.size());
-    for (const VisibleDraw& one : visible_.draws)
-        triangles += one.device_trimmed ? 0 : one.index_count / 3;
-    return triangles;
+    return device_trimming_->first().triangles(slot_, visible_.draws);
 }
 
 std::optional<uint64_t> View::draws_skipped() const {
@@ -98,10 +95,7 @@ std::optional<uint64_t> View::draws_skipped() const {
 std::optional<uint64_t> View::triangles_skipped() const {
     if (!settings_.draws.trims_by_depth)
         return {};
-    uint64_t later = device_trimming_->later().triangles(slot_, visible_.draws.size());
-    for (const VisibleDraw& one : visible_.draws)
-        later += one.device_trimmed ? 0 : one.index_count / 3;
-    return triangles_drawn() - later;
+    return triangles_drawn() - device_trimming_->later().triangles(slot_, visible_.draws);
 }
 
 void View::make_light_buffers(const LightSet& lights) {
@@ -207,8 +201,9 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
                visible_.batches.size() * sizeof(VkDrawIndexedIndirectCommand) + visible_.trimmed * sizeof(uint32_t);
     if (shadows_)
         written_ += shadows_->records().size() * sizeof(shared::ShadowData);
-    times_ = {
-        .lights = thread_ms() - culling_end, .culling = culling_end - objects_end, .objects = objects_end - start};
+    times_ = {.lights = thread_ms() - culling_end,
+              .culling = culling_end - objects_end,
+              .objects = objects_end - start + visible_.helpers_ms};
 }
 
 void View::update_shadows(const PlacedCamera& camera, shared::FrameConstants& constants) {

@@ -29,7 +29,7 @@ struct ViewSettings {
     bool layers = false; ///< blended draws get slots: View::layers()
 };
 
-/// CPU time of the calling thread for one frame, milliseconds; as prelight::HostTimes names it.
+/// CPU time of one frame, milliseconds; as prelight::HostTimes names it.
 struct UpdateTimes {
     double lights = 0, culling = 0, objects = 0;
     UpdateTimes& operator+=(const UpdateTimes& other) {

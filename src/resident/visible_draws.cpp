@@ -3,7 +3,7 @@
 #include "frustum.hpp"
 #include "objects.hpp"
 #include "sort_draws.hpp"
-#include "trim_indices.hpp"
+#include "trim_draws.hpp"
 #include <algorithm>
 
 namespace prelight::resident {
@@ -24,6 +24,23 @@ void make_batches(VisibleDraws& out, const std::vector<Draw>& all, const DrawOpt
                                one.device_trimmed,
                                {one.index_count, 1, one.first_index, draw.vertex_offset, one.instance}});
     }
+}
+
+/// Puts the triangles of draws that face the viewer into their order. `room`: behind `before` indices of other draws;
+/// what does not fit keeps its own order. Returns the indices used.
+size_t sort_facing(std::span<VisibleDraw> draws, std::span<const shared::ObjectData> objects, std::span<const Draw> all,
+                   const glm::dvec3& forward, std::span<uint32_t> room, size_t before) {
+    FacingSorter sorter(forward);
+    size_t used = 0;
+    for (size_t d = 0; d < draws.size(); ++d) {
+        const Draw& draw = all[draws[d].draw];
+        if (!draw.facing() || !draw.primitive || used + draw.index_count > room.size())
+            continue;
+        draws[d].first_index = static_cast<uint32_t>(before + used);
+        draws[d].trimmed = true;
+        used += sorter.sort(*draw.primitive, objects[d], &room[used]);
+    }
+    return used;
 }
 
 } // namespace
@@ -51,37 +68,36 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     out.draws.insert(out.draws.end(), blended.begin(), blended.end());
     out.place.assign(all.size(), no_image);
 
-    IndexTrimmer trimmer({constants.clip_from_world, static_cast<float>(raster.extent.width),
-                          static_cast<float>(raster.extent.height), subpixel_bits, raster.samples});
-    FacingSorter facing(glm::dvec3(constants.forward));
-    size_t used = 0, device_used = 0;
+    std::vector<shared::ObjectData> objects(out.draws.size());
+    for (size_t d = 0; d < out.draws.size(); ++d) {
+        const Draw& draw = all[out.draws[d].draw];
+        objects[d] = object_data(world.instances[draw.object], draw.normal_row, eye);
+        objects[d].normal_row[1].w = static_cast<float>(out.draws[d].draw + 1);
+    }
+    out.trimmed = 0;
+    out.helpers_ms = 0;
+    if (options.trimming == IndexTrimming::host)
+        out.trimmed = trim_draws(out.draws, objects, all,
+                                 {constants.clip_from_world, static_cast<float>(raster.extent.width),
+                                  static_cast<float>(raster.extent.height), subpixel_bits, raster.samples},
+                                 buffers.indices, out.helpers_ms);
+    out.trimmed += sort_facing(out.draws, objects, all, glm::dvec3(constants.forward),
+                               buffers.indices.subspan(out.trimmed), out.trimmed);
+    size_t device_used = 0;
     uint32_t kept = 0;
     out.opaque = out.transmissives = 0;
     for (size_t d = 0; d < out.draws.size(); ++d) {
         VisibleDraw one = out.draws[d];
-        const Draw& draw = all[one.draw];
-        shared::ObjectData object = object_data(world.instances[draw.object], draw.normal_row, eye);
-        object.normal_row[1].w = static_cast<float>(one.draw + 1);
-        const bool fits = draw.primitive && used + draw.index_count <= buffers.indices.size();
-        if (fits && (draw.facing() || options.trimming == IndexTrimming::host)) {
-            one.first_index = static_cast<uint32_t>(used);
-            one.index_count =
-                static_cast<uint32_t>(draw.facing() ? facing.sort(*draw.primitive, object, &buffers.indices[used])
-                                                    : trimmer.trim(*draw.primitive, object, draw.mirrored,
-                                                                   draw.double_sided, &buffers.indices[used]));
-            one.trimmed = true;
-            used += one.index_count;
-        }
         if (one.index_count == 0)
             continue;
-        if (options.trims_on_device() && d < solid && !draw.facing() &&
+        if (options.trims_on_device() && d < solid && !all[one.draw].facing() &&
             device_used + one.index_count <= buffers.device_indices &&
             (options.trimming != IndexTrimming::host || one.trimmed)) {
             one.device_trimmed = true;
             device_used += one.index_count;
         }
         one.instance = kept;
-        buffers.objects[kept] = object;
+        buffers.objects[kept] = objects[d];
         out.place[one.draw] = kept;
         out.triangles += one.index_count / 3;
         out.draws[kept++] = one;
@@ -89,7 +105,6 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         out.transmissives += d >= solid && d < behind_blended;
     }
     out.draws.resize(kept);
-    out.trimmed = used;
     make_batches(out, all, options);
     for (size_t b = 0; b < out.batches.size(); ++b)
         buffers.commands[b] = out.batches[b].command;

@@ -49,6 +49,7 @@ struct VisibleDraws {
     std::vector<uint32_t> place;    ///< by index into Geometry::draws: index into `draws`, or no_image
     uint64_t triangles = 0;         ///< of all draws
     uint64_t trimmed = 0;           ///< indices that the host trimmed
+    double helpers_ms = 0;          ///< CPU time of threads beside the calling one that trimmed them
 
     /// By the depth of the middle of their bounds, the farthest first; at the same depth in the world's order.
     std::span<const VisibleDraw> blended() const { return std::span(draws).subspan(opaque + transmissives); }

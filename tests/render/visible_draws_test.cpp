@@ -18,8 +18,8 @@ struct Drawn {
 };
 
 Drawn drawn_with(const World& world, const PlacedCamera& camera, const SettingMap& settings,
-                 const std::string& renderer = "light-prepass", Device& device = test_device()) {
-    const RenderOptions options{.width = 240, .height = 136, .settings = settings, .views = {"depth"}};
+                 const std::string& renderer = "light-prepass", Device& device = test_device(), uint32_t samples = 1) {
+    const RenderOptions options{.width = 240, .height = 136, .msaa = samples, .settings = settings, .views = {"depth"}};
     const auto made = create_renderer(renderer, &device, options);
     made->set_world(world);
     made->render(camera);
@@ -112,6 +112,83 @@ TEST(VisibleDraws, TrianglesBelowAPixel) {
         if (distance > 100) {
             EXPECT_LT(ours.stats.triangles_drawn, uint64_t(240 * 136)) << "more triangles than pixels";
         }
+    }
+}
+
+/// Whole objects inside the picture, across each of its sides, around and behind the camera, too small for a pixel,
+/// mirrored and flattened; with one sample a pixel and with several.
+TEST(VisibleDraws, WholeObjects) {
+    TestWorld test;
+    test.add_material({.name = "clay", .base_colour = {0.8f, 0.3f, 0.2f, 1}, .metallic = 0, .roughness = 0.9f});
+    test.add(sphere(32));
+    const auto place = [&](const glm::dvec3& at, const glm::dvec3& size) {
+        test.place(0, glm::scale(glm::translate(glm::dmat4(1), at), size));
+    };
+    for (const glm::dvec3& at : {glm::dvec3(-6.3, 0, 0), glm::dvec3(6.3, 1, 0), glm::dvec3(1, 3.6, 0),
+                                 glm::dvec3(-1, -3.6, 0), glm::dvec3(0.2, 0.1, 9), glm::dvec3(0, 0, 20)})
+        place(at, {1, 1, -1});
+    for (int i = 0; i < 12; ++i)
+        place({0.31 * i - 2, 2.2 - 0.13 * i, 0}, glm::dvec3(0.012));
+    place({2.5, 0, 1}, {1, 1, 1e-6});
+    test.world.triangles = test.world.instances.size() * test.scene.meshes[0].primitives[0].indices.size() / 3;
+    test.add_light({.kind = LightKind::directional, .intensity = 2}, {0, 0, 0}, {-0.3, -0.5, -1});
+    for (const PlacedCamera& camera : {front_camera(9), orthographic(front_camera(9))})
+        for (const uint32_t samples : {1u, 4u}) {
+            const Drawn all = drawn_with(test.world, camera, everything, "light-prepass", test_device(), samples);
+            for (const char* trimming : {"host", "device"}) {
+                const SettingMap settings{{"index-trimming", trimming}};
+                const Drawn ours = drawn_with(test.world, camera, settings, "light-prepass", test_device(), samples);
+                SCOPED_TRACE(std::to_string(samples) + " " + trimming);
+                EXPECT_TRUE(ours.final.pixels == all.final.pixels);
+                EXPECT_TRUE(ours.depth.pixels == all.depth.pixels);
+                EXPECT_LT(ours.stats.triangles_drawn, all.stats.triangles_drawn);
+                if (samples == 1) { // several samples lie in each triangle of what is small
+                    EXPECT_LT(10 * ours.stats.triangles_drawn, 3 * all.stats.triangles_drawn);
+                }
+            }
+        }
+    expect_validation_clean(test_device());
+}
+
+/// Which way a triangle faces has nothing to do with where the samples are: half of the sphere is left out.
+TEST(VisibleDraws, FacesAwayWithSeveralSamples) {
+    TestWorld test;
+    test.add_material({.name = "clay", .base_colour = {0.8f, 0.3f, 0.2f, 1}, .metallic = 0, .roughness = 0.9f});
+    test.add(sphere(128));
+    test.world.triangles = test.scene.meshes[0].primitives[0].indices.size() / 3;
+    for (const char* trimming : {"host", "device"}) {
+        const Drawn ours =
+            drawn_with(test.world, front_camera(4), {{"index-trimming", trimming}}, "light-prepass", test_device(), 4);
+        EXPECT_LT(100 * ours.stats.triangles_drawn, 55 * test.world.triangles) << trimming;
+    }
+}
+
+/// What the device does not trim it does not count: blended objects here, which stand where opaque ones stood in the
+/// frames before.
+TEST(VisibleDraws, TheDeviceCountsWhatItTrims) {
+    TestWorld test;
+    test.add_material({.name = "clay", .base_colour = {0.8f, 0.3f, 0.2f, 1}, .metallic = 0, .roughness = 0.9f});
+    test.add_material({.name = "veil", .base_colour = {0.2f, 0.3f, 0.8f, 0.5f}, .alpha_mode = AlphaMode::blend});
+    test.add(sphere(32));
+    for (int i = 1; i < 6; ++i)
+        test.place(0, glm::translate(glm::dmat4(1), {0.5 * i, 0, 0}));
+    Primitive veil = sphere(16);
+    veil.material = 1;
+    const uint64_t veil_triangles = veil.indices.size() / 3;
+    test.scene.meshes.push_back({"veil", {std::move(veil)}});
+    for (int i = 0; i < 4; ++i)
+        test.place(1, glm::translate(glm::dmat4(1), {40 + 0.5 * i, 0, 0}));
+    test.add_light({.kind = LightKind::directional, .intensity = 2}, {0, 0, 0}, {-0.3, -0.5, -1});
+    const RenderOptions options{.width = 160, .height = 90, .settings = {{"index-trimming", "device"}}, .views = {}};
+    const auto renderer = create_renderer("light-prepass", &test_device(), options);
+    renderer->set_world(test.world);
+    for (int frame = 0; frame < 4; ++frame)
+        renderer->render(front_camera(9));
+    EXPECT_GT(renderer->stats().triangles_drawn, 6 * veil_triangles);
+    const Camera lens = front_camera(9).camera;
+    for (int frame = 0; frame < 2; ++frame) {
+        renderer->render(look_at(lens, {41, 0, 9}, {41, 0, 0}));
+        EXPECT_EQ(renderer->stats().triangles_drawn, 4 * veil_triangles);
     }
 }
 
@@ -287,8 +364,11 @@ protected:
         for (int r = 0; r < 3; ++r)
             object.world_row[r][r] = 1;
         resident::IndexTrimmer trimmer({.clip_from_world = clip, .width = 100, .height = 100, .subpixel_bits = 8});
+        resident::Draw draw{
+            .index_count = 3, .mirrored = mirrored, .double_sided = double_sided, .primitive = &primitive};
+        std::tie(draw.own_low, draw.own_high) = resident::box_of(primitive.positions);
         uint32_t out[3] = {};
-        const size_t count = trimmer.trim(primitive, object, mirrored, double_sided, out);
+        const size_t count = trimmer.trim(draw, object, out);
         EXPECT_TRUE(count == 0 || (count == 3 && out[0] == 0 && out[1] == 1 && out[2] == 2));
         return count == 3;
     }
