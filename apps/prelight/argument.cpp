@@ -131,12 +131,14 @@ void refuse_pattern(std::string_view option, const std::filesystem::path& file) 
         refuse(option, file.string(), "names a series of pictures: `prelight sequence` writes those");
 }
 
-std::string builtin_names() {
-    std::string names;
+std::vector<std::string> builtin_list() {
+    std::vector<std::string> names;
     for (const BuiltinScene& scene : builtin_scenes())
-        names += (names.empty() ? "" : ", ") + std::string(scene.name);
+        names.emplace_back(scene.name);
     return names;
 }
+
+std::string builtin_names() { return fmt::format("{}", fmt::join(builtin_list(), ", ")); }
 
 void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
     bool named = false;

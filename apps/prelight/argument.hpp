@@ -1,7 +1,9 @@
 #pragma once
 #include "command_line.hpp"
+#include "options/suggestion.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <prelight/error.hpp>
 #include <string_view>
 #include <utility>
@@ -32,17 +34,20 @@ Shading parse_shading(const std::string& text);
 template <typename T>
 T parse_word(std::string_view option, const std::string& text,
              const std::vector<std::pair<std::string_view, T>>& words) {
-    std::string known;
+    std::vector<std::string> known;
     for (const auto& [word, value] : words) {
         if (word == text)
             return value;
-        known += (known.empty() ? "" : ", ") + std::string(word);
+        known.emplace_back(word);
     }
-    throw UsageError(fmt::format("{} {}: not one of {}", option, text, known));
+    throw UsageError(
+        fmt::format("{} {}: not one of {}{}", option, text, fmt::join(known, ", "), did_you_mean(text, known)));
 }
 
 /// The extension in lower case, with its dot.
 std::string lower_extension(const std::filesystem::path& path);
+/// The built-in scenes.
+std::vector<std::string> builtin_list();
 /// "city, lights, …" for messages.
 std::string builtin_names();
 

@@ -23,7 +23,8 @@ struct ViewFile {
 
 /// `prelight render`
 struct RenderCommand {
-    std::string scene; ///< a file, or the name of a built-in scene
+    bool quiet = false; ///< set_quiet()
+    std::string scene;  ///< a file, or the name of a built-in scene
     std::filesystem::path output;
     std::string view = "final"; ///< the buffer that `output` receives
     std::vector<ViewFile> more_views;
@@ -64,6 +65,7 @@ struct ViewCommand {
 
 /// `prelight compare`
 struct CompareCommand {
+    bool quiet = false;
     std::string scene;     ///< a file, or the name of a built-in scene
     std::string arguments; ///< the whole command line
     std::filesystem::path folder;
@@ -87,6 +89,7 @@ struct CompareCommand {
 
 /// `prelight make`
 struct MakeCommand {
+    bool quiet = false;
     std::string scene;
     std::filesystem::path output;
     std::optional<uint32_t> lights;
@@ -110,6 +113,7 @@ struct RenderersCommand {
 struct BenchCommand {
     enum class Kind { table, scene, report };
     Kind kind = Kind::table;
+    bool quiet = false;
     std::string what; ///< table: one of bench_names()
     std::string scene = "spheres";
     std::string camera;             ///< name or index; empty: the scene's first
@@ -138,7 +142,7 @@ struct BenchCommand {
     std::filesystem::path output;
 };
 
-/// `--help`, `--version`: text that goes to stdout, and nothing else to do.
+/// `help`, `--help`, `--version`: text that goes to stdout, and nothing else to do.
 struct PrintCommand {
     std::string text;
 };
@@ -148,5 +152,8 @@ using Command = std::variant<RenderCommand, SequenceCommand, ViewCommand, Compar
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);
+
+/// Whether it was given --quiet.
+bool wants_quiet(const Command& command);
 
 } // namespace prelight::app

@@ -1,6 +1,8 @@
 #include "environment_choice.hpp"
 
 #include "argument.hpp"
+#include "options/given.hpp"
+#include "options/suggestion.hpp"
 
 #include <algorithm>
 #include <fmt/ranges.h>
@@ -36,7 +38,8 @@ std::string environment_name(const std::string& text) {
         return text;
     std::error_code ignored;
     if (!text.empty() && std::filesystem::path(text).extension().empty() && !std::filesystem::exists(text, ignored))
-        throw UsageError(fmt::format("--environment {}: neither a file nor one of {}", text, fmt::join(names, ", ")));
+        throw UsageError(fmt::format("--environment {}: neither a file nor one of {}{}", text, fmt::join(names, ", "),
+                                     did_you_mean(text, names)));
     return {};
 }
 
@@ -56,17 +59,20 @@ std::shared_ptr<const Environment> chosen(const EnvironmentChoice& choice, KeptE
 
 } // namespace
 
-EnvironmentChoice parse_environment(const EnvironmentText& text) {
+EnvironmentChoice parse_environment(const Given& given) {
+    const std::string environment = given.text("--environment");
     EnvironmentChoice choice{
-        .name = environment_name(text.file), .file = {}, .intensity = {}, .rotation = {}, .background = {}};
+        .name = environment_name(environment), .file = {}, .intensity = {}, .rotation = {}, .background = {}};
     if (choice.name.empty())
-        choice.file = text.file;
-    if (!text.intensity.empty())
-        choice.intensity = static_cast<float>(parse_number("--environment-intensity", text.intensity, 0, 1e6));
-    if (!text.rotation.empty())
-        choice.rotation = parse_number("--environment-rotation", text.rotation, -36000, 36000) * std::numbers::pi / 180;
-    if (!text.background.empty())
-        choice.background = parse_word<Background>("--background", text.background,
+        choice.file = environment;
+    if (given.has("--environment-intensity"))
+        choice.intensity =
+            static_cast<float>(parse_number("--environment-intensity", given.text("--environment-intensity"), 0, 1e6));
+    if (given.has("--environment-rotation"))
+        choice.rotation = parse_number("--environment-rotation", given.text("--environment-rotation"), -36000, 36000) *
+                          std::numbers::pi / 180;
+    if (given.has("--background"))
+        choice.background = parse_word<Background>("--background", given.text("--background"),
                                                    {{"environment", Background::environment},
                                                     {"backdrop", Background::backdrop},
                                                     {"black", Background::black}});

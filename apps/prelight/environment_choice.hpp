@@ -6,23 +6,7 @@
 
 namespace prelight::app {
 
-/// `--environment` and what belongs to it, as text.
-struct EnvironmentText {
-    std::string file, intensity, rotation, background;
-};
-
-/// Adds the options; `option` is (names, target, word, help), as each command has it. A template, so that only
-/// the units that parse include CLI11.
-template <class Option>
-void add_environment_options(const Option& option, EnvironmentText& text) {
-    option("--environment", text.file, "NAME|FILE",
-           "Light from all around: studio, none, or a picture twice as wide as high, .hdr, .exr or .png");
-    option("--environment-intensity", text.intensity, "X", "Factor on the environment's light (default 1)");
-    option("--environment-rotation", text.rotation, "DEGREES",
-           "Turns it, counter-clockwise seen from above (default 0)");
-    option("--background", text.background, "WHAT",
-           "What is seen behind the scene: environment, a soft backdrop, or black (docs/environment.md)");
-}
+class Given;
 
 enum class Background { environment, backdrop, black };
 
@@ -35,8 +19,8 @@ struct EnvironmentChoice {
     std::optional<Background> background;
 };
 
-/// Throws UsageError.
-EnvironmentChoice parse_environment(const EnvironmentText& text);
+/// `--environment` and what belongs to it. Throws UsageError.
+EnvironmentChoice parse_environment(const Given& given);
 
 /// Gives a scene the environment. The file is read again when it has changed. `studio_where_dark`: a scene that is not
 /// is_lit() gets the studio when nothing was chosen. The edit throws Error for a file that is no environment,

@@ -6,6 +6,13 @@ namespace prelight::app {
 /// What stderr shows beside the one line of a failure: `--log-level`.
 enum class LogLevel { error, warning, info };
 
+/// `--quiet`, for the whole process: tell() and progress print nothing.
+void set_quiet(bool quiet);
+bool is_quiet();
+/// A line on standard output that says what was done, escaped and flushed. Throws std::system_error when it cannot be
+/// printed.
+void tell(std::string_view line);
+
 /// Lines on stderr, escaped; those below the level are left out.
 class Log {
 public:

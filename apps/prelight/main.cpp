@@ -2,6 +2,8 @@
 #include "crash.hpp"
 #include "heap.hpp"
 #include "interrupt.hpp"
+#include "log.hpp"
+#include "terminal.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -24,7 +26,8 @@ void keep_standard_streams() {
 
 /// One line on stderr, whatever the reason holds, and the exit status.
 int fail(std::string_view reason, int status) {
-    std::fputs(fmt::format("prelight: {}\n", prelight::escaped(reason)).c_str(),
+    using namespace prelight::app;
+    std::fputs(fmt::format("{} {}\n", styled(stderr, Style::failure, "prelight:"), prelight::escaped(reason)).c_str(),
                stderr); // fmt::print would throw if it can't
     return status;
 }
@@ -43,7 +46,9 @@ int main(int argc, char** argv) {
     try {
         app::handle_crashes();
         app::handle_interrupts();
-        std::visit([](const auto& command) { app::run(command); }, app::parse_command_line(argc, argv));
+        const app::Command command = app::parse_command_line(argc, argv);
+        app::set_quiet(app::wants_quiet(command));
+        std::visit([](const auto& one) { app::run(one); }, command);
         return std::fflush(stdout) == 0 ? 0 : fail_to_print(errno);
     } catch (const UsageError& error) {
         return fail(error.what(), 2);

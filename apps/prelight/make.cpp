@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "log.hpp"
 #include "output.hpp"
 #include "scene_source.hpp"
 
@@ -12,8 +13,8 @@ void run(const MakeCommand& command) {
     check_writable(command.output);
     const WriteGuard guard;
     save_glb(scene, command.output);
-    fmt::print("{}: {}, {} lights, seed {}\n", command.output.string(), command.scene, scene.lights.size(),
-               command.seed);
+    tell(fmt::format("{}: {}, {} lights, seed {}", command.output.string(), command.scene, scene.lights.size(),
+                     command.seed));
 }
 
 } // namespace prelight::app

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "options/suggestion.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,10 +34,11 @@ void run(const MaterialsCommand& command) {
     if (!command.name.empty()) {
         const auto shader = find_material_shader(command.name);
         if (!shader) {
-            std::vector<std::string_view> names;
+            std::vector<std::string> names;
             for (const auto& known : built_in_material_shaders())
-                names.push_back(known->name);
-            throw UsageError(fmt::format("{}: not a built-in material ({})", command.name, fmt::join(names, ", ")));
+                names.emplace_back(known->name);
+            throw UsageError(fmt::format("{}: not a built-in material ({}){}", command.name, fmt::join(names, ", "),
+                                         did_you_mean(command.name, names)));
         }
         return print(*shader);
     }

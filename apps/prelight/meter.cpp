@@ -59,7 +59,7 @@ double meter_exposure(Device* device, const World& world, const PlacedCamera& ca
     return small.exposure;
 }
 
-void print_exposure(double ev) { fmt::print("exposure: auto is --exposure {:.1f}\n", ev); }
+void print_exposure(double ev) { tell(fmt::format("exposure: auto is --exposure {:.1f}", ev)); }
 
 void warn_of_extremes(const Log& log, const Image& display, const std::string& file, const World& world,
                       bool auto_exposure) {

@@ -1,11 +1,13 @@
 #include "progress.hpp"
 
+#include "log.hpp"
+#include "terminal.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
 #include <string>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace prelight::app {
@@ -14,12 +16,6 @@ namespace {
 constexpr size_t bar_width = 24;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-/// Columns of the terminal: a longer line would wrap, and wrapped lines cannot be redrawn in place.
-size_t columns() {
-    winsize size = {};
-    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
 
 /// Seconds without a line after which a step says that it is still at work.
 constexpr double longest_silence = 30;
@@ -35,17 +31,21 @@ std::string clock_text(double seconds) {
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1), start_(now()) {}
 
 Progress::~Progress() {
-    if (terminal_)
+    if (terminal_ && !is_quiet())
         std::fputs("\r\033[K", stderr);
 }
 
 void Progress::step(double share, std::string_view what) {
+    if (is_quiet())
+        return;
     if (first_ < 0)
         first_ = share;
     terminal_ ? draw_bar(share, what) : print_line(share, what);
 }
 
 void Progress::show(double share, std::string_view what) {
+    if (is_quiet())
+        return;
     if (terminal_)
         draw_bar(share, what);
     else if (now() - said_ > longest_silence)
@@ -57,7 +57,8 @@ void Progress::draw_bar(double share, std::string_view what) const {
     const auto filled = static_cast<size_t>(part * double(bar_width));
     std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3d} % {}  {}", "", filled, "", bar_width - filled,
                                    static_cast<int>(part * 100), clock_text(now() - start_), what);
-    line.resize(std::min(line.size(), columns() - 1));
+    // A longer line would wrap, and wrapped lines cannot be redrawn in place.
+    line.resize(std::min(line.size(), columns_of(stderr) - 1));
     std::fputs(fmt::format("\r{}\033[K", line).c_str(), stderr);
     std::fflush(stderr);
 }

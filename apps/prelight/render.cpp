@@ -54,10 +54,9 @@ void render_once(Session& session, RenderCommand& command, const LoadedScene& lo
     start_up.picture = watch.lap();
     if (!command.stats.empty())
         save_text(stats_json(command, stats, start_up, warnings_of(loaded.world)), command.stats);
-    fmt::print("{}: {}x{}, {}, {} lights, {} triangles, {:.1f} ms a frame on {}\n", escaped(command.output.string()),
-               command.options.width, command.options.height, command.renderer, stats.lights, stats.triangles,
-               stats.wall_ms.median, stats.device);
-    std::fflush(stdout);
+    tell(fmt::format("{}: {}x{}, {}, {} lights, {} triangles, {:.1f} ms a frame on {}", command.output.string(),
+                     command.options.width, command.options.height, command.renderer, stats.lights, stats.triangles,
+                     stats.wall_ms.median, stats.device));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "options/suggestion.hpp"
 #include "renderer_info.hpp"
 
 #include <algorithm>
@@ -6,38 +7,45 @@
 #include <fmt/ranges.h>
 #include <prelight/error.hpp>
 #include <prelight/views.hpp>
+#include <setting_values/allows.hpp>
 
 namespace prelight::app {
-namespace {
 
-void print_one(const RendererInfo& info) {
-    fmt::print("{}: {}\n", info.name, info.description);
+std::string renderer_text(const RendererInfo& info) {
+    std::string text = fmt::format("{}: {}\n", info.name, info.description);
     if (!info.settings.empty())
-        fmt::print("\nsettings (--set KEY=VALUE):\n");
+        text += fmt::format("\nsettings (--set KEY=VALUE):\n");
     for (const SettingInfo& setting : info.settings) {
-        fmt::print("  {} = {}   (default {})\n      {}\n", setting.key, fmt::join(setting.values, " | "),
-                   setting.default_value, setting.description);
+        text += fmt::format("  {} = {}   (default {})\n      {}\n", setting.key, fmt::join(setting.values, " | "),
+                            setting.default_value, setting.description);
         for (const SettingNeed& need : setting.needs)
-            fmt::print("      needs {}{}{}\n", need.of_options() ? "--" + need.key + " " : need.key + "=",
-                       fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view);
+            text +=
+                fmt::format("      needs {}{}{}\n", need.of_options() ? "--" + need.key + " " : need.key + "=",
+                            fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view);
     }
     if (!info.views.empty())
-        fmt::print("\nviews (--view): {}\n", names_of_views(info));
+        text += fmt::format("\nviews (--view): {}\n", names_of_views(info));
     if (!info.presets.empty())
-        fmt::print("\npresets (--preset): {}\n", fmt::join(info.presets, ", "));
+        text += fmt::format("\npresets (--preset): {}\n", fmt::join(info.presets, ", "));
     for (const auto& [preset, settings] : info.preset_settings) {
         const auto shading = info.preset_shading.find(preset);
-        fmt::print("  {}:{}", preset,
-                   shading == info.preset_shading.end() ? ""
-                   : shading->second == Shading::phong  ? " --shading phong"
-                                                        : " --shading ggx");
+        text += fmt::format("  {}:{}", preset,
+                            shading == info.preset_shading.end() ? ""
+                            : shading->second == Shading::phong  ? " --shading phong"
+                                                                 : " --shading ggx");
         for (const auto& [key, value] : settings)
-            fmt::print(" {}={}", key, value);
-        fmt::print("\n");
+            text += fmt::format(" {}={}", key, value);
+        text += "\n";
     }
+    return text;
 }
 
-} // namespace
+std::vector<std::string> keys_of(const RendererInfo& info) {
+    std::vector<std::string> keys;
+    for (const SettingInfo& setting : info.settings)
+        keys.push_back(setting.key);
+    return keys;
+}
 
 RendererInfo find_renderer(const std::string& name) {
     const std::vector<RendererInfo> infos = renderer_infos();
@@ -47,12 +55,32 @@ RendererInfo find_renderer(const std::string& name) {
     std::vector<std::string> names;
     for (const RendererInfo& info : infos)
         names.push_back(info.name);
-    throw UsageError(fmt::format("{}: not a renderer ({})", name, fmt::join(names, ", ")));
+    throw UsageError(fmt::format("{}: not a renderer ({}){}", name, fmt::join(names, ", "), did_you_mean(name, names)));
+}
+
+void check_setting(std::string_view as_typed, const RendererInfo& info, const std::string& key,
+                   const std::string& value) {
+    const auto setting = std::ranges::find(info.settings, key, &SettingInfo::key);
+    if (setting == info.settings.end())
+        throw UsageError(fmt::format("{}: {} has no setting {} (prelight renderers {}){}", as_typed, info.name, key,
+                                     info.name, did_you_mean(key, keys_of(info))));
+    if (!allows(*setting, value))
+        throw UsageError(fmt::format("{}: allowed is {}{}", as_typed, fmt::join(setting->values, ", "),
+                                     did_you_mean(value, setting->values)));
+}
+
+void check_preset(std::string_view as_typed, const RendererInfo& info, const std::string& preset) {
+    if (std::ranges::find(info.presets, preset) != info.presets.end())
+        return;
+    throw UsageError(
+        fmt::format("{}: {} has no preset {} ({}){}", as_typed, info.name, preset,
+                    info.presets.empty() ? "it has none" : fmt::format("{}", fmt::join(info.presets, ", ")),
+                    did_you_mean(preset, info.presets)));
 }
 
 void run(const RenderersCommand& command) {
     if (!command.name.empty())
-        return print_one(find_renderer(command.name));
+        return fmt::print("{}", renderer_text(find_renderer(command.name)));
     for (const RendererInfo& info : renderer_infos())
         fmt::print("{:<14} {}\n", info.name, info.description);
 }

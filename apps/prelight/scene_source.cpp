@@ -1,6 +1,7 @@
 #include "scene_source.hpp"
 
 #include "argument.hpp"
+#include "options/suggestion.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -36,14 +37,16 @@ bool names_builtin(const std::string& name) { return !names_file(name) && find_b
 
 void check_scene_name(const std::string& name) {
     if (!names_file(name) && !find_builtin(builtin_scenes(), name))
-        throw UsageError(fmt::format("{}: neither a file nor a built-in scene ({})", name, builtin_names()));
+        throw UsageError(fmt::format("{}: neither a file nor a built-in scene ({}){}", name, builtin_names(),
+                                     did_you_mean(name, builtin_list())));
 }
 
 Scene make_builtin(const std::string& name, std::optional<uint32_t> lights, uint64_t seed) {
     const std::vector<BuiltinScene> scenes = builtin_scenes();
     const BuiltinScene* builtin = find_builtin(scenes, name);
     if (!builtin)
-        throw UsageError(fmt::format("{}: not a built-in scene ({})", name, builtin_names()));
+        throw UsageError(
+            fmt::format("{}: not a built-in scene ({}){}", name, builtin_names(), did_you_mean(name, builtin_list())));
     return make_scene(name, lights.value_or(builtin->default_lights), seed);
 }
 

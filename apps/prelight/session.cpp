@@ -89,7 +89,8 @@ std::vector<std::filesystem::path> inputs_of(const RenderCommand& command) {
 void check_views(const RenderCommand& command, const RendererInfo& info) {
     for (const std::string& view : command.options.views)
         if (view != "final" && view != "linear" && !has_view(info, view))
-            throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, names_of_views(info)));
+            throw UsageError(fmt::format("--view {}: {} has {}{}", view, info.name, names_of_views(info),
+                                         did_you_mean(view, info.views)));
 }
 
 std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& command) {

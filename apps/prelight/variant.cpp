@@ -37,20 +37,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-/// The words of a setting; a value that may be a number is left to the renderer's own check.
-void check_setting(std::string_view option, const RendererInfo& info, const std::string& key,
-                   const std::string& value) {
-    const auto setting = std::ranges::find(info.settings, key, &SettingInfo::key);
-    if (setting == info.settings.end())
-        throw UsageError(
-            fmt::format("{} {}@{}={}: {} has no setting {}", option, info.name, key, value, info.name, key));
-    const bool takes_numbers = std::ranges::any_of(
-        setting->values, [](const std::string& one) { return one.find(" … ") != std::string::npos; });
-    if (!takes_numbers && std::ranges::find(setting->values, value) == setting->values.end())
-        throw UsageError(
-            fmt::format("{} {}@{}={}: allowed is {}", option, info.name, key, value, fmt::join(setting->values, ", ")));
-}
-
 Variant parse_variant(std::string_view option, const std::string& text) {
     const std::vector<std::string> parts = split(text, '@');
     Variant variant{.renderer = parts[0]};
@@ -60,11 +46,10 @@ Variant parse_variant(std::string_view option, const std::string& text) {
     for (size_t i = 1; i < parts.size(); ++i) {
         const auto [key, value] = parse_pair(option, parts[i]);
         if (key != "preset") {
-            check_setting(option, info, key, value);
+            check_setting(fmt::format("{} {}@{}={}", option, info.name, key, value), info, key, value);
             variant.settings[key] = value;
-        } else if (std::ranges::find(info.presets, value) == info.presets.end()) {
-            throw UsageError(fmt::format("{} {}: {} has no preset {}", option, text, info.name, value));
         } else {
+            check_preset(fmt::format("{} {}", option, text), info, value);
             variant.preset = value;
         }
     }

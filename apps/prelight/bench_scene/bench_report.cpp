@@ -2,6 +2,7 @@
 #include "bench_scene.hpp"
 #include "saved_bench.hpp"
 
+#include "log.hpp"
 #include "output.hpp"
 #include "page.hpp"
 
@@ -21,7 +22,7 @@ void bench_report(const BenchCommand& command) {
         files.push_back({{"file", file.filename().string()}, {"bench", std::move(bench.json)}});
     }
     save_text(fill_page(bench_page, files), command.output);
-    fmt::print("{}: {} run(s) of {} file(s)\n", command.output.string(), runs, command.files.size());
+    tell(fmt::format("{}: {} run(s) of {} file(s)", command.output.string(), runs, command.files.size()));
 }
 
 } // namespace prelight::app

@@ -93,10 +93,12 @@ void bench_scene(const BenchCommand& given) {
     missing.insert(missing.end(), measured.missing.begin(), measured.missing.end());
     const std::vector<LimitFigures> limits = limit_figures(measured, jobs, software, missing);
 
-    fmt::print("{}, {}x{}, {} triangles, {} frames of each in turn, on {}\n", command.scene, command.options.width,
-               command.options.height, measured.triangles, *command.frames, device->name());
-    print_runs(measured, limits);
-    print_limits(limits, missing);
+    if (!is_quiet() || command.json.empty()) { // the table is what was asked for, unless a file was
+        fmt::print("{}, {}x{}, {} triangles, {} frames of each in turn, on {}\n", command.scene, command.options.width,
+                   command.options.height, measured.triangles, *command.frames, device->name());
+        print_runs(measured, limits);
+        print_limits(limits, missing);
+    }
 
     Json json = heading(command, *device, type, measured);
     json["runs"] = Json::array();

@@ -1,5 +1,6 @@
 #include "job.hpp"
 
+#include "options/suggestion.hpp"
 #include "renderer_info.hpp"
 
 #include <algorithm>
@@ -86,10 +87,13 @@ std::vector<Job> contenders_of(const BenchCommand& command) {
         variants = {{.renderer = "light-prepass"}, {.renderer = "deferred"}};
     std::vector<Job> jobs;
     std::map<std::string, std::string> unused = command.options.settings;
+    std::vector<std::string> keys;
     for (Variant& variant : variants) {
         const RendererInfo info = find_renderer(variant.renderer);
         if (!info.needs_device)
             throw UsageError(fmt::format("--renderers {}: is not timed, it is what pictures are judged by", info.name));
+        for (std::string& key : keys_of(info))
+            keys.push_back(std::move(key));
         for (const auto& [key, value] : command.options.settings)
             if (find_setting(info, key)) {
                 variant.settings.emplace(key, value);
@@ -98,8 +102,9 @@ std::vector<Job> contenders_of(const BenchCommand& command) {
         add_once(jobs, make_job(variant, Role::contender, command));
     }
     if (!unused.empty())
-        throw UsageError(fmt::format("--set {}={}: no renderer of --renderers has that setting", unused.begin()->first,
-                                     unused.begin()->second));
+        throw UsageError(fmt::format("--set {}={}: no renderer of --renderers has that setting{}",
+                                     unused.begin()->first, unused.begin()->second,
+                                     did_you_mean(unused.begin()->first, keys)));
     return jobs;
 }
 

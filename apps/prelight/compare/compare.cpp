@@ -146,10 +146,9 @@ void run(const CompareCommand& command) {
     folder.publish();
     kept.forget();
     const auto failed = std::ranges::count_if(report.runs, [](const RunReport& run) { return !run.error.empty(); });
-    fmt::print("{}: {}, rendered in {} way(s){}, {} light(s), {:.0f} s on {}\n",
-               escaped((command.folder / "index.html").string()), escaped(report.scene),
-               report.runs.size() - size_t(failed), failed ? fmt::format(", {} failed", failed) : "", report.lights,
-               report.seconds, report.device);
+    tell(fmt::format("{}: {}, rendered in {} way(s){}, {} light(s), {:.0f} s on {}",
+                     (command.folder / "index.html").string(), report.scene, report.runs.size() - size_t(failed),
+                     failed ? fmt::format(", {} failed", failed) : "", report.lights, report.seconds, report.device));
 }
 
 } // namespace prelight::app

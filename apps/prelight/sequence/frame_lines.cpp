@@ -1,20 +1,11 @@
 #include "sequence/frame_lines.hpp"
 
+#include "log.hpp"
 #include "progress.hpp"
 
-#include <cerrno>
-#include <cstdio>
 #include <fmt/format.h>
-#include <prelight/error.hpp>
-#include <system_error>
 
 namespace prelight::app {
-
-void print_frame_line(const std::string& text) {
-    fmt::print("{}\n", escaped(text));
-    if (std::fflush(stdout) != 0)
-        throw std::system_error(errno, std::generic_category(), "standard output");
-}
 
 FrameLines::FrameLines(size_t frames) : frames_(frames) {}
 
@@ -28,8 +19,8 @@ void FrameLines::done(uint32_t frame, const std::filesystem::path& file) {
     // The first one made pipelines: it says nothing of the others.
     const double each = done_ > 1 ? (now - first_) / double(done_ - 1) : now;
     const double left = each * double(frames_ - done_);
-    print_frame_line(fmt::format("{}: frame {}, {} of {}{}", file.string(), frame, done_, frames_,
-                                 done_ < frames_ ? fmt::format(", about {} left", clock_text(left)) : ""));
+    tell(fmt::format("{}: frame {}, {} of {}{}", file.string(), frame, done_, frames_,
+                     done_ < frames_ ? fmt::format(", about {} left", clock_text(left)) : ""));
 }
 
 } // namespace prelight::app

@@ -24,7 +24,4 @@ private:
     double first_ = 0; ///< seconds() when one was done
 };
 
-/// One line on standard output, escaped and flushed.
-void print_frame_line(const std::string& text);
-
 } // namespace prelight::app

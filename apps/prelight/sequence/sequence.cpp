@@ -1,6 +1,7 @@
 #include "argument.hpp"
 #include "commands.hpp"
 #include "device_type.hpp"
+#include "log.hpp"
 #include "memory_check.hpp"
 #include "output.hpp"
 #include "own_materials.hpp"
@@ -52,22 +53,22 @@ void draw_all(const SequenceCommand& command, const SequencePlan& plan, Video* v
         check_validation(*session.device);
     }
     const Stats stats = drawer.figures().stats.all();
-    print_frame_line(fmt::format("{}: {} frame{}, {}x{}, {}, {} lights, {} triangles, {:.0f} frames an hour on {}",
-                                 command.render.output.string(), stats.frames, stats.frames == 1 ? "" : "s",
-                                 command.render.options.width, command.render.options.height, command.render.renderer,
-                                 stats.lights, stats.triangles, drawer.figures().frames_per_hour(), stats.device));
+    tell(fmt::format("{}: {} frame{}, {}x{}, {}, {} lights, {} triangles, {:.0f} frames an hour on {}",
+                     command.render.output.string(), stats.frames, stats.frames == 1 ? "" : "s",
+                     command.render.options.width, command.render.options.height, command.render.renderer, stats.lights,
+                     stats.triangles, drawer.figures().frames_per_hour(), stats.device));
 }
 
 /// What of the list is not drawn now, and why.
 void tell_plan(const SequenceCommand& command, const SequenceFiles& files, const SequencePlan& plan) {
     const std::string name = command.render.output.string();
     for (const uint32_t frame : plan.existing)
-        print_frame_line(fmt::format("{}: frame {} is there", files.at(frame)[0].string(), frame));
+        tell(fmt::format("{}: frame {} is there", files.at(frame)[0].string(), frame));
     if (plan.wanted.empty())
-        print_frame_line(fmt::format("{}: no frame for shard {}/{}", name, command.sequence.shard->index,
-                                     command.sequence.shard->count));
+        tell(fmt::format("{}: no frame for shard {}/{}", name, command.sequence.shard->index,
+                         command.sequence.shard->count));
     else if (plan.to_draw.empty())
-        print_frame_line(fmt::format("{}: all {} frames are there", name, plan.wanted.size()));
+        tell(fmt::format("{}: all {} frames are there", name, plan.wanted.size()));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "../commands.hpp"
+#include "../options/suggestion.hpp"
 #include "../output.hpp"
 #include "../renderer_info.hpp"
 #include "../scene_source.hpp"
@@ -33,7 +34,8 @@ void run(const ViewCommand& command) {
     const RendererInfo info = find_renderer(command.render.renderer);
     const std::string& view = command.render.view;
     if (view != "final" && (view == "linear" || !has_view(info, view)))
-        throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, names_of_views(info)));
+        throw UsageError(fmt::format("--view {}: {} has {}{}", view, info.name, names_of_views(info),
+                                     did_you_mean(view, info.views)));
     check_scene_name(command.render.scene);
     check_files(command);
     if (command.play.empty() || command.render.output.empty())
