@@ -2,6 +2,7 @@
 
 #include "argument.hpp"
 #include "bench_command.hpp"
+#include "options/generated.hpp"
 #include "options/given.hpp"
 #include "options/help.hpp"
 #include "picture_command.hpp"
@@ -96,6 +97,14 @@ MakeCommand parse_make(const Given& given) {
     return command;
 }
 
+InfoCommand parse_info(const Given& given) {
+    InfoCommand command{.scene = given.text("SCENE"), .reading = parse_reading(given), .json = given.has("--json")};
+    command.seed = parse_seed("--seed", given.text("--seed", "1"));
+    if (given.has("--lights"))
+        command.lights = parse_count("--lights", given.text("--lights"), 1);
+    return command;
+}
+
 PrintCommand parse_help(const Given& given) {
     return {topic_help(fmt::format("{}", fmt::join(given.all("TOPIC"), " ")))};
 }
@@ -134,8 +143,11 @@ Command parse_command_line(int argc, const char* const* argv) {
     case command_bit::compare: return parse_compare(*given, argc, argv);
     case command_bit::bench: return parse_bench(*given);
     case command_bit::make: return parse_make(*given);
+    case command_bit::info: return parse_info(*given);
     case command_bit::renderers: return RenderersCommand{given->text("NAME")};
     case command_bit::materials: return MaterialsCommand{given->text("NAME")};
+    case command_bit::completions: return PrintCommand{completion_script(given->text("SHELL"))};
+    case command_bit::man: return PrintCommand{man_page(given->text("COMMAND"))};
     case command_bit::help: return parse_help(*given);
     default: return DevicesCommand{};
     }

@@ -96,6 +96,15 @@ struct MakeCommand {
     uint64_t seed = 1;
 };
 
+/// `prelight info`
+struct InfoCommand {
+    std::string scene; ///< a file, or the name of a built-in scene
+    std::optional<uint32_t> lights;
+    uint64_t seed = 1;
+    SceneReading reading;
+    bool json = false;
+};
+
 /// `prelight devices`
 struct DevicesCommand {};
 
@@ -148,7 +157,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<RenderCommand, SequenceCommand, ViewCommand, CompareCommand, BenchCommand, MakeCommand,
-                             DevicesCommand, RenderersCommand, MaterialsCommand, PrintCommand>;
+                             InfoCommand, DevicesCommand, RenderersCommand, MaterialsCommand, PrintCommand>;
 
 /// Throws UsageError with one line that names the argument and the reason.
 Command parse_command_line(int argc, const char* const* argv);

@@ -9,6 +9,7 @@ void run(const SequenceCommand& command);
 void run(const ViewCommand& command);
 void run(const CompareCommand& command);
 void run(const MakeCommand& command);
+void run(const InfoCommand& command);
 void run(const DevicesCommand& command);
 void run(const RenderersCommand& command);
 void run(const MaterialsCommand& command);

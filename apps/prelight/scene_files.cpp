@@ -41,7 +41,8 @@ struct Collector final : nlohmann::json_sax<nlohmann::json> {
     bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
 };
 
-/// The file's JSON: of a .glb its first chunk.
+} // namespace
+
 std::string json_of(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error))
@@ -66,8 +67,6 @@ std::string json_of(const fs::path& file) {
     text.resize(static_cast<size_t>(stream.gcount()));
     return text;
 }
-
-} // namespace
 
 std::vector<fs::path> files_named_in(const std::string& scene) {
     if (!names_file(scene))

@@ -62,7 +62,24 @@ $(printf 'lib/cmake/prelight/%s.cmake\n' prelightConfig prelightConfigVersion Pr
     prelight-{static,shared}{,-release})
 $(cd "$root" && find include/prelight -name '*.hpp')
 share/doc/libprelight-dev/copyright" "$(files development)"
-same_lines "the program" $'bin/prelight\nshare/doc/prelight/copyright' "$(files program)"
+same_lines "the program" "bin/prelight
+share/doc/prelight/copyright
+share/man/man1/prelight.1
+$(program/bin/prelight --help | sed -n '/^Commands:/,/^$/s|^  \([a-z]*\) .*|share/man/man1/prelight-\1.1|p')
+share/bash-completion/completions/prelight
+share/fish/vendor_completions.d/prelight.fish
+share/zsh/vendor-completions/_prelight" "$(files program)"
+step "completion for bash is a script" bash -n program/share/bash-completion/completions/prelight
+for shell in zsh fish; do # where there is one
+    [ -z "$(type -P $shell)" ] || step "completion for $shell is a script" $shell -n program/share/$shell/*/*prelight*
+done
+if type -P man groff >/dev/null; then
+    for page in program/share/man/man1/*; do
+        groff -man -ww -z -Tutf8 "$page" >"$log" 2>&1 || fail "$page"
+        [ ! -s "$log" ] || fail "$page: warnings"
+    done
+    echo "manual pages"
+fi
 same_lines "the Python module" "share/doc/python3-prelight/copyright
 $(printf 'lib/python3/dist-packages/prelight/%s\n' __init__.py _figures.pyi _prelight.pyi py.typed \
     "_prelight$(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_config_var("EXT_SUFFIX"))')")" "$(files python)"

@@ -69,6 +69,14 @@ prelight bench encodings --json encodings.json)"},
          {{"NAME", "A built-in scene (prelight help scenes)", Takes::scene}},
          "",
          "prelight make city --lights 256 --seed 3 -o city.glb"},
+        {"info",
+         command_bit::info,
+         "Tell what is in a scene",
+         {{"SCENE", a_scene, Takes::scene}},
+         "Meshes, materials, pictures, lights with their units, cameras, animations, the extensions that the file uses "
+         "and how far each is honoured, memory. docs/gltf.md describes the JSON.",
+         R"(prelight info helmet.glb
+prelight info city --lights 64 --json)"},
         {"devices", command_bit::devices, "Show the Vulkan devices and which would be taken"},
         {"renderers",
          command_bit::renderers,
@@ -89,6 +97,16 @@ prelight bench encodings --json encodings.json)"},
 prelight help settings
 prelight help light-culling
 prelight help exit status)"},
+        {.name = "completions",
+         .bits = command_bit::completions,
+         .summary = "Print a completion script",
+         .positionals = {{"SHELL", "bash, zsh or fish"}},
+         .hidden = true},
+        {.name = "man",
+         .bits = command_bit::man,
+         .summary = "Print a manual page",
+         .positionals = {{"COMMAND", "Whose; none: the program's", Takes::text, false}},
+         .hidden = true},
     };
     return commands;
 }

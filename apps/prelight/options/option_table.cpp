@@ -129,6 +129,7 @@ constexpr std::array table{
     OptionRow{"--pass-cpu", "", output, render | sequence,
               "Each pass's CPU time for --stats: as many frames more, each pass submitted alone"},
     OptionRow{"--json", "FILE", output, figures, "Write the figures as JSON too", Takes::file},
+    OptionRow{"--json", "", output, info, "Print everything as JSON"},
     OptionRow{"--baseline", "FILE", output, bench_scene, "Print the change since a file of --json", Takes::file},
 
     // Where it runs.

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <scene/gltf/document.hpp>
+#include <scene/gltf/extensions.hpp>
 #include <scene/gltf/json_mistake.hpp>
 #include <scene/gltf/uri.hpp>
 #include <system/read_file.hpp>
@@ -31,26 +32,6 @@ constexpr std::array<std::pair<const char*, const char*>, table_count> table_nam
     {"skins", "skin"},
     {"animations", "animation"},
 }};
-
-constexpr std::array known_extensions{
-    "KHR_lights_punctual",
-    "KHR_materials_unlit",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_specular",
-    "KHR_materials_clearcoat",
-    "KHR_materials_sheen",
-    "KHR_materials_transmission",
-    "KHR_materials_volume",
-    "KHR_texture_transform",
-    "KHR_mesh_quantization",
-    "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression",
-    "EXT_texture_webp",
-    "EXT_mesh_gpu_instancing",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_node_visibility",
-};
 
 uint32_t read_u32(std::span<const uint8_t> bytes, size_t at) {
     uint32_t value = 0;
@@ -197,9 +178,7 @@ void Document::check_version() const {
 }
 
 void Document::check_extensions() {
-    const auto known = [](const std::string& name) {
-        return std::find(known_extensions.begin(), known_extensions.end(), name) != known_extensions.end();
-    };
+    const auto known = [](const std::string& name) { return find_extension(name).honoured != Honoured::not_at_all; };
     extensions_ = root_->texts("extensionsUsed");
     const std::vector<std::string> required = root_->texts("extensionsRequired");
     extensions_.insert(extensions_.end(), required.begin(), required.end());
