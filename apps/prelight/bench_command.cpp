@@ -63,6 +63,8 @@ void take_scene(const Given& given, BenchCommand& command) {
     command.environment = parse_environment(given);
     command.reading = parse_reading(given);
     command.limit = given.has("--limit");
+    if (given.has("--budget"))
+        command.budget = parse_number("--budget", given.text("--budget"), 0.001, 1e9);
     command.baseline = given.text("--baseline");
 }
 

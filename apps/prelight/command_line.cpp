@@ -84,6 +84,8 @@ CompareCommand parse_compare(const Given& given, int argc, const char* const* ar
     command.light_counts =
         parse_light_counts("--light-counts", given.text("--light-counts", "1,4,16,64,256,1024,4096"));
     command.frame_limit = parse_number("--frame-limit", given.text("--frame-limit", "1"), 0, 1e6);
+    if (given.has("--budget"))
+        command.budget = parse_number("--budget", given.text("--budget"), 0.001, 1e9);
     return command;
 }
 

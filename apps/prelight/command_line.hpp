@@ -81,6 +81,7 @@ struct CompareCommand {
     std::vector<Variant> variants;      ///< empty: the standard ones
     std::vector<uint32_t> light_counts; ///< rising; may be empty
     double frame_limit = 1;             ///< seconds; a slower frame ends a variant's series of light counts
+    std::optional<double> budget;       ///< seconds; absent: as long as it takes
     EnvironmentChoice environment;
     SceneReading reading;
     std::optional<Framing> framing; ///< absent: the scene's camera
@@ -141,6 +142,7 @@ struct BenchCommand {
     std::optional<Moment> moment;       ///< absent: the scene at rest
     std::string animation;              ///< name or index; empty: all
     bool limit = false;
+    std::optional<double> budget;   ///< seconds; absent: as long as it takes
     std::filesystem::path baseline; ///< empty: none
     EnvironmentChoice environment;
     SceneReading reading;

@@ -43,7 +43,9 @@ struct Samples {
 void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& camera, const Rounds& rounds,
                         const std::function<void(const Contender&)>& before) {
     std::vector<Samples> samples(contenders.size());
-    for (uint32_t round = 0; round < rounds.frames; ++round)
+    for (uint32_t round = 0; round < rounds.frames; ++round) {
+        if (round > 0 && rounds.enough && rounds.enough())
+            break;
         for (size_t i = 0; i < contenders.size(); ++i) {
             Contender& contender = contenders[i];
             if (before)
@@ -61,6 +63,7 @@ void render_interleaved(std::vector<Contender>& contenders, const PlacedCamera& 
                 contender.error = error.what();
             }
         }
+    }
     for (size_t i = 0; i < contenders.size(); ++i)
         if (contenders[i].error.empty())
             samples[i].put_into(contenders[i].stats);

@@ -21,6 +21,8 @@ struct Rounds {
     double most_ms = 1e12;
     /// What a frame cost, of its figures; none: wall time.
     std::function<double(const Stats&)> cost_ms = {};
+    /// Asked before each round but the first: true ends them. None: all are rendered.
+    std::function<bool()> enough = {};
 };
 
 /// Renders one frame of each contender in turn, A B C A B C …, so that what else the machine does

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     using namespace prelight;
     app::set_up_heap();
     keep_standard_streams();
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // each result is seen when it is there
     try {
         app::handle_crashes();
         app::handle_interrupts();

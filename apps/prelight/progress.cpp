@@ -30,7 +30,9 @@ std::string clock_text(double seconds) {
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1), start_(now()) {}
 
-Progress::~Progress() {
+Progress::~Progress() { clear(); }
+
+void Progress::clear() const {
     if (terminal_ && !is_quiet())
         std::fputs("\r\033[K", stderr);
 }
@@ -52,11 +54,18 @@ void Progress::show(double share, std::string_view what) {
         print_line(share, what);
 }
 
+std::string Progress::left_text(double share) const {
+    const double gone = now() - start_, done = std::clamp(share, 0.0, 1.0) - std::max(first_, 0.0);
+    if (gone <= 1 || done <= 0.02)
+        return {};
+    return fmt::format(", about {} left", clock_text(gone / done * (1 - std::clamp(share, 0.0, 1.0))));
+}
+
 void Progress::draw_bar(double share, std::string_view what) const {
     const double part = std::clamp(share, 0.0, 1.0);
     const auto filled = static_cast<size_t>(part * double(bar_width));
-    std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3d} % {}  {}", "", filled, "", bar_width - filled,
-                                   static_cast<int>(part * 100), clock_text(now() - start_), what);
+    std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3d} % {}{}  {}", "", filled, "", bar_width - filled,
+                                   static_cast<int>(part * 100), clock_text(now() - start_), left_text(share), what);
     // A longer line would wrap, and wrapped lines cannot be redrawn in place.
     line.resize(std::min(line.size(), columns_of(stderr) - 1));
     std::fputs(fmt::format("\r{}\033[K", line).c_str(), stderr);
@@ -65,10 +74,8 @@ void Progress::draw_bar(double share, std::string_view what) const {
 
 void Progress::print_line(double share, std::string_view what) {
     said_ = now();
-    const double gone = said_ - start_, done = std::clamp(share, 0.0, 1.0) - std::max(first_, 0.0);
-    const double left = done > 0 ? gone / done * (1 - std::clamp(share, 0.0, 1.0)) : 0;
-    std::fputs(fmt::format("[{:3d} %] {}{}: {}\n", static_cast<int>(share * 100), clock_text(gone),
-                           gone > 1 && done > 0.02 ? fmt::format(", about {} left", clock_text(left)) : "", what)
+    std::fputs(fmt::format("[{:3d} %] {}{}: {}\n", static_cast<int>(share * 100), clock_text(said_ - start_),
+                           left_text(share), what)
                    .c_str(),
                stderr);
     std::fflush(stderr);

@@ -17,12 +17,17 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// Clears the bar's line, for other text to be printed.
+    void clear() const;
+
     /// `share` of the work, 0 … 1, is done, and a step begins: `what`.
     void step(double share, std::string_view what);
     /// Within a step. Off a terminal it is told when nothing has been for a while.
     void show(double share, std::string_view what);
 
 private:
+    /// "about 0:42", once it can be told; else empty.
+    std::string left_text(double share) const;
     void draw_bar(double share, std::string_view what) const;
     void print_line(double share, std::string_view what);
 

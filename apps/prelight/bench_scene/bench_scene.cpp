@@ -9,6 +9,7 @@
 #include "scene_files.hpp"
 #include "stats_json.hpp"
 #include "table.hpp"
+#include "time_budget.hpp"
 #include "validation.hpp"
 
 #include <algorithm>
@@ -42,6 +43,36 @@ void check_light_counts(const std::vector<Job>& jobs, const std::vector<Stop>& s
     }
 }
 
+/// What of the frames and numbers of lights that were asked for there was no time for.
+Json budget_json(const BenchCommand& command, const TimeBudget& budget, const Measured& measured) {
+    if (!budget.seconds())
+        return nullptr;
+    Json frames = Json::array(), left_out = Json::array();
+    for (const auto& [stop, count] : measured.frames)
+        frames.push_back({{"lights", stop.lights}, {"frames", count}});
+    for (const Stop& stop : measured.left_out)
+        left_out.push_back(stop.lights);
+    return {{"seconds", *budget.seconds()},
+            {"spent_seconds", budget.spent()},
+            {"frames_asked_for", *command.frames},
+            {"frames", frames},
+            {"lights_left_out", left_out}};
+}
+
+/// The same as a line; empty: nothing was cut.
+std::string cut_line(const BenchCommand& command, const TimeBudget& budget, const Measured& measured) {
+    if (!budget.seconds())
+        return {};
+    std::string cut;
+    for (const auto& [stop, count] : measured.frames)
+        if (count < *command.frames)
+            cut += fmt::format("{}{} of {} frames at {} light{}", cut.empty() ? "" : ", ", count, *command.frames,
+                               stop.lights, stop.lights == 1 ? "" : "s");
+    for (const Stop& stop : measured.left_out)
+        cut += fmt::format("{}{} lights left out", cut.empty() ? "" : ", ", stop.lights);
+    return cut.empty() ? cut : fmt::format("--budget {:g}: {}", *budget.seconds(), cut);
+}
+
 Json heading(const BenchCommand& command, const Device& device, const std::string& type, const Measured& measured) {
     return {{"prelight_bench", 1},
             {"version", version()},
@@ -62,6 +93,7 @@ Json heading(const BenchCommand& command, const Device& device, const std::strin
 } // namespace
 
 void bench_scene(const BenchCommand& given) {
+    const TimeBudget budget(given.budget);
     BenchCommand command = given;
     command.frames = given.frames.value_or(default_frames);
     std::vector<std::filesystem::path> inputs = files_named_in(command.scene);
@@ -88,25 +120,46 @@ void bench_scene(const BenchCommand& given) {
                              {double(command.options.width) / command.options.height, command.framing});
     const std::vector<Stop> stops = stops_of(command, scenes);
     check_light_counts(jobs, stops, *device);
-    const Measured measured = measure(jobs, stops, scenes, command, *device, software);
+    // The table is what was asked for, unless a file was.
+    const bool prints = !is_quiet() || command.json.empty();
+    size_t printed = 0;
+    const auto figures = [&](const Measured& so_far, bool complete) {
+        std::vector<std::string> lacking = missing;
+        lacking.insert(lacking.end(), so_far.missing.begin(), so_far.missing.end());
+        const std::vector<LimitFigures> limits = limit_figures(so_far, jobs, software, lacking);
+        if (prints && printed == 0)
+            fmt::print("{}, {}x{}, {} triangles, {} frames of each in turn, on {}\n", command.scene,
+                       command.options.width, command.options.height, so_far.triangles, *command.frames,
+                       device->name());
+        for (; prints && printed < so_far.frames.size(); ++printed) {
+            print_runs(so_far, so_far.frames[printed].first, limits);
+            print_limits(so_far.frames[printed].first, limits);
+        }
+        Json json = heading(command, *device, type, so_far);
+        json["complete"] = complete;
+        json["budget"] = budget_json(command, budget, so_far);
+        json["runs"] = Json::array();
+        for (const Run& run : so_far.runs)
+            if (run.job->role == Role::contender)
+                json["runs"].push_back(run_json(command.scene, run));
+        if (command.limit)
+            json["limit"] = limit_json(command.scene, so_far, limits, lacking);
+        for (const std::string& line : lacking)
+            if (prints && complete)
+                fmt::print("not measured: {}\n", line);
+        return json;
+    };
+    // What is measured is kept, whatever ends the command.
+    const auto keep = [&](const Measured& so_far) {
+        const Json json = figures(so_far, false);
+        if (!command.json.empty())
+            save_text(json_text(json), command.json);
+    };
+    const Measured measured = measure(jobs, stops, scenes, command, *device, software, budget, keep);
     check_validation(*device);
-    missing.insert(missing.end(), measured.missing.begin(), measured.missing.end());
-    const std::vector<LimitFigures> limits = limit_figures(measured, jobs, software, missing);
-
-    if (!is_quiet() || command.json.empty()) { // the table is what was asked for, unless a file was
-        fmt::print("{}, {}x{}, {} triangles, {} frames of each in turn, on {}\n", command.scene, command.options.width,
-                   command.options.height, measured.triangles, *command.frames, device->name());
-        print_runs(measured, limits);
-        print_limits(limits, missing);
-    }
-
-    Json json = heading(command, *device, type, measured);
-    json["runs"] = Json::array();
-    for (const Run& run : measured.runs)
-        if (run.job->role == Role::contender)
-            json["runs"].push_back(run_json(command.scene, run));
-    if (command.limit)
-        json["limit"] = limit_json(command.scene, measured, limits, missing);
+    Json json = figures(measured, true);
+    if (const std::string cut = cut_line(command, budget, measured); prints && !cut.empty())
+        fmt::print("{}\n", cut);
     if (baseline)
         json["baseline"] = print_changes(*baseline, saved_bench(json, "this run"), command.baseline.string());
     if (!command.json.empty())

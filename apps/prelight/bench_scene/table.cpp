@@ -77,11 +77,11 @@ void print_run(const Run& run, const LimitFigures* limit, size_t width) {
 
 } // namespace
 
-void print_runs(const Measured& measured, const std::vector<LimitFigures>& limits) {
+void print_runs(const Measured& measured, const Stop& stop, const std::vector<LimitFigures>& limits) {
     const size_t width = name_width(measured);
     std::optional<uint64_t> lights;
     for (const Run& run : measured.runs) {
-        if (run.job->role != Role::contender)
+        if (run.job->role != Role::contender || run.stop.lights != stop.lights)
             continue;
         if (lights != run.stop.lights)
             fmt::print("\n{:<{}}  {:>22}  {:>7}  {:>8}  {:>9}  {:>9}  {:>7}  {:>7}  {:>7}  {:>8}\n",
@@ -93,12 +93,14 @@ void print_runs(const Measured& measured, const std::vector<LimitFigures>& limit
     }
 }
 
-void print_limits(const std::vector<LimitFigures>& limits, const std::vector<std::string>& missing) {
+void print_limits(const Stop& stop, const std::vector<LimitFigures>& limits) {
     std::optional<uint64_t> lights;
     size_t width = 12;
     for (const LimitFigures& f : limits)
         width = std::max(width, f.run->job->name().size());
     for (const LimitFigures& f : limits) {
+        if (f.run->stop.lights != stop.lights)
+            continue;
         if (lights != f.run->stop.lights)
             fmt::print("\nlimit, {} light{}: F is {} ms of {} time{}\n{:<{}}  {:>8}  {:>9}  {:>9}  {:>9}  {:>16}  "
                        "{:>8}  {:>8}  {:>8}\n",
@@ -114,8 +116,6 @@ void print_limits(const std::vector<LimitFigures>& limits, const std::vector<std
                    or_dash(f.lists_over_light(), [](double v) { return fmt::format("{:.0f} %", 100 * v); }),
                    or_dash(f.empty_ms, ms));
     }
-    for (const std::string& line : missing)
-        fmt::print("not measured: {}\n", line);
 }
 
 } // namespace prelight::app

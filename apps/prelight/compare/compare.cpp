@@ -66,6 +66,14 @@ void take_exposure(Report& report, Device& device, const World& world) {
         run.options.exposure = options.exposure;
 }
 
+/// A result as it comes.
+void tell_picture(const RunReport& run) {
+    const Comparison& d = run.difference;
+    tell(run.error.empty()
+             ? fmt::format("{}: {:.1f} dB from the reference, FLIP {:.4f}", run.variant.name(), d.psnr, d.flip)
+             : fmt::format("{}: {}", run.variant.name(), run.error));
+}
+
 void take_all_pictures(Report& report, Device& device, const World& world, ReportFolder& folder, KeptSteps& kept,
                        Progress& progress) {
     const PlacedCamera& camera = camera_of(world, report.command.camera);
@@ -79,6 +87,8 @@ void take_all_pictures(Report& report, Device& device, const World& world, Repor
         const double done = double(i + 1) / double(report.runs.size() + 1);
         progress.step(share_of_pictures * done, "picture of " + report.runs[i].variant.name());
         take_or_find_pictures(report.runs[i], device, world, camera, references, store, kept);
+        progress.clear();
+        tell_picture(report.runs[i]);
     }
 }
 
@@ -129,7 +139,7 @@ KeptSteps make_report(Report& report, ReportFolder& folder) {
 
 void run(const CompareCommand& command) {
     const auto start = std::chrono::steady_clock::now();
-    Report report{.command = command};
+    Report report{.command = command, .budget = TimeBudget(command.budget)};
     report.scene = names_file(command.scene) ? std::filesystem::path(command.scene).filename().string() : command.scene;
     report.runs = make_runs(command);
     check_scene_name(command.scene);
@@ -145,6 +155,8 @@ void run(const CompareCommand& command) {
     });
     folder.publish();
     kept.forget();
+    for (const std::string& line : report.cut)
+        tell(fmt::format("--budget {:g}: {}", *report.budget.seconds(), line));
     const auto failed = std::ranges::count_if(report.runs, [](const RunReport& run) { return !run.error.empty(); });
     tell(fmt::format("{}: {}, rendered in {} way(s){}, {} light(s), {:.0f} s on {}",
                      (command.folder / "index.html").string(), report.scene, report.runs.size() - size_t(failed),

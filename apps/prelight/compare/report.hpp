@@ -1,6 +1,8 @@
 #pragma once
 #include "command_line.hpp"
 
+#include "time_budget.hpp"
+
 #include <nlohmann/json_fwd.hpp>
 #include <prelight/metrics.hpp>
 
@@ -35,6 +37,9 @@ struct Report {
     double reference_ms = 0; ///< one picture, with Fresnel of each light, wall time
     std::vector<RunReport> runs;
     double seconds = 0; ///< for everything
+    TimeBudget budget{};
+    /// What --budget had no time for, one line each: frames, numbers of lights.
+    std::vector<std::string> cut;
 };
 
 /// report.json: docs/compare.md describes it.

@@ -199,6 +199,8 @@ ReportJson report_json(const Report& report) {
         {"frames", command.frames},
         {"frame_limit", command.frame_limit},
         {"seconds", report.seconds},
+        {"budget", report.budget.seconds() ? ReportJson{{"seconds", *report.budget.seconds()}, {"cut", report.cut}}
+                                           : ReportJson(nullptr)},
         {"views", views_json(report)},
         {"reference", {{"wall_ms", report.reference_ms}, {"pictures", ReportJson(report.reference_pictures)}}},
         {"runs", ReportJson::array()}};

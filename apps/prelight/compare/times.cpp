@@ -1,6 +1,7 @@
 #include "times.hpp"
 
 #include "interleave.hpp"
+#include "log.hpp"
 #include "stats_state.hpp"
 
 #include <algorithm>
@@ -101,12 +102,14 @@ bool find_times(const Stop& stop, const nlohmann::json* state, std::vector<Timed
     return true;
 }
 
-void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight>& lights, const Report& report,
-             std::vector<Timed>& all, Device& device, KeptSteps& kept,
-             const std::function<void(double, const std::string&)>& show) {
+/// `most_seconds`: for all of it, unless one round takes longer. Says how many rounds there were.
+uint32_t time_at(const Stop& stop, const World& world, const std::vector<PlacedLight>& lights, const Report& report,
+                 std::vector<Timed>& all, Device& device, KeptSteps& kept, double most_seconds,
+                 const std::function<void(double, const std::string&)>& show) {
+    const TimeBudget own(most_seconds);
     const std::string step = fmt::format("times of {}", stop.total);
     if (find_times(stop, kept.find(step), all, report))
-        return;
+        return report.command.frames;
     nlohmann::json figures = nlohmann::json::object();
     std::vector<Contender> contenders;
     std::vector<Timed*> owners;
@@ -122,10 +125,18 @@ void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight
     const CompareCommand& command = report.command;
     const double frames = std::max<double>(1, double(command.frames) * double(contenders.size()));
     size_t frame = 0;
+    uint32_t rounds = 1;
+    const auto enough = [&] {
+        // Another round takes about as long as one did.
+        const bool over = own.left() < own.spent() / (rounds + 1);
+        rounds += over ? 0 : 1;
+        return over;
+    };
     render_interleaved(contenders, camera_of(world, command.camera),
                        {.frames = command.frames,
                         .most_ms = command.frame_limit * 1000,
-                        .cost_ms = [&](const Stats& stats) { return frame_ms(stats, report.software()); }},
+                        .cost_ms = [&](const Stats& stats) { return frame_ms(stats, report.software()); },
+                        .enough = enough},
                        [&](const Contender& contender) {
                            const auto index = static_cast<size_t>(&contender - contenders.data());
                            show(double(frame++) / frames, owners[index]->run.variant.name());
@@ -141,6 +152,21 @@ void time_at(const Stop& stop, const World& world, const std::vector<PlacedLight
         }
     }
     kept.keep(step, std::move(figures));
+    return rounds;
+}
+
+/// A result as it comes: what a frame of each costs.
+void tell_times(const Stop& stop, const std::vector<Timed>& all, const Report& report) {
+    std::string line;
+    for (const Timed& timed : all) {
+        const Stats& stats =
+            timed.run.in_series && !timed.run.series.empty() ? timed.run.series.back() : timed.run.stats;
+        if (timed.run.error.empty() && stats.lights == stop.total && stats.frames > 0)
+            line += fmt::format("{}{} {:.1f} ms", line.empty() ? "" : ", ", timed.run.variant.name(),
+                                (report.software() ? stats.cpu_ms : stats.gpu_ms).median);
+    }
+    if (!line.empty())
+        tell(fmt::format("{} light{}: {}", stop.total, stop.total == 1 ? "" : "s", line));
 }
 
 } // namespace
@@ -157,6 +183,13 @@ void take_times(Report& report, Device& device, const SceneSeries& scenes, const
         all.push_back({run, nullptr});
     bool own_done = false;
     for (size_t i = 0; i < stops.size(); ++i) {
+        if (!stops[i].own() && report.budget.left() <= 0) {
+            report.cut.push_back(fmt::format("{} lights left out", stops[i].total));
+            for (RunReport& run : report.runs)
+                if (run.in_series && run.stopped.empty())
+                    run.stopped = fmt::format("no {} lights: --budget {:g}", stops[i].total, *report.budget.seconds());
+            continue;
+        }
         const auto lights = stops[i].own() ? world.lights : scenes.lights(*stops[i].lights);
         const auto show = [&](double part, const std::string& what) {
             const double done = (static_cast<double>(i) + part) / static_cast<double>(stops.size());
@@ -164,14 +197,20 @@ void take_times(Report& report, Device& device, const SceneSeries& scenes, const
         };
         progress.step(share + (1 - share) * double(i) / double(stops.size()),
                       fmt::format("frames with {} light{}", stops[i].total, stops[i].total == 1 ? "" : "s"));
-        time_at(stops[i], world, lights, report, all, device, kept, show);
+        const double most = std::max(report.budget.left(), 0.0) / double(stops.size() - i);
+        const uint32_t rounds = time_at(stops[i], world, lights, report, all, device, kept, most, show);
+        progress.clear();
+        tell_times(stops[i], all, report);
+        if (rounds < report.command.frames)
+            report.cut.push_back(
+                fmt::format("{} of {} frames at {} lights", rounds, report.command.frames, stops[i].total));
         own_done = own_done || stops[i].own();
         for (Timed& timed : all) // those that will not be asked again free their memory
             if (own_done && !(timed.run.in_series && timed.run.stopped.empty()))
                 timed.renderer.reset();
     }
     for (RunReport& run : report.runs) // slow, but nothing was left to stop before
-        if (!run.series.empty() && run.series.back().lights == stops.back().total)
+        if (report.cut.empty() && !run.series.empty() && run.series.back().lights == stops.back().total)
             run.stopped.clear();
 }
 

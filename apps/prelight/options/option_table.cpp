@@ -90,6 +90,8 @@ constexpr std::array table{
     OptionRow{"--light-counts", "LIST", frames, bench_scene, "Numbers of lights, as in 16,256,4096 (default its own)"},
     OptionRow{"--frame-limit", "SECONDS", frames, compare,
               "A slower frame ends a variant's line in the chart (default 1)"},
+    OptionRow{"--budget", "SECONDS", frames, bench_scene | compare,
+              "End in that time: fewer frames, and the last numbers of lights left out (default: all of them)"},
     OptionRow{"--limit", "", frames, bench_scene, "Measure what the device could do, and give frames in units of F"},
     OptionRow{"--count-pairs", "", frames, bench_scene,
               "Light x pixel pairs are always counted, in a frame that is not timed"},
