@@ -2,6 +2,7 @@
 
 #include "output.hpp"
 #include "sequence/video.hpp"
+#include "standard_streams.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -176,7 +177,8 @@ std::vector<std::filesystem::path> outputs_of(const RenderCommand& command) {
 
 void check_endings(const RenderCommand& command, bool videos) {
     const std::string extension = lower_extension(command.output);
-    if (extension != ".png" && extension != ".exr" && !(videos && is_video(command.output)))
+    const bool piped = is_standard_stream(command.output) && !videos;
+    if (extension != ".png" && extension != ".exr" && !piped && !(videos && is_video(command.output)))
         refuse("-o", command.output.string(),
                videos ? "the name must end in .png, .exr, .mp4 or .mkv" : "the name must end in .png or .exr");
     // EXR holds scene-linear light, PNG what is drawn for the eye: neither suits the other's

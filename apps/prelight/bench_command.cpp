@@ -5,6 +5,7 @@
 #include "options/given.hpp"
 #include "picture_command.hpp"
 #include "scene_source.hpp"
+#include "standard_streams.hpp"
 
 namespace prelight::app {
 namespace {
@@ -61,6 +62,7 @@ void take_scene(const Given& given, BenchCommand& command) {
     command.animation = given.text("--animation");
     command.moment = parse_moment(given.text("--time"), command.animation);
     command.environment = parse_environment(given);
+    refuse_see_through(command.environment, given);
     command.reading = parse_reading(given);
     command.limit = given.has("--limit");
     if (given.has("--budget"))
@@ -102,6 +104,8 @@ BenchCommand parse_bench(const Given& given) {
     if (command.kind == Kind::report)
         take_report(given, command);
     if (command.kind == Kind::table) {
+        if (is_standard_stream(command.json))
+            throw UsageError("--json -: the table goes to standard output");
         if (given.has("--size"))
             std::tie(command.width, command.height) = parse_size("--size", given.text("--size"));
         command.scene = given.text("--scene", command.scene);

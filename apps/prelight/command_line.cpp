@@ -7,12 +7,28 @@
 #include "options/help.hpp"
 #include "picture_command.hpp"
 #include "sequence/plan.hpp"
+#include "standard_streams.hpp"
 
 #include <prelight/error.hpp>
 #include <prelight/version.hpp>
 
 namespace prelight::app {
 namespace {
+
+/// What goes with one scene only, and what several need.
+void check_scenes(const RenderCommand& command) {
+    const bool piped = is_standard_stream(command.scene);
+    if (command.watch && (piped || !command.more_scenes.empty()))
+        throw UsageError(fmt::format("--watch: goes with one scene in a file only, not {}",
+                                     piped ? "standard input" : "with " + command.more_scenes.front() + " too"));
+    if (command.more_scenes.empty())
+        return;
+    for (const std::filesystem::path& file : outputs_of(command))
+        if (file.string().find("{name}") == std::string::npos)
+            throw UsageError(fmt::format("{}: {} scenes need {{name}} in it, as in '{{name}}.png' ({}, {})",
+                                         file.string(), command.more_scenes.size() + 1, command.scene,
+                                         fmt::join(command.more_scenes, ", ")));
+}
 
 RenderCommand parse_render(const Given& given) {
     RenderCommand command = parse_picture(given);
@@ -22,11 +38,20 @@ RenderCommand parse_render(const Given& given) {
     command.smooth_edges =
         !given.has("--msaa") && command.options.preset.empty() && !command.options.settings.contains("antialiasing");
     check_outputs(command);
+    const std::vector<std::string>& scenes = given.all("SCENE");
+    command.scene = scenes.front();
+    command.more_scenes.assign(scenes.begin() + 1, scenes.end());
+    check_scenes(command);
+    command.quiet = command.quiet || is_standard_stream(command.output) || is_standard_stream(command.stats);
+    const EnvironmentChoice& environment = command.environment;
+    if (environment.see_through() && (lower_extension(command.output) == ".exr" || command.view != "final"))
+        throw UsageError(fmt::format("--background {}: needs the final picture, as PNG", given.text("--background")));
     return command;
 }
 
 SequenceCommand parse_series(const Given& given) {
     SequenceCommand command{.render = parse_picture(given), .sequence = parse_sequence(given)};
+    refuse_see_through(command.render.environment, given);
     check_sequence(command);
     return command;
 }
@@ -34,6 +59,7 @@ SequenceCommand parse_series(const Given& given) {
 ViewCommand parse_viewer(const Given& given) {
     ViewCommand command{.render = parse_picture(given), .record = given.text("--record"), .play = given.text("--play")};
     RenderCommand& render = command.render;
+    refuse_see_through(render.environment, given);
     render.moment = parse_moment(given.text("--time"), render.animation);
     render.watch = given.has("--watch");
     if (!render.more_views.empty())
@@ -79,6 +105,7 @@ CompareCommand parse_compare(const Given& given, int argc, const char* const* ar
     if (given.has("--renderers"))
         command.variants = parse_variants("--renderers", given.text("--renderers"));
     command.environment = parse_environment(given);
+    refuse_see_through(command.environment, given);
     command.reading = parse_reading(given);
     command.framing = parse_view(given);
     command.light_counts =

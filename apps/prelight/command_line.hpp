@@ -25,6 +25,8 @@ struct ViewFile {
 struct RenderCommand {
     bool quiet = false; ///< set_quiet()
     std::string scene;  ///< a file, or the name of a built-in scene
+    /// After the first; the outputs' names then hold {name}.
+    std::vector<std::string> more_scenes{};
     std::filesystem::path output;
     std::string view = "final"; ///< the buffer that `output` receives
     std::vector<ViewFile> more_views;

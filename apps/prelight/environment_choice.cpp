@@ -1,6 +1,7 @@
 #include "environment_choice.hpp"
 
 #include "argument.hpp"
+#include "colour.hpp"
 #include "options/given.hpp"
 #include "options/suggestion.hpp"
 
@@ -43,6 +44,27 @@ std::string environment_name(const std::string& text) {
     return {};
 }
 
+void take_background(const std::string& text, EnvironmentChoice& choice) {
+    const std::vector<std::pair<std::string_view, Background>> words{{"environment", Background::environment},
+                                                                     {"backdrop", Background::backdrop},
+                                                                     {"black", Background::black},
+                                                                     {"transparent", Background::transparent}};
+    const auto word = std::ranges::find(words, std::string_view(text), [](const auto& one) { return one.first; });
+    if (word != words.end()) {
+        choice.background = word->second;
+    } else if (const std::optional<glm::vec3> colour = find_colour(text)) {
+        choice.background = Background::colour;
+        choice.colour = *colour;
+    } else {
+        std::vector<std::string> known = colour_names();
+        for (const auto& [name, background] : words)
+            known.emplace_back(name);
+        throw UsageError(fmt::format("--background {}: not one of environment, backdrop, black, transparent, nor a "
+                                     "colour as in #ff8800 or orange{}",
+                                     text, did_you_mean(text, known)));
+    }
+}
+
 /// The environment that the scene is to have, before anything is changed about it; null: none.
 std::shared_ptr<const Environment> chosen(const EnvironmentChoice& choice, KeptEnvironment& kept, const Scene& scene,
                                           bool studio_where_dark) {
@@ -72,11 +94,14 @@ EnvironmentChoice parse_environment(const Given& given) {
         choice.rotation = parse_number("--environment-rotation", given.text("--environment-rotation"), -36000, 36000) *
                           std::numbers::pi / 180;
     if (given.has("--background"))
-        choice.background = parse_word<Background>("--background", given.text("--background"),
-                                                   {{"environment", Background::environment},
-                                                    {"backdrop", Background::backdrop},
-                                                    {"black", Background::black}});
+        take_background(given.text("--background"), choice);
     return choice;
+}
+
+void refuse_see_through(const EnvironmentChoice& choice, const Given& given) {
+    if (choice.see_through())
+        throw UsageError(fmt::format("--background {}: prelight render alone has it, not {}",
+                                     given.text("--background"), given.command().name));
 }
 
 SceneEdit environment_edit(const EnvironmentChoice& choice, bool studio_where_dark) {
@@ -84,6 +109,8 @@ SceneEdit environment_edit(const EnvironmentChoice& choice, bool studio_where_da
         scene.environment = chosen(choice, *kept, scene, studio_where_dark);
         if (!choice.intensity && !choice.rotation && !choice.background)
             return;
+        if (!scene.environment && choice.see_through() && !choice.intensity && !choice.rotation)
+            return; // nothing is seen there anyway
         if (!scene.environment)
             throw UsageError(fmt::format("{}: {} has no environment (--environment NAME|FILE gives it one)",
                                          choice.intensity  ? "--environment-intensity"
@@ -94,7 +121,7 @@ SceneEdit environment_edit(const EnvironmentChoice& choice, bool studio_where_da
         environment.intensity = choice.intensity.value_or(environment.intensity);
         environment.rotation = choice.rotation.value_or(environment.rotation);
         if (choice.background) {
-            environment.background = *choice.background != Background::black;
+            environment.background = *choice.background != Background::black && !choice.see_through();
             environment.backdrop = *choice.background == Background::backdrop ? soft_backdrop() : Image();
         }
         scene.environment = std::make_shared<const Environment>(std::move(environment));

@@ -1,5 +1,7 @@
 #include "output.hpp"
 
+#include "standard_streams.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <image/atomic_file.hpp>
@@ -39,6 +41,8 @@ std::optional<Identity> identity_of(const fs::path& path) {
 } // namespace
 
 void check_writable(const fs::path& path) {
+    if (is_standard_stream(path))
+        return;
     const WriteGuard guard;
     const AtomicFile probe(path); // never committed, so it goes again
 }
@@ -79,6 +83,8 @@ void check_outside(const fs::path& folder, std::span<const fs::path> inputs) {
 }
 
 void save_text(std::string_view text, const fs::path& path) {
+    if (is_standard_stream(path))
+        return write_standard_output(std::as_bytes(std::span(text)));
     const WriteGuard guard;
     AtomicFile file(path);
     file.write(text.data(), text.size());

@@ -1,5 +1,6 @@
 #include "argument.hpp"
 #include "commands.hpp"
+#include "coverage.hpp"
 #include "device_type.hpp"
 #include "memory_check.hpp"
 #include "output.hpp"
@@ -7,6 +8,7 @@
 #include "renderer_info.hpp"
 #include "scene_source.hpp"
 #include "session.hpp"
+#include "standard_streams.hpp"
 #include "stats_json.hpp"
 #include "validation.hpp"
 #include "watch.hpp"
@@ -28,7 +30,17 @@ void check_before_work(const RenderCommand& command, const RendererInfo& info) {
         check_writable(output);
 }
 
-void render_once(Session& session, RenderCommand& command, const LoadedScene& loaded, StartUp& start_up) {
+/// Puts the picture on what the command wants behind it.
+void lay_behind(Picture& picture, const Session& session, const RenderCommand& command, LoadedScene& loaded,
+                const PlacedCamera& camera) {
+    std::vector<float> coverage = coverage_of(session, command, loaded, camera);
+    if (command.environment.background == Background::colour)
+        return put_over(picture.image, coverage, command.environment.colour);
+    take_off_black(picture.image, coverage);
+    picture.coverage = std::move(coverage);
+}
+
+void render_once(Session& session, RenderCommand& command, LoadedScene& loaded, StartUp& start_up) {
     Stopwatch watch;
     const PlacedCamera& camera =
         command.camera.empty() ? loaded.world.cameras.at(0) : find_camera(loaded.world, command.camera);
@@ -41,7 +53,9 @@ void render_once(Session& session, RenderCommand& command, const LoadedScene& lo
     session.renderer->render(camera, command.frames);
     const Stats stats = session.renderer->stats(); // waits for the frames
     start_up.frames = watch.lap();
-    const std::vector<Picture> pictures = read_pictures(*session.renderer, command);
+    std::vector<Picture> pictures = read_pictures(*session.renderer, command);
+    if (command.environment.see_through())
+        lay_behind(pictures[0], session, command, loaded, camera);
     for (const std::string& note : stats.notes)
         Log(command.reading.log_level).note(note);
     if (command.validate && !command.watch)
@@ -59,9 +73,31 @@ void render_once(Session& session, RenderCommand& command, const LoadedScene& lo
                      stats.wall_ms.median, stats.device));
 }
 
-} // namespace
+/// "out/{name}.png" → "out/city.png": a file's name without folder and ending, or a built-in scene's.
+std::filesystem::path filled(const std::filesystem::path& file, const std::string& scene) {
+    constexpr std::string_view mark = "{name}";
+    const std::string name = is_standard_stream(scene) ? "stdin"
+                             : names_file(scene)       ? std::filesystem::path(scene).stem().string()
+                                                       : scene;
+    std::string text = file.string();
+    for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + name.size()))
+        text.replace(at, mark.size(), name);
+    return text;
+}
 
-void run(const RenderCommand& given) {
+/// The command for one of its scenes.
+RenderCommand command_for(const RenderCommand& command, const std::string& scene) {
+    RenderCommand one = command;
+    one.scene = scene;
+    one.more_scenes.clear();
+    one.output = filled(command.output, scene);
+    one.stats = filled(command.stats, scene);
+    for (ViewFile& view : one.more_views)
+        view.file = filled(view.file, scene);
+    return one;
+}
+
+void render_scene(const RenderCommand& given) {
     RenderCommand command = given;
     const RendererInfo info = find_renderer(command.renderer);
     check_scene_name(command.scene);
@@ -111,6 +147,25 @@ void run(const RenderCommand& given) {
         if (changed) // the renderer may point into it from now on
             loaded = std::move(changed);
     }
+}
+
+} // namespace
+
+void run(const RenderCommand& command) {
+    std::vector<RenderCommand> commands{command_for(command, command.scene)};
+    for (const std::string& scene : command.more_scenes)
+        commands.push_back(command_for(command, scene));
+    std::vector<std::filesystem::path> outputs, inputs;
+    for (const RenderCommand& one : commands) { // before any of them is drawn
+        check_scene_name(one.scene);
+        for (std::vector<std::filesystem::path> files = outputs_of(one); std::filesystem::path & file : files)
+            outputs.push_back(std::move(file));
+        for (std::vector<std::filesystem::path> files = inputs_of(one); std::filesystem::path & file : files)
+            inputs.push_back(std::move(file));
+    }
+    check_distinct(outputs, inputs);
+    for (const RenderCommand& one : commands)
+        render_scene(one);
 }
 
 } // namespace prelight::app

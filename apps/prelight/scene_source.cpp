@@ -2,6 +2,7 @@
 
 #include "argument.hpp"
 #include "options/suggestion.hpp"
+#include "standard_streams.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,6 +14,29 @@ namespace {
 const BuiltinScene* find_builtin(const std::vector<BuiltinScene>& scenes, const std::string& name) {
     const auto found = std::ranges::find(scenes, std::string_view(name), &BuiltinScene::name);
     return found == scenes.end() ? nullptr : &*found;
+}
+
+/// A file, or "-": then messages name standard input.
+Scene load_file(const std::string& name, const LoadOptions& options) {
+    if (!is_standard_stream(name))
+        return load_gltf(name, options);
+    const std::string file = standard_input_file().string();
+    const auto renamed = [&](std::string text) {
+        for (size_t at = text.find(file); at != std::string::npos; at = text.find(file, at))
+            text.replace(at, file.size(), "standard input");
+        return text;
+    };
+    try {
+        Scene scene = load_gltf(file, options);
+        scene.name = "standard input";
+        for (std::string& warning : scene.warnings)
+            warning = renamed(warning);
+        return scene;
+    } catch (const UsageError& error) {
+        throw UsageError(renamed(error.what()));
+    } catch (const Error& error) {
+        throw Error(renamed(error.what()));
+    }
 }
 
 /// Makes the scene what the command asks for, and its world.
@@ -28,6 +52,8 @@ void prepare(LoadedScene& loaded, const SceneTime& time, const SceneEdit& edit, 
 } // namespace
 
 bool names_file(const std::string& name) {
+    if (is_standard_stream(name))
+        return true;
     const std::string extension = lower_extension(name);
     std::error_code ignored;
     return extension == ".gltf" || extension == ".glb" || std::filesystem::is_regular_file(name, ignored);
@@ -93,7 +119,7 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& name, std::optional<u
     check_scene_name(name);
     const bool file = names_file(name);
     const LoadOptions options{.strict = time.reading.strict, .memory_limit = time.reading.memory_limit};
-    loaded->scene = file ? load_gltf(name, options) : make_builtin(name, lights, seed);
+    loaded->scene = file ? load_file(name, options) : make_builtin(name, lights, seed);
     std::optional<AddedLights> added;
     if (file && lights) {
         if (*lights > max_lights)

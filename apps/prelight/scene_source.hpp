@@ -19,7 +19,7 @@ struct LoadedScene {
     World world;
 };
 
-/// True when `name` means a file: it ends in .gltf or .glb, or a file of that name exists.
+/// True when `name` means a file: it ends in .gltf or .glb, is "-" (standard input), or a file of that name exists.
 bool names_file(const std::string& name);
 
 /// Makes a built-in scene with `lights` or its own default count. Throws UsageError.

@@ -6,10 +6,15 @@
 #include "meter.hpp"
 #include "scene_files.hpp"
 #include "scene_source.hpp"
+#include "standard_streams.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <image/atomic_file.hpp>
+#include <image/display_bytes.hpp>
+#include <image/png_writer.hpp>
 #include <prelight/error.hpp>
 #include <prelight/views.hpp>
 
@@ -45,6 +50,21 @@ std::unique_ptr<Renderer> smooth_renderer(RenderCommand& command, Device* device
     return create_renderer(command.renderer, device, command.options);
 }
 
+std::vector<std::byte> png_of(const Picture& picture) {
+    const std::vector<uint8_t> rgb = display_bytes(picture.image);
+    const Image& image = picture.image;
+    if (picture.coverage.empty())
+        return encode_png(image.width, image.height, 3, rgb);
+    std::vector<uint8_t> rgba;
+    rgba.reserve(rgb.size() / 3 * 4);
+    for (size_t i = 0; i < picture.coverage.size(); ++i) {
+        rgba.insert(rgba.end(), rgb.begin() + static_cast<std::ptrdiff_t>(3 * i),
+                    rgb.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
+        rgba.push_back(static_cast<uint8_t>(std::lround(255 * picture.coverage[i])));
+    }
+    return encode_png(image.width, image.height, 4, rgba);
+}
+
 } // namespace
 
 Session open_session(RenderCommand& command, const RendererInfo& info) {
@@ -70,7 +90,7 @@ void meter(Session& session, RenderCommand& command, const World& world, const P
 
 std::vector<std::filesystem::path> files_of(const RenderCommand& command) {
     std::vector<std::filesystem::path> files;
-    if (names_file(command.scene))
+    if (names_file(command.scene) && !is_standard_stream(command.scene))
         files.emplace_back(command.scene);
     for (const auto& [name, file] : command.materials)
         files.push_back(file);
@@ -105,9 +125,16 @@ std::vector<Picture> read_pictures(Renderer& renderer, const RenderCommand& comm
 void save(const Picture& picture) {
     const WriteGuard guard;
     if (lower_extension(picture.file) == ".exr")
-        save_exr(picture.image, picture.file);
-    else
-        save_png(picture.image, picture.file);
+        return save_exr(picture.image, picture.file);
+    const bool piped = is_standard_stream(picture.file);
+    if (!piped && picture.coverage.empty())
+        return save_png(picture.image, picture.file);
+    const std::vector<std::byte> bytes = png_of(picture);
+    if (piped)
+        return write_standard_output(bytes);
+    AtomicFile file(picture.file);
+    file.write(bytes);
+    file.commit();
 }
 
 void warn_of_picture(const RenderCommand& command, const Picture& picture, const World& world) {

@@ -31,7 +31,8 @@ void check_views(const RenderCommand& command, const RendererInfo& info);
 /// A picture in memory, and where it goes.
 struct Picture {
     Image image;
-    std::filesystem::path file;
+    std::filesystem::path file;       ///< "-": standard output
+    std::vector<float> coverage = {}; ///< its alpha; empty: opaque
 };
 
 /// What the command wants of the last frame, `output` first.

@@ -6,6 +6,7 @@
 #include <prelight/error.hpp>
 #include <regex>
 #include <renderers/settings/settings.hpp>
+#include <set>
 
 namespace prelight::test {
 namespace {
@@ -38,8 +39,9 @@ std::vector<Line> commands_of(const fs::path& page) {
 /// What stands for something of the reader's own, as the pages write it.
 std::string filled_in(const std::string& word) {
     static const std::map<std::string, std::string> meanings{
-        {"SCENE", "city"}, {"S", "city"}, {"N", "16"},   {"WxH", "64x36"},   {"R", "deferred"},    {"W", "tiles"},
-        {"C", "tiles"},    {"T", "16"},   {"L", "grid"}, {"FILE", "a.json"}, {"PICTURE", "a.png"}, {"STATS", "a.json"}};
+        {"SCENE", "city"},    {"S", "city"},       {"N", "16"},           {"WxH", "64x36"},   {"R", "deferred"},
+        {"W", "tiles"},       {"C", "tiles"},      {"T", "16"},           {"L", "grid"},      {"FILE", "a.json"},
+        {"PICTURE", "a.png"}, {"STATS", "a.json"}, {"COMMAND", "render"}, {"TOPIC", "scenes"}};
     const size_t equals = word.rfind('=');
     const std::string last = equals == std::string::npos ? word : word.substr(equals + 1);
     const auto found = meanings.find(last);
@@ -51,8 +53,11 @@ std::vector<std::string> words_of(std::string command) {
     command = std::regex_replace(command, std::regex("[\\[\\]]"), ""); // what may be left out, too
     std::istringstream stream(command);
     std::vector<std::string> words;
-    for (std::string word; stream >> word && word != "|" && word != "&&" && word != ";";)
+    static const std::set<std::string> ends{"|", "&&", ";", "<", ">"};
+    for (std::string word; stream >> word && !ends.contains(word);) {
+        std::erase(word, '\'');
         words.push_back(filled_in(word));
+    }
     return words;
 }
 

@@ -105,7 +105,7 @@ TEST(Environment, WhatIsWrongIsOneLine) {
     expect({"--environment", "nan.exr"}, 1, "nan.exr: a pixel of the environment map is negative or not finite");
     expect({"--environment-intensity", "-1"}, 2, "--environment-intensity -1");
     expect({"--environment-rotation", "north"}, 2, "--environment-rotation north");
-    expect({"--background", "red"}, 2, "--background red: not one of environment, backdrop, black");
+    expect({"--background", "sunset"}, 2, "--background sunset: not one of environment, backdrop, black");
     expect({"--environment-rotation", "90"}, 2, "--environment-rotation: spheres has no environment");
     expect({"--background", "black"}, 2, "--background: spheres has no environment");
 }

@@ -65,7 +65,7 @@ share/doc/libprelight-dev/copyright" "$(files development)"
 same_lines "the program" "bin/prelight
 share/doc/prelight/copyright
 share/man/man1/prelight.1
-$(program/bin/prelight --help | sed -n '/^Commands:/,/^$/s|^  \([a-z]*\) .*|share/man/man1/prelight-\1.1|p')
+$(program/bin/prelight --help | sed -n '/^Commands:/,/^$/s|^  \([a-z][a-z]*\) .*|share/man/man1/prelight-\1.1|p')
 share/bash-completion/completions/prelight
 share/fish/vendor_completions.d/prelight.fish
 share/zsh/vendor-completions/_prelight" "$(files program)"

@@ -7,6 +7,7 @@
 #include "memory_check.hpp"
 #include "output.hpp"
 #include "scene_files.hpp"
+#include "standard_streams.hpp"
 #include "stats_json.hpp"
 #include "table.hpp"
 #include "time_budget.hpp"
@@ -121,7 +122,8 @@ void bench_scene(const BenchCommand& given) {
     const std::vector<Stop> stops = stops_of(command, scenes);
     check_light_counts(jobs, stops, *device);
     // The table is what was asked for, unless a file was.
-    const bool prints = !is_quiet() || command.json.empty();
+    const bool piped = is_standard_stream(command.json);
+    const bool prints = !piped && (!is_quiet() || command.json.empty());
     size_t printed = 0;
     const auto figures = [&](const Measured& so_far, bool complete) {
         std::vector<std::string> lacking = missing;
@@ -152,7 +154,7 @@ void bench_scene(const BenchCommand& given) {
     // What is measured is kept, whatever ends the command.
     const auto keep = [&](const Measured& so_far) {
         const Json json = figures(so_far, false);
-        if (!command.json.empty())
+        if (!command.json.empty() && !piped)
             save_text(json_text(json), command.json);
     };
     const Measured measured = measure(jobs, stops, scenes, command, *device, software, budget, keep);

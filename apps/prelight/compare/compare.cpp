@@ -8,6 +8,7 @@
 #include "pictures.hpp"
 #include "renderer_info.hpp"
 #include "scene_files.hpp"
+#include "standard_streams.hpp"
 #include "stats_json.hpp"
 #include "times.hpp"
 #include "validation.hpp"
@@ -42,7 +43,9 @@ std::vector<RunReport> make_runs(const CompareCommand& command) {
 
 std::vector<std::filesystem::path> inputs_of(const CompareCommand& command) {
     std::vector<std::filesystem::path> files = files_named_in(command.scene);
-    if (names_file(command.scene))
+    if (is_standard_stream(command.scene))
+        files.push_back(standard_input_file());
+    else if (names_file(command.scene))
         files.emplace_back(command.scene);
     files.push_back(command.environment.file);
     return files;

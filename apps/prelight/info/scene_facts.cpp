@@ -4,6 +4,7 @@
 #include "extension_uses.hpp"
 #include "scene_files.hpp"
 #include "scene_source.hpp"
+#include "standard_streams.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -177,11 +178,13 @@ nlohmann::ordered_json scene_facts(const InfoCommand& command, const Scene& scen
     uint64_t file_bytes = 0;
     Json other_files = Json::array();
     if (file) {
-        uses = extension_uses(json_of(command.scene));
+        const std::filesystem::path scene_file =
+            is_standard_stream(command.scene) ? standard_input_file() : std::filesystem::path(command.scene);
+        uses = extension_uses(json_of(scene_file));
         std::vector<std::filesystem::path> files = files_named_in(command.scene);
         for (const std::filesystem::path& other : files)
             other_files.push_back(other.string());
-        files.emplace_back(command.scene);
+        files.push_back(scene_file);
         std::error_code missing;
         for (const std::filesystem::path& one : files)
             if (const uint64_t size = std::filesystem::file_size(one, missing); !missing)

@@ -7,11 +7,14 @@ namespace prelight::app {
 
 const std::vector<CommandRow>& command_table() {
     constexpr std::string_view a_scene = "A .gltf or .glb file, or a built-in scene (prelight help scenes)";
+    constexpr std::string_view a_scene_or_input =
+        "A .gltf or .glb file, - for a .glb from standard input, or a built-in scene (prelight help scenes). Several "
+        "need {name} in the outputs' names";
     static const std::vector<CommandRow> commands{
         {"render",
          command_bit::render,
          "Render a scene into a picture",
-         {{"SCENE", a_scene, Takes::scene}},
+         {{"SCENE", a_scene_or_input, Takes::scene, true, true}},
          "A name ending in .exr receives exposed scene-linear values, without tone mapping.\n"
          "`prelight renderers NAME` lists what --set, --view and --preset accept.",
          R"(prelight render city --lights 4096 --seed 7 -o city.png --stats city.json
@@ -22,7 +25,9 @@ prelight render city --view diffuse-light -o light.png
 prelight render helmet.glb --environment sky.hdr --environment-rotation 90 -o helmet.png
 prelight render helmet.glb --view-from 0,90 --fit 0.95 --exposure auto -o above.png
 prelight render helmet.glb --material Visor=toon.glsl -o helmet.png --watch
-prelight render city --renderer reference --size 320x180 -o truth.exr)"},
+prelight render city --renderer reference --size 320x180 -o truth.exr
+prelight render helmet.glb --background transparent -o helmet.png
+prelight render helmet.glb fox.glb -o '{name}.png')"},
         {"sequence",
          command_bit::sequence,
          "Render many moments: numbered pictures, or a video",

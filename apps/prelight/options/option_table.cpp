@@ -53,7 +53,11 @@ constexpr std::array table{
               "20,15, where there is no camera)"},
     OptionRow{"--fit", "FACTOR", picture, shows,
               "Share of the picture that it fills in the tighter direction (default 0.8)"},
-    OptionRow{"--background", "WHAT", picture, shows,
+    OptionRow{"--background", "WHAT|COLOUR", picture, render,
+              "What is seen behind the scene: environment, a soft backdrop, black, a colour as in #ff8800 or white, or "
+              "transparent, for a PNG with alpha (docs/environment.md)",
+              Takes::words, "environment backdrop black transparent white"},
+    OptionRow{"--background", "WHAT", picture, sequence | command_bit::view | compare | bench_scene,
               "What is seen behind the scene: environment, a soft backdrop, or black (docs/environment.md)",
               Takes::words, "environment backdrop black"},
     OptionRow{"--msaa", "N", picture, pictures, "Samples per pixel (default 1; render: what makes edges smooth)",
@@ -110,8 +114,10 @@ constexpr std::array table{
     OptionRow{"--play", "FILE", frames, command_bit::view, "Input from FILE; with -o without any window", Takes::file},
 
     // What is written.
-    OptionRow{"-o,--output", "IMAGE", output, render, "The picture: PNG, or EXR when the name ends so", Takes::file, "",
-              false, true},
+    OptionRow{
+        "-o,--output", "IMAGE", output, render,
+        "The picture: PNG, or EXR when the name ends so; - is standard output; {name} stands for the scene's name",
+        Takes::file, "", false, true},
     OptionRow{"-o,--output", "FILES", output, sequence,
               "Numbered pictures, as in out.####.png or out.####.exr; or a video: out.mp4, out.mkv", Takes::file, "",
               false, true},
