@@ -7,8 +7,8 @@ namespace prelight::resident {
 
 /// Trims the indices of `draws` on all processors where that is worth while. Of each draw that it trims, `first_index`
 /// and `index_count` become places in `room`, one draw after the other, and `trimmed` true; a draw whose indices do not
-/// fit, or that faces the viewer, stays as it is. `objects`: of each draw. Neither depends on how many processors there are.
-/// Returns the indices used, and in `helpers_ms` the CPU time of threads other than the calling one.
+/// fit, or that faces the viewer, stays as it is. `objects`: of each draw. Neither depends on how many processors there
+/// are. Returns the indices used, and in `helpers_ms` the CPU time of threads other than the calling one.
 size_t trim_draws(std::span<VisibleDraw> draws, std::span<const shared::ObjectData> objects, std::span<const Draw> all,
                   const TrimView& view, std::span<uint32_t> room, double& helpers_ms);
 
