@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every test: installs what is missing, builds Release and the fuzz target, runs all test binaries.
-#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli python slurm package docs sanitized …
+#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli python slurm gpu-report package docs sanitized …
 #                             and pip, which only runs when it is named
 # One line for each binary; the last line counts the tests. "sanitized": the fastest binary and the fuzz targets under the address
 # and undefined-behaviour sanitizers. Fuzz targets do a fixed number of runs from a fixed seed: scripts/fuzz.sh fuzzes freely.
@@ -37,7 +37,7 @@ for binary in "$build"/tests/test_*; do
     name=${binary##*/test_}
     [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
 done
-names=(format "${names[@]}" python slurm package docs)
+names=(format "${names[@]}" python slurm gpu-report package docs)
 [ -f scripts/fuzz.sh ] && names+=(sanitized)
 if [ $# -gt 0 ]; then
     names=("$@")
@@ -151,6 +151,8 @@ run_one() { # NAME: runs it, then prints its line
         run_python
     elif [ "$1" = slurm ]; then # a sequence as a job array, with tasks that are killed
         run_command slurm tests/slurm/slurm_test.sh
+    elif [ "$1" = gpu-report ]; then # packed and run, on a software device
+        run_command gpu-report tests/gpu_report/gpu_report_test.sh
     elif [ "$1" = package ]; then # what is installed, used as other projects do
         run_command package tests/package/package_test.sh
     elif [ "$1" = pip ]; then # the Python module, built by pip

@@ -11,6 +11,11 @@ bool is(const Shot& shot, const char* key, const char* value) {
     return found != shot.settings.end() && found->second == value;
 }
 
+std::string from_environment(const char* name, const char* absent) {
+    const char* const value = std::getenv(name);
+    return value ? value : absent;
+}
+
 } // namespace
 
 void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
@@ -18,7 +23,9 @@ void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
 Device& test_device() {
     // Ends before the process does: the layer's own statics must still be there.
     struct Holder : testing::Environment {
-        std::unique_ptr<Device> device = Device::create({.select = "cpu", .validate = true});
+        std::unique_ptr<Device> device = Device::create(
+            {.select = from_environment("PRELIGHT_TEST_DEVICE", "cpu"),
+             .validate = from_environment("PRELIGHT_TEST_VALIDATION", "on") != "off"}); // scripts/gpu-report.sh
         void TearDown() override { device.reset(); }
     };
     static auto* holder = static_cast<Holder*>(testing::AddGlobalTestEnvironment(new Holder));

@@ -45,7 +45,8 @@ inline constexpr Bound half_float_bound{};
 /// Blended with scale 2, at most 4 lights on a pixel.
 inline constexpr Bound rgba8_bound{.psnr = 40, .off_share = 1, .block = 255};
 
-/// The device of all tests in this process, with core and synchronization validation.
+/// The device of all tests in this process, with core and synchronization validation: a software one, unless
+/// PRELIGHT_TEST_DEVICE names another, and PRELIGHT_TEST_VALIDATION=off.
 Device& test_device();
 /// A second device on another driver's ICD file, e.g. SwiftShader's; null when it is not installed.
 std::unique_ptr<Device> swiftshader_device();
