@@ -56,6 +56,7 @@ void check_vertices(const Faults& faults, const Primitive& primitive) {
     attribute(primitive.texcoords[0], "texture coordinates");
     attribute(primitive.texcoords[1], "texture coordinates (second set)");
     attribute(primitive.colours, "colours");
+    attribute(primitive.facing, "offsets towards the viewer's right and up");
     faults.refuse_if(!all_of_unit_length(primitive.normals), "a normal that is not of unit length");
     faults.refuse_if(!all_of_unit_length(primitive.tangents), "a tangent that is not of unit length");
     faults.refuse_if(!primitive.joint_sets.empty() || !primitive.morph_targets.empty(),
@@ -96,6 +97,8 @@ uint32_t add_material(Scene& scene, Material material) {
                          fmt::format("{}: image {} of {}", kind, texture.image, scene.images.size()));
         faults.refuse_if(texture.texcoord > 1, fmt::format("{}: texture coordinates {}", kind, texture.texcoord));
     });
+    faults.refuse_if(!(material.softness >= 0) || !std::isfinite(material.softness),
+                     fmt::format("softness {}: not metres ≥ 0", material.softness));
     scene.materials.push_back(std::move(material));
     return static_cast<uint32_t>(scene.materials.size() - 1);
 }
@@ -116,6 +119,12 @@ uint32_t add_object(Scene& scene, std::string name, Primitive primitive, uint32_
     }
     check_vertices(faults, primitive);
     primitive.material = material;
+    if (!primitive.facing.empty()) { // in the viewer's axes, where the triangles lie in a plane
+        if (primitive.normals.empty())
+            primitive.normals.assign(primitive.positions.size(), {0, 0, 1});
+        if (primitive.tangents.empty())
+            primitive.tangents.assign(primitive.positions.size(), {1, 0, 0, 1});
+    }
     if (primitive.normals.empty())
         make_flat_normals(primitive);
     const Material& shown = scene.materials[material];

@@ -241,11 +241,12 @@ private:
         for (size_t p = 0; p < primitives.size(); ++p) {
             if (primitives[p].indices.empty())
                 continue;
+            const double reach = facing_reach(primitives[p]);
             if (facts.used[p].empty())
                 for (const glm::vec3& position : primitives[p].positions)
-                    add_point(transform, glm::dvec3(position));
+                    add_point(transform, glm::dvec3(position), reach);
             for (uint32_t i : facts.used[p])
-                add_point(transform, glm::dvec3(primitives[p].positions[i]));
+                add_point(transform, glm::dvec3(primitives[p].positions[i]), reach);
         }
     }
 
@@ -266,8 +267,7 @@ private:
         instance.transform[3] = glm::dvec4(emission.origin, 1);
         const double reach = facing_reach(*emission.shapes);
         for (const glm::vec3& position : emission.shapes->positions)
-            for (const double way : {-reach, reach})
-                add_point(instance.transform, glm::dvec3(position) + way);
+            add_point(instance.transform, glm::dvec3(position), reach);
         world_.triangles += emission.shapes->indices.size() / 3;
         world_.instances.push_back(instance);
         world_.deformations.emplace_back();
@@ -277,7 +277,13 @@ private:
         deformed_boxes_.push_back(facts_of(mesh).box);
     }
 
-    void add_point(const glm::dmat4& transform, glm::dvec3 p) { bounds_.add(glm::dvec3(transform * glm::dvec4(p, 1))); }
+    /// And metres around it.
+    void add_point(const glm::dmat4& transform, glm::dvec3 p, double around = 0) {
+        const glm::dvec3 place(transform * glm::dvec4(p, 1));
+        bounds_.add(place - around);
+        if (around > 0)
+            bounds_.add(place + around);
+    }
 
     void add_defaults() {
         if (world_.cameras.empty() && host_vertices_) {

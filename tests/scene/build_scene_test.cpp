@@ -52,6 +52,29 @@ TEST(BuiltScene, MakesTangentsForNormalMaps) {
         EXPECT_NEAR(tangent.x, 1, 1e-6f);
 }
 
+TEST(BuiltScene, SquaresThatFaceTheCamera) {
+    Scene scene;
+    const uint32_t image = add_image(scene, {"bumps", 1, 1, {128, 128, 255, 255}});
+    Material smoke{.alpha_mode = AlphaMode::blend, .softness = 0.5f};
+    smoke.normal_texture.image = image;
+    const uint32_t material = add_material(scene, smoke);
+    Primitive puff{.positions = {4, glm::vec3(1, 2, 3)}, .indices = {0, 1, 2, 0, 2, 3}};
+    puff.texcoords[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    puff.facing = {{-3, -4}, {3, -4}, {3, 4}};
+    EXPECT_THROW(add_object(scene, "puff", puff, material), Error) << "three offsets";
+    puff.facing.emplace_back(-3, 4);
+    add_object(scene, "puff", puff, material);
+    const Primitive& made = scene.meshes[0].primitives[0];
+    EXPECT_THAT(made.normals,
+                testing::ElementsAre(glm::vec3(0, 0, 1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)));
+    EXPECT_THAT(made.tangents, testing::Each(glm::vec4(1, 0, 0, 1)));
+    const World world = resolve(scene);
+    EXPECT_EQ(world.bounds_min, glm::dvec3(-4, -3, -2)) << "whoever looks";
+    EXPECT_EQ(world.bounds_max, glm::dvec3(6, 7, 8));
+    smoke.softness = -1;
+    EXPECT_THROW(add_material(scene, smoke), Error);
+}
+
 TEST(BuiltScene, RefusesWhatCannotBeDrawn) {
     Scene scene;
     scene.name = "mine";
