@@ -178,7 +178,10 @@ TEST(Completion, IsForThreeShells) {
         EXPECT_THAT(zsh, HasSubstr(row.long_name()));
         EXPECT_THAT(fish, HasSubstr(" -l " + row.long_name().substr(2) + " "));
     }
-    EXPECT_EQ(std::ranges::count(zsh, '\'') % 2, 0);
+    std::string quotes = zsh; // each closed, but for those of texts
+    for (size_t at; (at = quotes.find("'\\''")) != quotes.npos;)
+        quotes.erase(at, 4);
+    EXPECT_EQ(std::ranges::count(quotes, '\'') % 2, 0);
     EXPECT_THAT(run({"--help"}, folder.path).out, Not(HasSubstr("completions")));
     EXPECT_TRUE(failed_with(run({"completions", "csh"}, folder.path), 2));
 }

@@ -69,12 +69,11 @@ void take_exposure(Report& report, Device& device, const World& world) {
         run.options.exposure = options.exposure;
 }
 
-/// A result as it comes.
+/// A result as it comes. What failed is told at the end.
 void tell_picture(const RunReport& run) {
     const Comparison& d = run.difference;
-    tell(run.error.empty()
-             ? fmt::format("{}: {:.1f} dB from the reference, FLIP {:.4f}", run.variant.name(), d.psnr, d.flip)
-             : fmt::format("{}: {}", run.variant.name(), run.error));
+    if (run.error.empty())
+        tell(fmt::format("{}: {:.1f} dB from the reference, FLIP {:.4f}", run.variant.name(), d.psnr, d.flip));
 }
 
 void take_all_pictures(Report& report, Device& device, const World& world, ReportFolder& folder, KeptSteps& kept,

@@ -92,6 +92,8 @@ std::map<std::string, std::string> store_views(Renderer& renderer, const std::st
 
 void take(RunReport& run, Device& device, const World& world, const PlacedCamera& camera, References& references,
           PictureStore& store) {
+    // As it is timed: a view among the pictures may be all that a setting has an effect on.
+    create_renderer(run.variant.renderer, &device, run.options);
     RenderOptions options = run.options;
     options.count_pairs = true;
     const std::vector<std::string> views = views_to_show(run.info);

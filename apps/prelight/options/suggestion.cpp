@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <numeric>
 
 namespace prelight::app {
@@ -11,6 +12,17 @@ char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned 
 
 /// A longer word is no misspelt name, and comparing it would take long.
 constexpr size_t longest_word = 64;
+
+/// Letters of both, whatever their order: --zise has all of --size.
+size_t common_letters(std::string_view a, std::string_view b) {
+    std::string x(a), y(b), both;
+    for (std::string* word : {&x, &y}) {
+        std::ranges::transform(*word, word->begin(), lower);
+        std::ranges::sort(*word);
+    }
+    std::ranges::set_intersection(x, y, std::back_inserter(both));
+    return both.size();
+}
 
 } // namespace
 
@@ -37,12 +49,15 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
     const size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
     const size_t most = (letters + 2) / 3;
     std::string nearest;
-    size_t least = most + 1;
-    for (const std::string& candidate : candidates)
-        if (const size_t distance = edit_distance(word, candidate); distance < least && distance < letters) {
-            least = distance;
-            nearest = candidate;
-        }
+    size_t least = most + 1, shared = 0;
+    for (const std::string& candidate : candidates) {
+        const size_t distance = edit_distance(word, candidate), common = common_letters(word, candidate);
+        if (distance > most || distance >= letters || distance > least || (distance == least && common <= shared))
+            continue;
+        least = distance;
+        shared = common;
+        nearest = candidate;
+    }
     if (!nearest.empty() || letters < 2)
         return nearest;
     const auto begins = [&](const std::string& candidate) { return candidate.starts_with(word); };
