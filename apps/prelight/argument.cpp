@@ -61,8 +61,7 @@ std::vector<uint32_t> parse_light_counts(std::string_view option, const std::str
         at = end + 1;
     }
     std::ranges::sort(counts);
-    const auto repeated = std::ranges::unique(counts);
-    counts.erase(repeated.begin(), repeated.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
     return counts;
 }
 
@@ -162,8 +161,8 @@ void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
     const bool exr = lower_extension(command.output) == ".exr"; // of the final picture, before tone mapping
     command.options.views.push_back(exr ? "linear" : command.view);
     std::ranges::sort(command.options.views);
-    const auto repeated = std::ranges::unique(command.options.views);
-    command.options.views.erase(repeated.begin(), repeated.end());
+    std::vector<std::string>& views = command.options.views;
+    views.erase(std::unique(views.begin(), views.end()), views.end());
 }
 
 std::vector<std::filesystem::path> outputs_of(const RenderCommand& command) {

@@ -21,8 +21,10 @@ resident::WorldBox box_of(GridOver over, const resident::GpuScene& scene) {
 }
 
 LightGrid light_grid(const resident::WorldBox& box, uint32_t most_cells) {
-    const auto [low, high] = roomy(box);
-    const auto count = [&](double edge) { return glm::max(glm::ceil((high - low) / edge), glm::dvec3(1)); };
+    const resident::WorldBox around = roomy(box);
+    const auto count = [&](double edge) {
+        return glm::max(glm::ceil((around.high - around.low) / edge), glm::dvec3(1));
+    };
     const glm::dvec3 size = box.high - box.low;
     double edge = std::max({size.x, size.y, size.z, 1e-3}) / 128;
     for (glm::dvec3 n = count(edge); n.x * n.y * n.z > most_cells; n = count(edge))

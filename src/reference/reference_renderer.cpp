@@ -26,7 +26,7 @@ Settings checked_settings(const RendererInfo& info, const RenderOptions& options
         settings[setting.key] = setting.default_value;
     for (const auto& [key, value] : options.settings) {
         const auto setting = std::find_if(info.settings.begin(), info.settings.end(),
-                                          [&](const SettingInfo& s) { return s.key == key; });
+                                          [&name = key](const SettingInfo& s) { return s.key == name; });
         if (setting == info.settings.end()) {
             std::vector<std::string> keys;
             for (const SettingInfo& known : info.settings)

@@ -94,10 +94,11 @@ bool OwnPasses::any(Stage stage) const {
 
 void OwnPasses::build(Stage stage, graph::FrameGraph& graph, const resident::View& view,
                       std::span<const Offered> images) {
-    for (const auto& [number, own] : passes_) {
+    for (const auto& entry : passes_) {
+        const auto own = entry.second; // clang 14 captures no part of a structured binding
         if (own->stage != stage)
             continue;
-        missing_.erase(number);
+        missing_.erase(entry.first);
         graph::Pass& pass = graph.pass(own->name);
         pass.always();
         auto all = std::make_shared<Described>();

@@ -1,17 +1,18 @@
 #include "world_box.hpp"
 #include "scene.hpp"
 #include <glm/common.hpp>
-#include <ranges>
 
 namespace prelight::resident {
 
 namespace {
 
-template <class Draws>
-WorldBox around(Draws&& draws) {
+template <class Counts>
+WorldBox around(std::span<const Draw> draws, Counts counts) {
     WorldBox box;
     bool first = true;
     for (const Draw& draw : draws) {
+        if (!counts(draw))
+            continue;
         box = first ? WorldBox{draw.low, draw.high}
                     : WorldBox{glm::min(box.low, draw.low), glm::max(box.high, draw.high)};
         first = false;
@@ -21,10 +22,12 @@ WorldBox around(Draws&& draws) {
 
 } // namespace
 
-WorldBox box_around(std::span<const Draw> draws) { return around(draws); }
+WorldBox box_around(std::span<const Draw> draws) {
+    return around(draws, [](const Draw&) { return true; });
+}
 
 WorldBox box_around_layers(std::span<const Draw> draws) {
-    return around(draws | std::views::filter([](const Draw& draw) { return draw.blended() || draw.transmissive(); }));
+    return around(draws, [](const Draw& draw) { return draw.blended() || draw.transmissive(); });
 }
 
 } // namespace prelight::resident

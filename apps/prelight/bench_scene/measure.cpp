@@ -22,8 +22,8 @@ public:
     Measurement(const std::vector<Job>& jobs, const std::vector<Stop>& stops, const SceneSeries& scenes,
                 const BenchCommand& command, Device& device, bool pass_cpu, const TimeBudget& budget,
                 const std::function<void(const Measured&)>& done)
-        : jobs_(jobs), stops_(stops), scenes_(scenes), command_(command), device_(device), pass_cpu_(pass_cpu),
-          budget_(budget), done_(done), scene_(scenes.make()), camera_(camera_of(scene_->world, command.camera)),
+        : jobs_(jobs), stops_(stops), command_(command), device_(device), pass_cpu_(pass_cpu), budget_(budget),
+          done_(done), scene_(scenes.make()), camera_(camera_of(scene_->world, command.camera)),
           usable_(jobs.size(), true), stop_count_(stops.size()),
           seconds_(jobs.size(), std::vector<double>(stops.size(), 0)), slower_(pass_cpu ? 2 : 1) {
         out_.triangles = scene_->world.triangles;
@@ -200,7 +200,6 @@ private:
 
     const std::vector<Job>& jobs_;
     const std::vector<Stop>& stops_;
-    const SceneSeries& scenes_;
     const BenchCommand& command_;
     Device& device_;
     bool pass_cpu_;

@@ -149,20 +149,21 @@ void PictureStore::keep() {
 }
 
 std::string PictureStore::add(const std::string& name, const Image& display) {
-    const auto [known, is_new] = files_.try_emplace(hash_of(display));
-    if (!is_new)
-        return known->second;
+    const auto known = files_.try_emplace(hash_of(display));
+    std::string& picture = known.first->second;
+    if (!known.second)
+        return picture;
     std::string file;
     for (const char c : name) // '@' and '=' would need escapes in an address
         file += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
     if (const int before = names_[file]++)
         file += fmt::format("-{}", before + 1);
-    known->second = "pictures/" + file + ".png";
+    picture = "pictures/" + file + ".png";
     folder_.write([&](const std::filesystem::path& folder) {
-        save_png(display, folder / known->second);
-        kept_.keep_file(file + ".png", folder / known->second);
+        save_png(display, folder / picture);
+        kept_.keep_file(file + ".png", folder / picture);
     });
-    return known->second;
+    return picture;
 }
 
 void take_pictures(RunReport& run, Device& device, const World& world, const PlacedCamera& camera,
