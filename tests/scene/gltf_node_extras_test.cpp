@@ -158,6 +158,9 @@ TEST(GltfNodeExtras, WrongEmittersAreOneLine) {
     EXPECT_THAT(error({{"sizes", Json::array()}}), HasSubstr("sizes is not an array of 1 to 64 numbers"));
     EXPECT_THAT(error({{"opacities", {0.5, 1.5}}}), HasSubstr("opacities is not an array"));
     EXPECT_THAT(error({{"sizes", {1, "x"}}}), HasSubstr("sizes is not an array"));
+    EXPECT_THAT(error({{"sizes", 3}}), HasSubstr("sizes is not an array"));
+    EXPECT_THAT(error({{"opacities", {{"0", 1}}}}), HasSubstr("opacities is not an array"));
+    EXPECT_THAT(error({{"sizes", std::vector<int>(65, 1)}}), HasSubstr("sizes is not an array of 1 to 64 numbers"));
     EXPECT_THAT(error({{"spin", -1}}), HasSubstr("spin is -1"));
     EXPECT_EQ(node_with_own({{"emitter", {{"size", 0}}}}).load().emitters.size(), 1u)
         << "without shapes no material is needed";

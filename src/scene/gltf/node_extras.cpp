@@ -96,16 +96,19 @@ std::vector<float> read_steps(const Item& item, std::string_view key, std::vecto
     if (!found)
         return absent;
     constexpr size_t most = 64;
+    const auto bad = [&] {
+        throw Unfit(fmt::format("{} is not an array of 1 to {} numbers within 0 … {:.6g}", key, most, high));
+    };
     simdjson::dom::array list;
-    bool good = !found->get_array().get(list) && list.size() >= 1 && list.size() <= most;
+    if (found->get_array().get(list) || list.size() == 0 || list.size() > most)
+        bad();
     std::vector<float> out;
     for (const simdjson::dom::element& element : list) {
         double value = 0;
-        good = good && !element.get_double().get(value) && value >= 0 && value <= high;
+        if (element.get_double().get(value) || !(value >= 0 && value <= high))
+            bad();
         out.push_back(static_cast<float>(value));
     }
-    if (!good)
-        throw Unfit(fmt::format("{} is not an array of 1 to {} numbers within 0 … {:.6g}", key, most, high));
     return out;
 }
 
