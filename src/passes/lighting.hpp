@@ -58,10 +58,10 @@ LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& vi
 bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image);
 
 /// Lights evaluated in R, contributing in G, for --view light-count: full floats, for half floats count to 2,048.
-/// `stored`: a compute pass writes them; else they are blended.
-/// A count for each pixel of `depth`.
+/// A count for each pixel of `depth`. `stored`: a compute pass writes them; else they are blended.
 graph::ImageId light_count_image(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth,
                                  bool stored = false);
+/// The same as a target to light.
 LightTarget make_light_counts(graph::FrameGraph& graph, const resident::View& view, graph::ImageId depth, bool stored);
 
 /// The inputs as the pass's attachments and bindings.
@@ -70,9 +70,9 @@ void declare_lighting(graph::FrameGraph& graph, graph::Pass& pass, const Lightin
 void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const LightingInputs& inputs);
 /// The shader in its variant for the target, and for shadows where there are any: counts know none.
 gpu::ShaderKey lighting_shader(const LightingInputs& inputs, const char* file);
-/// Specialisation constants of every shader that evaluates lights, and of its lists where it walks some.
-/// Of every shader that evaluates lights: their kinds, how they are read, their shadows.
+/// Specialisation constants of every shader that evaluates lights: their kinds, how they are read, their shadows.
 void add_light_constants(gpu::Constants& constants, const resident::View& view);
+/// The same with those of the light's lists, where the shader walks some.
 gpu::Constants lighting_constants(const resident::View& view, const LightingInputs& inputs);
 /// A pipeline with `fragment` in its variant for the target, drawn over the pass's attachments; the caller
 /// adds vertex shader, depth test and blending.

@@ -33,8 +33,8 @@ struct Draw {
     uint32_t part = 0;                    ///< index into Mesh::primitives
     const Primitive* primitive = nullptr; ///< whose indices and vertices these are; null: the device makes the vertices
     glm::vec3 own_low{0}, own_high{0};    ///< a box around its vertices' positions, object space
-    float facing_reach = 0;               ///< metres that these stand from them at most
-    glm::dvec3 low{0}, high{0};           ///< the same in world space
+    float facing_reach = 0;               ///< metres that vertices stand from those positions at most
+    glm::dvec3 low{0}, high{0};           ///< a box around its vertices, world space
     std::array<glm::vec4, 3> normal_row{}; ///< of the object's record
     bool visible = true;
     uint32_t version = 0; ///< another one after each change of what the draw shows

@@ -76,7 +76,7 @@ const CommandRow* find_command(std::string_view name);
 /// The names of commands that are not hidden.
 std::vector<std::string> command_names();
 
-/// One name of "city, spheres", as the rows write lists.
+/// The parts of "a|b" between its separators; none is empty.
 std::vector<std::string> split_words(std::string_view text, char separator);
 
 } // namespace prelight::app
