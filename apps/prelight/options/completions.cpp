@@ -1,5 +1,6 @@
 // Completion for bash, zsh and fish, made of the table of options.
 #include "generated.hpp"
+#include "help.hpp"
 #include "suggestion.hpp"
 
 #include <algorithm>
@@ -73,8 +74,7 @@ std::vector<std::string> positional_words(const CommandRow& command) {
         words.insert(words.end(), {"encodings", "light-buffers", "claims", "report"});
     if (command.bits == command_bit::help) {
         words = command_names();
-        words.insert(words.end(),
-                     {"settings", "scenes", "renderers", "environments", "environment-variables", "exit-status"});
+        std::ranges::move(subject_names(), std::back_inserter(words));
     }
     return words;
 }

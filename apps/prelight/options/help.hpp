@@ -20,6 +20,9 @@ std::string command_help(const CommandRow& command);
 /// Throws UsageError for another.
 std::string topic_help(const std::string& topic);
 
+/// The subjects among the topics, as one word each: "exit-status".
+std::vector<std::string> subject_names();
+
 /// An environment variable that the program reads.
 struct VariableRow {
     std::string_view name, text;

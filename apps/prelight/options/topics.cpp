@@ -164,6 +164,13 @@ std::span<const VariableRow> environment_variables() { return variables; }
 
 std::span<const StatusRow> exit_statuses() { return statuses; }
 
+std::vector<std::string> subject_names() {
+    std::vector<std::string> names;
+    for (const Topic& topic : topics())
+        std::ranges::replace(names.emplace_back(topic.name), ' ', '-');
+    return names;
+}
+
 std::string topic_help(const std::string& given) {
     if (given.empty())
         return list_of_topics();
