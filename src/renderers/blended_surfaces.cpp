@@ -39,6 +39,7 @@ BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context
 }
 
 void BlendedSurfaces::adapt(Settings& settings, resident::ViewSettings& view, const resident::GpuScene& scene) const {
+    view.layer_decals = wanted();
     if (!wanted() || !reused_shadows_ || !view.shadows.on)
         return;
     view.shadows.reuse = !scene.shows_through();

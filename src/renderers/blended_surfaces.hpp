@@ -26,7 +26,7 @@ public:
     BlendedSurfaces(Settings& settings, const gpu::Context& context, const RenderOptions& options);
     /// For GpuSceneSettings::blends.
     bool wanted() const { return transparency_ != Transparency::opaque; }
-    /// What a view of the scene needs: all shadow maps at once.
+    /// What a view of the scene needs: the decals of blended objects, and all shadow maps at once.
     void adapt(Settings& settings, resident::ViewSettings& view, const resident::GpuScene& scene) const;
     /// For a graph that is built now: how lights are found. Puts what is in force into the settings, and what is not as
     /// asked for into the graph's notes.

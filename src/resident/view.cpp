@@ -42,7 +42,7 @@ View::View(const GpuScene& scene, const LightSet& lights, const ViewSettings& se
                                     (settings.measures_light ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0),
                                 gpu::BufferPlace::upload);
     make_draw_buffers();
-    if (LayerDecals::wanted(scene))
+    if (settings.layer_decals && LayerDecals::wanted(scene))
         layer_decals_.emplace(scene);
     if (settings_.shadows.on) {
         shadows_.emplace(scene.geometry().draws, settings_.shadows, context().limits().maxImageDimension2D);

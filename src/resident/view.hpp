@@ -26,7 +26,8 @@ struct ViewSettings {
     ObjectLights object_lights = ObjectLights::none;
     DrawOptions draws = {};
     ShadowOptions shadows = {};
-    bool layers = false; ///< blended draws get slots: View::layers()
+    bool layers = false;       ///< blended draws get slots: View::layers()
+    bool layer_decals = false; ///< where decals lie on blended draws: View::layer_decals()
 };
 
 /// CPU time of one frame, milliseconds; as prelight::HostTimes names it.

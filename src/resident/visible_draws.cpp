@@ -68,7 +68,8 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     out.draws.insert(out.draws.end(), blended.begin(), blended.end());
     out.place.assign(all.size(), no_image);
 
-    std::vector<shared::ObjectData> objects(out.draws.size());
+    std::vector<shared::ObjectData>& objects = out.records;
+    objects.resize(out.draws.size());
     for (size_t d = 0; d < out.draws.size(); ++d) {
         const Draw& draw = all[out.draws[d].draw];
         objects[d] = object_data(world.instances[draw.object], draw.normal_row, eye);

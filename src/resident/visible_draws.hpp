@@ -43,13 +43,14 @@ struct DrawBatch {
 /// front. The order is the same for all DrawOptions, and so is the picture where surfaces coincide.
 struct VisibleDraws {
     std::vector<VisibleDraw> draws;
-    std::vector<DrawBatch> batches; ///< of opaque draws
-    size_t opaque = 0;              ///< that many of `draws`, first
-    size_t transmissives = 0;       ///< that many after them
-    std::vector<uint32_t> place;    ///< by index into Geometry::draws: index into `draws`, or no_image
-    uint64_t triangles = 0;         ///< of all draws
-    uint64_t trimmed = 0;           ///< indices that the host trimmed
-    double helpers_ms = 0;          ///< CPU time of threads beside the calling one that trimmed them
+    std::vector<DrawBatch> batches;          ///< of opaque draws
+    size_t opaque = 0;                       ///< that many of `draws`, first
+    size_t transmissives = 0;                ///< that many after them
+    std::vector<uint32_t> place;             ///< by index into Geometry::draws: index into `draws`, or no_image
+    uint64_t triangles = 0;                  ///< of all draws
+    uint64_t trimmed = 0;                    ///< indices that the host trimmed
+    double helpers_ms = 0;                   ///< CPU time of threads beside the calling one that trimmed them
+    std::vector<shared::ObjectData> records; ///< find_visible()'s own, kept for their memory
 
     /// By the depth of the middle of their bounds, the farthest first; at the same depth in the world's order.
     std::span<const VisibleDraw> blended() const { return std::span(draws).subspan(opaque + transmissives); }
