@@ -3,7 +3,7 @@
 // variants: SAMPLES
 // Between the first and the second stage: what one decal makes of the surface under a pixel, blended over what
 // earlier decals made of it. Alpha of the first two targets is how much of the surface itself is left.
-#include "shared/decal.h"
+#include "shared/decal_box.glsl"
 #include "shared/gbuffer.glsl"
 #include "shared/material_set.glsl"
 
@@ -28,8 +28,6 @@ vec3 step_along(ivec2 pixel, ivec2 along, vec3 world) {
     return a > 0.0 && (a <= b || b == 0.0) ? after : b > 0.0 ? before : vec3(0.0);
 }
 
-vec3 in_box(vec4 v) { return vec3(dot(decal.box_row[0], v), dot(decal.box_row[1], v), dot(decal.box_row[2], v)); }
-
 vec2 ddx, ddy; // of the picture's place
 
 vec4 look_up(sampler2D map, int binding, vec2 uv) {
@@ -44,18 +42,15 @@ void main() {
 #endif
     vec3 world;
     bool surface = read_position(pixel, world);
-    vec3 place = in_box(vec4(world, 1.0));
+    vec3 place = in_decal_box(decal, vec4(world, 1.0));
     vec3 n = read_normal(pixel);
-    vec3 right = vec3(decal.world_row[0].x, decal.world_row[1].x, decal.world_row[2].x);
-    vec3 up = vec3(decal.world_row[0].y, decal.world_row[1].y, decal.world_row[2].y);
-    vec3 axis = normalize(vec3(decal.world_row[0].z, decal.world_row[1].z, decal.world_row[2].z));
-    float t = clamp(dot(n, axis) * decal.fade.x + decal.fade.y, 0.0, 1.0);
-    if (!surface || any(greaterThan(abs(place), vec3(0.5))) || t <= 0.0)
+    float t = decal_presence(decal, place, n);
+    if (!surface || t <= 0.0)
         discard;
 
-    vec2 uv = vec2(place.x + 0.5, 0.5 - place.y);
-    ddx = in_box(vec4(step_along(pixel, ivec2(1, 0), world), 0.0)).xy * vec2(1.0, -1.0);
-    ddy = in_box(vec4(step_along(pixel, ivec2(0, 1), world), 0.0)).xy * vec2(1.0, -1.0);
+    vec2 uv = decal_uv(place);
+    ddx = in_decal_box(decal, vec4(step_along(pixel, ivec2(1, 0), world), 0.0)).xy * vec2(1.0, -1.0);
+    ddy = in_decal_box(decal, vec4(step_along(pixel, ivec2(0, 1), world), 0.0)).xy * vec2(1.0, -1.0);
 
     vec4 base = material.base_colour;
     if (has(FEATURE_BASE_COLOUR_TEXTURE))
@@ -72,13 +67,10 @@ void main() {
     if (has(FEATURE_NORMAL_TEXTURE)) {
         vec3 texel = look_up(normal_map, MATERIAL_NORMAL, uv).xyz * 2.0 - 1.0;
         texel.xy *= material.factors.z;
-        // The frame of the surface's own normal. Where n is the X axis, or they meet, the fade has left nothing.
-        vec3 tangent = normalize(right - n * dot(n, right));
-        vec3 bitangent = normalize(up - n * dot(n, up) - tangent * dot(tangent, up));
-        mapped = normalize(tangent * texel.x + bitangent * texel.y + n * texel.z);
+        mapped = decal_mapped_normal(decal, n, texel);
     }
     // Blended by their alphas, whether the target has one or not.
-    vec3 cover = decal.opacity.xyz * (base.a * t * t * (3.0 - 2.0 * t));
+    vec3 cover = decal_cover(decal, base.a, t);
     out_colour = vec4(base.rgb, 1.0) * cover.x;
     out_normal = vec4(mapped, 1.0) * cover.y;
     out_roughness = vec4(factors.y, 0.0, 0.0, 1.0) * cover.z;

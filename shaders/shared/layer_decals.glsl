@@ -2,6 +2,7 @@
 // them. Textures take their levels from the surface itself, for its neighbours are its own.
 #ifndef PRELIGHT_LAYER_DECALS_GLSL
 #define PRELIGHT_LAYER_DECALS_GLSL
+#include "shared/decal_box.glsl"
 #include "shared/layer_decals.h"
 #include "shared/surface.glsl"
 
@@ -24,19 +25,15 @@ vec2 place_in_map(LayerDecal decal, int map, vec2 uv) {
 void lay_decal(inout Surface s, inout vec3 mixed, vec3 n, vec3 world, uint k, sampler2D base_map, sampler2D factors_map,
                sampler2D normal_map) {
     LayerDecal decal = layer_decals.decals[k];
-    vec4 w = vec4(world, 1.0);
-    vec3 place = vec3(dot(decal.box.box_row[0], w), dot(decal.box.box_row[1], w), dot(decal.box.box_row[2], w));
-    vec2 uv = vec2(place.x + 0.5, 0.5 - place.y);
+    vec3 place = in_decal_box(decal.box, vec4(world, 1.0));
+    vec2 uv = decal_uv(place);
     // Before any branch: levels come from the neighbours' places.
     vec4 base_texel = texture(base_map, place_in_map(decal, 0, uv));
     vec2 factor_texel = texture(factors_map, place_in_map(decal, 1, uv)).bg;
     vec3 normal_texel = texture(normal_map, place_in_map(decal, 2, uv)).xyz * 2.0 - 1.0;
 
-    vec3 right = vec3(decal.box.world_row[0].x, decal.box.world_row[1].x, decal.box.world_row[2].x);
-    vec3 up = vec3(decal.box.world_row[0].y, decal.box.world_row[1].y, decal.box.world_row[2].y);
-    vec3 axis = normalize(vec3(decal.box.world_row[0].z, decal.box.world_row[1].z, decal.box.world_row[2].z));
-    float t = clamp(dot(n, axis) * decal.box.fade.x + decal.box.fade.y, 0.0, 1.0);
-    if (k >= layer_decals.count.x || any(greaterThan(abs(place), vec3(0.5))) || t <= 0.0)
+    float t = decal_presence(decal.box, place, n);
+    if (k >= layer_decals.count.x || t <= 0.0)
         return;
     vec4 base = decal.base_colour * base_texel; // of what has no texture, a white one
     if ((decal.features.x & FEATURE_ALPHA_MASK) != 0u)
@@ -44,12 +41,9 @@ void lay_decal(inout Surface s, inout vec3 mixed, vec3 n, vec3 world, uint k, sa
     vec3 mapped = n;
     if ((decal.features.x & FEATURE_NORMAL_TEXTURE) != 0u) {
         normal_texel.xy *= decal.factors.z;
-        // The frame of the surface's own normal. Where n is the X axis, or they meet, the fade has left nothing.
-        vec3 tangent = normalize(right - n * dot(n, right));
-        vec3 bitangent = normalize(up - n * dot(n, up) - tangent * dot(tangent, up));
-        mapped = normalize(tangent * normal_texel.x + bitangent * normal_texel.y + n * normal_texel.z);
+        mapped = decal_mapped_normal(decal.box, n, normal_texel);
     }
-    vec3 cover = decal.box.opacity.xyz * (base.a * t * t * (3.0 - 2.0 * t));
+    vec3 cover = decal_cover(decal.box, base.a, t);
     s.base = mix(s.base, base.rgb, cover.x);
     s.metallic = mix(s.metallic, decal.factors.x * factor_texel.x, cover.x);
     s.roughness = mix(s.roughness, decal.factors.y * factor_texel.y, cover.z);
