@@ -36,7 +36,7 @@ LightSource shuffled(LightSource mine, uint lane) {
                 subgroupShuffle(mine.shininess, lane), subgroupShuffle(mine.falloff, lane),
                 subgroupShuffle(mine.distribution, lane)
 #ifdef SHADOWS
-                , subgroupShuffle(mine.shadow, lane)
+                , subgroupShuffle(mine.shadow, lane), subgroupShuffle(mine.shadow_kind, lane)
 #endif
     );
 }
@@ -49,13 +49,31 @@ struct Taken {
 
 bool none(uvec2 lanes) { return (lanes.x | lanes.y) == 0u; }
 
-// The invocation's own light, if it is wanted and before the surfaces; of none, nothing comes. `shadowed`: those with
-// shadow maps, else those without.
-Taken take(LightData own, bool wanted, const bool shadowed) {
+// Which lights one walk takes. A software device runs what the shadows of any of them need for all of them.
+const int without_maps = 0, maps_around = 1, maps_in_cascades = 2; // around: of points and spots
+
+#ifdef SHADOWS
+int maps_of(LightSource source) {
+    bool cascades = may_be(LIGHT_KIND_DIRECTIONAL) && source.shadow_kind == SHADOW_CASCADES;
+    return source.shadow == 0u ? without_maps : cascades ? maps_in_cascades : maps_around;
+}
+
+// The same, with what the walk knows said in constants, so that nothing else is compiled.
+LightSource narrowed(LightSource source, const int maps) {
+    source.shadow = maps == without_maps ? 0u : source.shadow;
+    source.shadow_kind = maps == maps_in_cascades               ? SHADOW_CASCADES
+                         : source.shadow_kind == SHADOW_FACES ? SHADOW_FACES
+                                                              : SHADOW_SPOT;
+    return source;
+}
+#endif
+
+// The invocation's own light, if it is wanted and before the surfaces; of none, nothing comes.
+Taken take(LightData own, bool wanted, const int maps) {
     LightSource mine = light_source(own);
 #ifdef SHADOWS
-    wanted = wanted && (mine.shadow > 0u) == shadowed;
-    mine.shadow = shadowed && wanted ? mine.shadow : 0u;
+    wanted = wanted && maps_of(mine) == maps;
+    mine.shadow = wanted ? mine.shadow : 0u;
 #endif
     wanted = wanted && may_be_before(front, own);
     mine.colour = wanted ? mine.colour : vec3(0.0);
@@ -66,7 +84,7 @@ Taken take(LightData own, bool wanted, const bool shadowed) {
 
 // Loops here are left at their end: a software device runs the rest of a body once more for no invocation when
 // the condition stands before it, and both sides of an `if`.
-void add_lights(Taken taken, const bool shadowed) {
+void add_lights(Taken taken, const int maps) {
     uvec2 lanes = taken.lanes;
     evaluated += uint(bitCount(lanes.x) + bitCount(lanes.y));
     do {
@@ -79,28 +97,28 @@ void add_lights(Taken taken, const bool shadowed) {
 #endif
         LightSource source = shuffled(taken.mine, lane);
 #ifdef SHADOWS
-        source.shadow = shadowed ? source.shadow : 0u; // then nothing of shadow maps is compiled
+        source = narrowed(source, maps);
 #endif
         for (int row = 0; row < rows; ++row)
             contributing[row] += add_light(sums[row], pixels[row], source) && real ? 1u : 0u;
     } while (!none(lanes));
 }
 
-void walk(LightList list, const bool shadowed) {
+void walk(LightList list, const int maps) {
     uint begin = 0u;
     do {
         Taken taken;
         do { // past lights of the other kind
             uint index = begin + gl_SubgroupInvocationID;
             uint light = listed_light(list, index);
-            taken = take(lights[index < list.count ? light : 0u], index < list.count, shadowed);
+            taken = take(lights[index < list.count ? light : 0u], index < list.count, maps);
             begin += gl_SubgroupSize;
-        } while (shadowed && none(taken.lanes) && begin < list.count);
-        add_lights(taken, shadowed);
+        } while (maps != without_maps && none(taken.lanes) && begin < list.count);
+        add_lights(taken, maps);
     } while (begin < list.count);
 }
 
-void walk_masked(MaskedList list, const bool shadowed) {
+void walk_masked(MaskedList list, const int maps) {
     uint chunk = 0u;
     do {
         uint own_bits = mask_word(list, chunk + gl_SubgroupInvocationID);
@@ -120,12 +138,19 @@ void walk_masked(MaskedList list, const bool shadowed) {
                 } while (word < last && count < gl_SubgroupSize);
                 uint light = masked_light(list, index);
                 bool takes = gl_SubgroupInvocationID < count;
-                taken = take(lights[takes ? light : 0u], takes, shadowed);
-            } while (shadowed && none(taken.lanes) && word < last);
-            add_lights(taken, shadowed);
+                taken = take(lights[takes ? light : 0u], takes, maps);
+            } while (maps != without_maps && none(taken.lanes) && word < last);
+            add_lights(taken, maps);
         } while (word < last);
         chunk += gl_SubgroupSize;
     } while (chunk < list.words);
+}
+
+void walk_tile(uvec2 tile, const int maps) {
+    if (masked)
+        walk_masked(masked_list_of(tile), maps);
+    else
+        walk(list_of(tile.y * lists.cells.x + tile.x, 0u), maps);
 }
 
 LightFront front_of_pixels() {
@@ -195,16 +220,11 @@ void main() {
     }
     front = front_of_pixels();
     uvec2 tile = block.place / uint(tile_size / LIT_BLOCK);
-    if (masked)
-        walk_masked(masked_list_of(tile), false);
-    else
-        walk(list_of(tile.y * lists.cells.x + tile.x, 0u), false);
+    walk_tile(tile, without_maps);
 #ifdef SHADOWS
-    // Those with shadow maps in a walk of their own: a software device would look into the maps for every other light too.
-    if (masked)
-        walk_masked(masked_list_of(tile), true);
-    else
-        walk(list_of(tile.y * lists.cells.x + tile.x, 0u), true);
+    walk_tile(tile, maps_around);
+    if (may_be(LIGHT_KIND_DIRECTIONAL))
+        walk_tile(tile, maps_in_cascades);
 #endif
     for (int row = 0; row < rows; ++row) {
         ivec2 pixel = pixel_of(block, row);

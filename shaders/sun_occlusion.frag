@@ -13,5 +13,6 @@ void main() {
     bool surface = read_position(pixel, world);
     vec3 n = read_normal(pixel), to_sun = lights[uint(frame.sun.y)].position.xyz;
     float nl = clamp(dot(n, to_sun), 0.0, 1.0);
-    out_albedo = vec4(unshadowed(uint(frame.sun.x), world, n, -to_sun, nl, disc_turn(gl_FragCoord.xy), surface && nl > 0.0));
+    LightShadow shadow = LightShadow(uint(frame.sun.x), SHADOW_CASCADES, vec3(0.0));
+    out_albedo = vec4(unshadowed(shadow, world, n, -to_sun, nl, disc_turn(gl_FragCoord.xy), surface && nl > 0.0));
 }

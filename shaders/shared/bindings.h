@@ -91,6 +91,7 @@
 // shadows, of the shaders that are compiled with SHADOWS
 #define INPUT_SHADOW_ATLAS 24
 #define INPUT_SHADOW_TRANSMITTANCE 25
+#define INPUT_SHADOW_EXTREMES 26
 // the decal buffer, of the shaders that are compiled with DECALS
 #define INPUT_DECAL_COLOUR 40
 #define INPUT_DECAL_NORMAL 41
@@ -205,6 +206,7 @@
 #define CONSTANT_TRIM_AGAIN 62
 #define CONSTANT_SHADOW_FILTER 51
 #define CONSTANT_SHADOWS_TRANSMIT 52
+#define CONSTANT_SHADOW_EXTREMES 109
 #define CONSTANT_SPECULAR_ANTIALIASING 70
 #define CONSTANT_SAMPLES 71
 #define CONSTANT_STORED_ENCODED 72

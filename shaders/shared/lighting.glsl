@@ -69,6 +69,7 @@ struct LightSource {
     uint distribution;     // number of its DistributionData from 1, 0 without one
 #ifdef SHADOWS
     uint shadow;           // as in LightData
+    uint shadow_kind;      // SHADOW_…, of it
 #endif
 };
 
@@ -78,7 +79,7 @@ LightSource light_source(LightData light) {
                 light.inverse_range * light.inverse_range, light.axis, light.cone, light.shininess,
                 light.kind & LIGHT_FALLOFF_MASK, light.kind >> LIGHT_DISTRIBUTION_SHIFT
 #ifdef SHADOWS
-                , light.shadow
+                , light.shadow, light.shadow % SHADOW_KINDS
 #endif
     );
 }
@@ -135,7 +136,8 @@ LightTerms light_terms(inout LightSource source, LitPoint p) {
     }
 #ifdef SHADOWS
     bool known = p.sun > 0u && source.shadow == p.sun;
-    float unhidden = unshadowed(source.shadow, p.world, p.n, -to_light, nl, p.turn, contributes && !known);
+    LightShadow shadow = LightShadow(source.shadow, source.shadow_kind, source.axis);
+    float unhidden = unshadowed(shadow, p.world, p.n, -to_light, nl, p.turn, contributes && !known);
     att *= known ? p.sunlit : unhidden;
 #endif
     float lv = dot(l, p.v);

@@ -14,12 +14,15 @@
 
 layout(constant_id = CONSTANT_SHADOW_FILTER) const int shadow_filter = SHADOW_FILTER_PCF;
 layout(constant_id = CONSTANT_SHADOWS_TRANSMIT) const bool shadows_transmit = false;
+layout(constant_id = CONSTANT_SHADOW_EXTREMES) const bool extremes_known = false;
 layout(set = SET_FRAME, binding = FRAME_SHADOWS, std430) readonly buffer ShadowBlock { ShadowData shadow_tiles[]; };
 layout(set = SET_FRAME, binding = FRAME_SHADOW_TEXELS) uniform samplerBuffer shadow_texels; // as light_texels
 layout(set = SET_FRAME, binding = FRAME_SHADOW_SAMPLER) uniform samplerShadow shadow_sampler;
 layout(set = SET_INPUTS, binding = INPUT_SHADOW_ATLAS) uniform ONE_SAMPLE_IMAGE shadow_atlas;
 // Beside it, where blended surfaces let light through: the share that all of them leave, and the depth of the nearest.
 layout(set = SET_INPUTS, binding = INPUT_SHADOW_TRANSMITTANCE) uniform ONE_SAMPLE_IMAGE shadow_transmittance;
+// For each cell of the atlas, the nearest and the farthest depth that a lookup from there may meet.
+layout(set = SET_INPUTS, binding = INPUT_SHADOW_EXTREMES) uniform ONE_SAMPLE_IMAGE shadow_extremes;
 
 const int shadow_taps = shadow_filter == SHADOW_FILTER_CONTACT ? 16 : 8;
 const int search_taps = 12;
@@ -44,35 +47,87 @@ ShadowData shadow_tile(uint tile) {
                       tile_member(tile, 4), tile_member(tile, 5), tile_member(tile, 6));
 }
 
-// Which of the light's tiles the point lies in; `from_light`: from the light to the point.
-uint tile_of(uint shadow, vec3 world, vec3 from_light) {
-    uint kind = shadow % SHADOW_KINDS, first = shadow / SHADOW_KINDS - 1u, tile = first;
+// A light's maps.
+struct LightShadow {
+    uint number; // as in LightData: 0 without
+    uint kind;   // SHADOW_…
+    vec3 axis;   // of a spot
+};
+
+bool has_cascades(LightShadow shadow) { return may_be(LIGHT_KIND_DIRECTIONAL) && shadow.kind == SHADOW_CASCADES; }
+
+// Which of the light's tiles the point lies in; the first of all where none is `wanted`.
+uint tile_of(LightShadow shadow, vec3 world, CubeFace face, bool wanted) {
+    uint first = wanted ? shadow.number / SHADOW_KINDS - 1u : 0u;
+    uint next = shadow.kind == SHADOW_FACES ? number_of(face) : 0u;
     if (may_be(LIGHT_KIND_DIRECTIONAL)) {
         vec4 beyond = vec4(greaterThan(vec4(dot(world, frame.forward.xyz)), shadow_tile(first).ends));
-        tile += kind == SHADOW_CASCADES ? uint(beyond.x + beyond.y + beyond.z) : 0u;
+        next = has_cascades(shadow) ? uint(beyond.x + beyond.y + beyond.z) : next;
     }
-    vec3 size = abs(from_light);
-    bool x = size.x >= size.y && size.x >= size.z, y = size.y >= size.z;
-    uint face = x ? (from_light.x < 0.0 ? 1u : 0u) : y ? (from_light.y < 0.0 ? 3u : 2u) : (from_light.z < 0.0 ? 5u : 4u);
-    return tile + (kind == SHADOW_FACES ? face : 0u);
+    return first + (wanted ? next : 0u);
 }
 
-bool is_cascade(ShadowData tile) { return tile.scale.z > 0.0; }
-float w_of(ShadowData tile, vec3 at) { return is_cascade(tile) ? 1.0 : at.z; }
+// A point and its normal as a tile sees them.
+struct InTile {
+    ShadowData tile;
+    bool cascade;
+    vec3 at;      // texels × w, w; of cascades, whose w is 1, texels and depth
+    vec3 normal;  // what a metre along the normal adds to `at`
+    float sine;   // of the angle between the normal and the tile's axis
+};
 
-// Place in the tile and depth of a point moved off its surface for a disc of this radius. `at`: what the tile's rows make
-// of the point.
-vec3 moved_place(ShadowData tile, vec3 at, vec3 n, float sine, float radius) {
-    float offset = (tile.scale.x + tile.scale.y * max(w_of(tile, at), 0.0)) * (radius + margin) * sine;
-    at += offset * vec3(dot(tile.across.xyz, n), dot(tile.down.xyz, n), dot(tile.away.xyz, n));
-    float w = max(w_of(tile, at), 1e-6);
-    vec3 place = vec3(at.xy, is_cascade(tile) ? at.z : tile.scale.w) / w;
+float w_of(InTile p) { return p.cascade ? 1.0 : p.at.z; }
+float metres_a_texel(InTile p) { return p.cascade ? p.tile.scale.x : max(p.at.z, 0.0) / p.tile.place.w; }
+
+// `from_light`: from the light to the point; `nl`: N·L.
+InTile in_tile(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float nl, bool wanted) {
+    InTile p;
+    CubeFace face = cube_face(from_light);
+    p.tile = shadow_tile(tile_of(shadow, world, face, wanted));
+    p.cascade = has_cascades(shadow);
+    vec3 axes = along_face(face, from_light), normal = along_face(face, n);
+    if (may_be(LIGHT_KIND_SPOT)) {
+        vec3 right = spot_right(shadow.axis), up = spot_up(shadow.axis);
+        bool spot = shadow.kind == SHADOW_SPOT;
+        axes = spot ? vec3(dot(right, from_light), dot(up, from_light), dot(shadow.axis, from_light)) : axes;
+        normal = spot ? vec3(dot(right, n), dot(up, n), dot(shadow.axis, n)) : normal;
+    }
+    float half_side = 0.5 * p.tile.place.z;
+    p.at = vec3(p.tile.place.w * axes.xy + half_side * axes.z, axes.z);
+    p.normal = vec3(p.tile.place.w * normal.xy + half_side * normal.z, normal.z);
+    float cosine = normal.z;
+    if (may_be(LIGHT_KIND_DIRECTIONAL)) {
+        vec4 point = vec4(world, 1.0);
+        vec3 rows = vec3(dot(p.tile.across, point), dot(p.tile.down, point), dot(p.tile.away, point));
+        p.at = p.cascade ? rows : p.at;
+        rows = vec3(dot(p.tile.across.xyz, n), dot(p.tile.down.xyz, n), dot(p.tile.away.xyz, n));
+        p.normal = p.cascade ? rows : p.normal;
+        cosine = p.cascade ? nl : cosine; // parallel light comes along the axis
+    }
+    p.sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+    return p;
+}
+
+// Place in the tile and depth of the point moved off its surface for a disc of this radius.
+vec3 moved_place(InTile p, float radius) {
+    vec3 at = p.at + metres_a_texel(p) * (radius + margin) * p.sine * p.normal;
+    float w = max(p.cascade ? 1.0 : at.z, 1e-6);
+    vec3 place = vec3(at.xy, p.cascade ? at.z : SHADOW_NEAR) / w;
     // What rounding does to depth. SwiftShader divides by w to about 12 bits: 0.7 mm a metre.
-    place.z += is_cascade(tile) ? 2e-6 : 7e-4 * place.z;
+    place.z += p.cascade ? 2e-6 : 7e-4 * place.z;
     return place;
 }
 
 vec2 atlas_texel(ShadowData tile, vec2 place) { return tile.place.xy + clamp(place, vec2(0.5), vec2(tile.place.z - 0.5)); }
+
+// What all comparisons around the place say: 1 nothing is nearer to the light, 0 everything is; −1: not the same.
+float all_say(ShadowData tile, vec3 place) {
+    if (!extremes_known)
+        return -1.0;
+    vec2 depths = texelFetch(shadow_extremes, ivec2(atlas_texel(tile, place.xy)) / SHADOW_CELL, 0).rg;
+    float said = place.z > depths.x ? 1.0 : place.z < depths.y ? 0.0 : -1.0;
+    return tile.place.z < float(SHADOW_CELL) ? -1.0 : said; // such tiles share a cell
+}
 
 // What blended surfaces before the place leave of the light. The stored depth is a half float.
 float transmittance(vec2 texel, float depth) {
@@ -81,14 +136,13 @@ float transmittance(vec2 texel, float depth) {
 }
 
 // Radius of the penumbra, texels, from the mean depth of what lies nearer to the light around the point.
-float penumbra(ShadowData tile, vec3 at, vec3 n, float sine, vec2 turn, bool wanted) {
-    float radius = tile.place.w;
-    vec3 place = moved_place(tile, at, n, sine, radius);
+float penumbra(InTile p, float radius, vec2 turn, bool wanted) {
+    vec3 place = moved_place(p, radius);
     float sum = 0.0, found = 0.0;
     int taps = wanted ? search_taps : 0;
     for (int i = 0; i < taps; ++i) {
         vec2 spot = place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(search_taps)));
-        float depth = texelFetch(shadow_atlas, ivec2(atlas_texel(tile, spot)), 0).r;
+        float depth = texelFetch(shadow_atlas, ivec2(atlas_texel(p.tile, spot)), 0).r;
         float nearer = depth > place.z ? 1.0 : 0.0;
         sum += depth * nearer;
         found += nearer;
@@ -97,44 +151,46 @@ float penumbra(ShadowData tile, vec3 at, vec3 n, float sine, vec2 turn, bool wan
     if (found < 0.5)
         return least_radius;
     float blocker = sum / found;
-    float w = w_of(tile, at), size = tile.light.x, nearest = tile.scale.w / blocker;
-    float metres = is_cascade(tile) ? (blocker - place.z) * tile.scale.z * size : (w - nearest) * size / max(nearest, 1e-4);
-    return clamp(metres / (tile.scale.x + tile.scale.y * w), least_radius, max(radius, least_radius));
+    float w = w_of(p), size = p.tile.light.x, nearest = SHADOW_NEAR / blocker;
+    float metres =
+        p.cascade ? (blocker - place.z) * p.tile.scale.y * size : (w - nearest) * size / max(nearest, 1e-4);
+    return clamp(metres / metres_a_texel(p), least_radius, max(radius, least_radius));
 }
 
-// 1: nothing between the light and the point. `shadow`: as in LightData; `nl`: N·L; where not `wanted` nothing is looked up.
-float unshadowed(uint shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec2 turn, bool wanted) {
-    wanted = wanted && shadow > 0u;
-    ShadowData tile = shadow_tile(tile_of(wanted ? shadow : SHADOW_KINDS, world, from_light));
-    vec4 homogeneous = vec4(world, 1.0);
-    vec3 at = vec3(dot(tile.across, homogeneous), dot(tile.down, homogeneous), dot(tile.away, homogeneous));
-    // Parallel light comes along the axis; else the axis is what w grows along.
-    float cosine = is_cascade(tile) ? nl : dot(n, tile.away.xyz);
-    float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+// 1: nothing between the light and the point. `from_light`: from the light to the point; `nl`: N·L; where not `wanted`
+// nothing is looked up.
+float unshadowed(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec2 turn, bool wanted) {
+    wanted = wanted && shadow.number > 0u;
+    InTile p = in_tile(shadow, world, n, from_light, nl, wanted);
+    float radius = 0.0;
+    if (shadow_filter != SHADOW_FILTER_HARD) {
+        float largest = shadow_radius(uint(shadow_filter), uint(p.tile.place.z));
+        radius = shadow_filter == SHADOW_FILTER_CONTACT ? penumbra(p, largest, turn, wanted) : least_radius;
+        radius = min(radius, largest);
+    }
+    vec3 place = moved_place(p, radius);
     if (shadow_filter == SHADOW_FILTER_HARD) {
-        vec3 place = moved_place(tile, at, n, sine, 0.0);
-        vec2 texel = atlas_texel(tile, place.xy);
-        float depth = texelFetch(shadow_atlas, ivec2(texel), 0).r, left = depth > place.z ? 0.0 : 1.0;
+        vec2 texel = atlas_texel(p.tile, place.xy);
+        float left = texelFetch(shadow_atlas, ivec2(texel), 0).r > place.z ? 0.0 : 1.0;
         if (shadows_transmit)
             left *= transmittance(texel, place.z);
         return wanted ? left : 1.0;
     }
-    float radius = least_radius;
-    if (shadow_filter == SHADOW_FILTER_CONTACT)
-        radius = penumbra(tile, at, n, sine, turn, wanted);
-    radius = min(radius, tile.place.w);
-    vec3 place = moved_place(tile, at, n, sine, radius);
+    // A software device looks up for all lanes or for none: those that know look where it costs least.
+    float said = all_say(p.tile, place);
+    bool asks = wanted && said < 0.0;
     vec2 of_atlas = 1.0 / vec2(textureSize(shadow_atlas, 0));
     float sum = 0.0;
-    int i = 0, taps = wanted ? shadow_taps : 1;
+    int i = 0, taps = asks ? shadow_taps : 1;
     do { // a software device would run the body once more with the condition in front
-        vec2 spot = atlas_texel(tile, place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(shadow_taps))));
+        vec2 spot = atlas_texel(p.tile, place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(shadow_taps))));
+        spot = asks ? spot : vec2(0.5);
         float left = textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * of_atlas, place.z), 0.0);
         if (shadows_transmit)
             left *= transmittance(spot, place.z);
         sum += left;
         turn = next_turn(turn);
     } while (++i < taps);
-    return wanted ? sum / float(shadow_taps) : 1.0;
+    return asks ? sum / float(shadow_taps) : wanted ? said : 1.0;
 }
 #endif

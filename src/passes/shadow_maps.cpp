@@ -1,6 +1,8 @@
 #include "shadow_draws.hpp"
+#include "shadow_extremes.hpp"
 #include <optional>
 #include <shared/bindings.h>
+#include <shared/shadow.h>
 
 namespace prelight::passes {
 namespace {
@@ -26,12 +28,17 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
     const graph::ImageId atlas = graph.image("shadow atlas", {shadow_format, {size.x, size.y}});
     graph.persist(atlas);
     graph.before_frame([&counts] { counts = {}; });
-    const graph::ImageId transmittance =
-        graph.image("shadow transmittance",
-                    {transmittance_format, transmits(view) ? VkExtent2D{size.x, size.y} : VkExtent2D{1, 1}});
-    graph.persist(transmittance);
+    // One texel of what no one reads, for bindings have to hold something.
+    const auto beside = [&](const char* name, VkFormat format, bool read, uint32_t cell) {
+        const VkExtent2D extent{std::max(size.x / cell, 1u), std::max(size.y / cell, 1u)};
+        const graph::ImageId image = graph.image(name, {format, read ? extent : VkExtent2D{1, 1}});
+        graph.persist(image);
+        return image;
+    };
+    const bool extremes = has_shadow_extremes(view.shadows()->options());
     const Shadows shadows{.atlas = atlas,
-                          .transmittance = transmittance,
+                          .transmittance = beside("shadow transmittance", transmittance_format, transmits(view), 1),
+                          .extremes = beside("shadow extremes", extremes_format, extremes, SHADOW_CELL),
                           .counts = &counts,
                           .held = std::make_shared<HeldMaps>(),
                           .reused = view.shadows()->options().reuse};
@@ -40,12 +47,14 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
     graph::Pass& pass = graph.pass("shadows");
     pass.depth_write(atlas, graph::Load::keep);
     draw_pass(pass, view, shadows, ShadowTarget::depth);
-    if (!transmits(view))
-        return shadows;
-    graph::Pass& blended = graph.pass("transparent shadows");
-    blended.colour(transmittance, graph::Load::keep).blends();
-    blended.depth_test(atlas);
-    draw_pass(blended, view, shadows, ShadowTarget::transmittance);
+    if (transmits(view)) {
+        graph::Pass& blended = graph.pass("transparent shadows");
+        blended.colour(shadows.transmittance, graph::Load::keep).blends();
+        blended.depth_test(atlas);
+        draw_pass(blended, view, shadows, ShadowTarget::transmittance);
+    }
+    if (extremes)
+        shadow_extremes_pass(graph, view, shadows);
     return shadows;
 }
 
@@ -55,7 +64,7 @@ void declare_shadows(graph::Pass& pass, const Shadows& shadows) {
     else if (shadows)
         pass.sample(INPUT_SHADOW_ATLAS, shadows.atlas);
     if (shadows)
-        pass.sample(INPUT_SHADOW_TRANSMITTANCE, shadows.transmittance);
+        pass.sample(INPUT_SHADOW_TRANSMITTANCE, shadows.transmittance).sample(INPUT_SHADOW_EXTREMES, shadows.extremes);
 }
 
 void add_shadow_constants(gpu::Constants& constants, const resident::View& view) {
@@ -63,6 +72,7 @@ void add_shadow_constants(gpu::Constants& constants, const resident::View& view)
         return;
     constants.emplace_back(CONSTANT_SHADOW_FILTER, static_cast<uint32_t>(view.shadows()->options().filter));
     constants.emplace_back(CONSTANT_SHADOWS_TRANSMIT, transmits(view));
+    constants.emplace_back(CONSTANT_SHADOW_EXTREMES, has_shadow_extremes(view.shadows()->options()));
 }
 
 gpu::Variants shadow_variant(const Shadows& shadows) { return gpu::when(bool(shadows), gpu::Variant::shadows); }

@@ -8,6 +8,7 @@ namespace prelight::passes {
 
 inline constexpr VkFormat shadow_format = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat transmittance_format = VK_FORMAT_R16G16B16A16_SFLOAT;
+inline constexpr VkFormat extremes_format = VK_FORMAT_R32G32_SFLOAT;
 
 struct ShadowCounts;
 struct HeldMaps;
@@ -17,6 +18,8 @@ struct Shadows {
     /// Beside it, of blended surfaces: the share of light that they leave, and the depth of the nearest to the light
     /// (TransparentShadows::filtered); else of one texel, which nothing is read from.
     graph::ImageId transmittance{};
+    /// Of its cells: shadow_extremes_pass(). Of one texel where lookups do not ask.
+    graph::ImageId extremes{};
     ShadowCounts* counts = nullptr;
     std::shared_ptr<HeldMaps> held = nullptr; ///< which maps both hold, for all who draw into them
     /// The passes themselves draw each light's maps before the light, into the same memory for all of them
@@ -36,7 +39,7 @@ struct ShadowCounts {
 /// casters that its light may see. Both faces of every triangle cast, masked ones where they are not masked out.
 /// A tile that the image holds already is left as it is. Blended surfaces cast as TransparentShadows says; with
 /// `filtered`, and where there are any, a pass "transparent shadows" draws them into an image of their own. With
-/// ShadowOptions::reuse there is no such pass: see Shadows::reused. Nothing without shadows. `counts` lives as long as
+/// ShadowOptions::reuse there is no such pass: see Shadows::reused. "shadow extremes" follows them. Nothing without shadows. `counts` lives as long as
 /// the graph.
 Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, ShadowCounts& counts);
 

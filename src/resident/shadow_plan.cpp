@@ -70,12 +70,6 @@ std::vector<uint32_t> ShadowPlan::casters_still(const ShadowSight& sight, std::v
     return before;
 }
 
-/// The disc, half a texel of filtering, and what the bias moves a point by.
-uint32_t ShadowPlan::guard_of(uint32_t side) const {
-    const uint32_t guard = options_.filter == ShadowFilter::hard ? 3 : options_.filter == ShadowFilter::pcf ? 6 : 24;
-    return std::min(guard, side / 4);
-}
-
 /// The side of its tiles where a light has all texels for itself.
 uint32_t ShadowPlan::largest_alone(uint32_t tiles) const {
     uint32_t side = atlas_.largest();
@@ -154,7 +148,13 @@ void ShadowPlan::place(std::vector<ShadowTilePlace>& places) {
 }
 
 shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view, const ShadowTilePlace& place,
-                                      uint32_t guard, const PlacedCamera& camera) const {
+                                      const PlacedCamera& camera) const {
+    const bool directional = light.kind == LightKind::directional;
+    shared::ShadowData out{};
+    out.place = glm::vec4(place.corner, place.side, directional ? 0 : 1 / view.texel_per_w);
+    out.light.x = directional ? static_cast<float>(sun_radius) : light.size;
+    if (!directional)
+        return out;
     // From the camera's place to the world's centre, then clip space → texels.
     glm::dmat4 m = view.clip_from_centre * glm::translate(glm::dmat4(1), camera.position - world_.centre());
     const double half = 0.5 * place.side;
@@ -162,16 +162,11 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
         for (int row = 0; row < 2; ++row)
             m[column][row] = half * (m[column][row] + m[column][3]);
     const glm::dmat4 rows = glm::transpose(m);
-    const bool directional = light.kind == LightKind::directional;
-    shared::ShadowData out{};
     out.across = glm::vec4(rows[0]);
     out.down = glm::vec4(rows[1]);
-    out.away = glm::vec4(rows[directional ? 2 : 3]);
-    const double radius = options_.filter == ShadowFilter::contact ? 10 : 1.5;
-    out.place = glm::vec4(place.corner, place.side, std::min(radius, guard / 2.0));
-    out.scale = glm::vec4(view.texel, view.texel_per_w, view.depth_range, view.near);
-    out.ends = directional ? glm::vec4(cascade_ends(camera, world_)) : glm::vec4(0);
-    out.light.x = directional ? static_cast<float>(sun_radius) : light.size;
+    out.away = glm::vec4(rows[2]);
+    out.scale = {view.texel, view.depth_range, 0, 0};
+    out.ends = glm::vec4(cascade_ends(camera, world_));
     return out;
 }
 
@@ -239,14 +234,14 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
     stats_.smallest = wishes_.empty() ? 0 : ~0u;
     for (const Wish& wish : wishes_) {
         const PlacedLight& light = lights[wish.light];
-        const uint32_t guard = guard_of(wish.side);
+        const uint32_t guard = shared::shadow_guard(static_cast<uint32_t>(options_.filter), wish.side);
         find_shadow_views(light, camera, aspect, world_, wish.side, guard, views);
         lights_.push_back({wish.light, static_cast<uint32_t>(tiles_.size()), shadow_kind(light.light)});
         if (!sun_ && light.light.kind == LightKind::directional)
             sun_ = lights_.back();
         const std::span own = std::span(places).subspan(tiles_.size(), views.size());
         for (size_t i = 0; i < views.size(); ++i)
-            records_.push_back(record(light.light, views[i], own[i], guard, camera));
+            records_.push_back(record(light.light, views[i], own[i], camera));
         add_tiles(wish, light, views, own, before);
         stats_.lights_reduced += wish.side < coarse * std::min(options_.detail, 1.0) *
                                                  std::min(wish.across, double(std::max(width, height)));

@@ -107,9 +107,8 @@ private:
     /// Lights that do not fit even by themselves are left out.
     void fit_each();
     void place(std::vector<ShadowTilePlace>& places);
-    shared::ShadowData record(const Light& light, const ShadowView& view, const ShadowTilePlace& place, uint32_t guard,
+    shared::ShadowData record(const Light& light, const ShadowView& view, const ShadowTilePlace& place,
                               const PlacedCamera& camera) const;
-    uint32_t guard_of(uint32_t side) const;
     /// Tiles of one light. `before`: where those of the frame before begin that may be its own; it moves on.
     void add_tiles(const Wish& wish, const PlacedLight& light, std::span<const ShadowView> views,
                    std::span<const ShadowTilePlace> places, std::vector<ShadowTile>::iterator& before);

@@ -10,8 +10,6 @@ namespace {
 
 /// A wider spot is drawn as a cube: its one tile would have few texels in the middle.
 constexpr double widest_tile = 1.05; // 60°
-/// Nearest caster, metres. Depth is near / distance in floats: the near plane costs no precision.
-constexpr double near_plane = 0.002;
 
 struct Basis {
     glm::dvec3 right{0}, up{0}, forward{0};
@@ -23,6 +21,11 @@ Basis basis_of(glm::dvec3 forward) {
     return {right, glm::cross(forward, right), forward};
 }
 
+Basis spot_basis(glm::dvec3 direction) {
+    const glm::vec3 axis(direction);
+    return {shared::spot_right(axis), shared::spot_up(axis), direction};
+}
+
 glm::dmat4 from_rows(glm::dvec4 x, glm::dvec4 y, glm::dvec4 z, glm::dvec4 w) {
     return glm::transpose(glm::dmat4(x, y, z, w));
 }
@@ -31,9 +34,8 @@ glm::dmat4 from_rows(glm::dvec4 x, glm::dvec4 y, glm::dvec4 z, glm::dvec4 w) {
 ShadowView perspective(glm::dvec3 eye, const Basis& b, double half, uint32_t side) {
     const auto row = [&](glm::dvec3 axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
     ShadowView view;
-    view.clip_from_centre = from_rows(row(b.right / half), row(b.up / half), {0, 0, 0, near_plane}, row(b.forward));
+    view.clip_from_centre = from_rows(row(b.right / half), row(b.up / half), {0, 0, 0, SHADOW_NEAR}, row(b.forward));
     view.texel_per_w = 2 * half / side;
-    view.near = near_plane;
     return view;
 }
 
@@ -110,7 +112,7 @@ void find_shadow_views(const PlacedLight& light, const PlacedCamera& camera, dou
     switch (shadow_kind(light.light)) {
     case SHADOW_SPOT:
         out.push_back(
-            perspective(eye, basis_of(light.direction), std::tan(double(light.light.outer_cone) + 1e-3) * wider, side));
+            perspective(eye, spot_basis(light.direction), std::tan(double(light.light.outer_cone) + 1e-3) * wider, side));
         return;
     case SHADOW_FACES:
         for (const int axis : {0, 1, 2})

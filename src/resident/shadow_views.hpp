@@ -13,7 +13,6 @@ struct ShadowView {
     glm::dmat4 clip_from_centre{1};
     double texel = 0, texel_per_w = 0; ///< metres that a texel covers
     double depth_range = 0;            ///< metres from depth 0 to 1; 0: perspective
-    double near = 0;                   ///< perspective: depth × distance, metres
 };
 
 /// How many tiles a light has: SHADOW_SPOT 1, SHADOW_CASCADES 4, SHADOW_FACES 6.

@@ -2,6 +2,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <random>
 #include <resident/shadow_plan.hpp>
 
 namespace prelight::resident {
@@ -116,6 +117,41 @@ TEST(ShadowViews, CascadesHoldTheirSliceOfTheView) {
                 EXPECT_LE(std::abs(clip.x), most);
                 EXPECT_LE(std::abs(clip.y), most);
             }
+    }
+}
+
+// Lighting derives the axes of faces and spots, and reads no matrix: both have to be the plan's.
+TEST(ShadowViews, LightingDerivesTheirAxes) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> any(-1, 1);
+    const uint32_t side = 64, guard = 6;
+    const auto expect = [&](const ShadowView& view, glm::dvec3 point, glm::vec3 along, const std::string& what) {
+        const glm::dvec4 clip = view.clip_from_centre * glm::dvec4(point - world.centre(), 1);
+        const double texels = 2 / (view.texel_per_w * side);
+        EXPECT_NEAR(clip.x, along.x * texels, 1e-5) << what;
+        EXPECT_NEAR(clip.y, along.y * texels, 1e-5) << what;
+        EXPECT_NEAR(clip.w, along.z, 1e-5) << what;
+    };
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 offset(any(random), any(random), any(random));
+        const glm::dvec3 eye(1, 2, 3);
+        std::vector<ShadowView> views;
+        find_shadow_views({{.kind = LightKind::point, .range = 5}, eye}, camera_at({0, 0, 0}, 0), 1, world, side, guard,
+                          views);
+        const shared::CubeFace face = shared::cube_face(offset);
+        const uint32_t number = shared::number_of(face);
+        ASSERT_EQ(views.size(), 6u);
+        expect(views[number], eye + glm::dvec3(offset), shared::along_face(face, offset),
+               "face " + std::to_string(number));
+        glm::vec3 axis = glm::normalize(glm::vec3(any(random), any(random), any(random)));
+        axis = i < 2 ? glm::vec3(0, 0, i == 0 ? 1 : -1) : axis;
+        const Light spot{.kind = LightKind::spot, .range = 5, .inner_cone = 0.2f, .outer_cone = 0.6f};
+        find_shadow_views({spot, eye, axis}, camera_at({0, 0, 0}, 0), 1, world, side, guard, views);
+        ASSERT_EQ(views.size(), 1u);
+        expect(views[0], eye + glm::dvec3(offset),
+               {glm::dot(shared::spot_right(axis), offset), glm::dot(shared::spot_up(axis), offset),
+                glm::dot(axis, offset)},
+               "spot");
     }
 }
 
