@@ -28,38 +28,57 @@ export XDG_CACHE_HOME=$root/build/test-cache
 mkdir -p "$MESA_SHADER_CACHE_DIR" "$XDG_CACHE_HOME" "$logs"
 rm -f "$logs"/*
 
-# Which binaries, fast ones first; those not named here come after them.
-declare -a names=() known=(image scene reference gpu render cli)
+# What takes a second or two says first whether anything works; then long ones before short ones, so that both cores
+# are busy to the end. Binaries that are not named here come after those that are.
+declare -a names=() known=(image render cli scene gpu reference)
 for name in "${known[@]}"; do
     [ -x "$build/tests/test_$name" ] && names+=("$name")
+    [ "$name" = cli ] && [ -f scripts/fuzz.sh ] && names+=(sanitized)
 done
 for binary in "$build"/tests/test_*; do
     name=${binary##*/test_}
     [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
 done
-names=(format "${names[@]}" python slurm gpu-report package docs)
-[ -f scripts/fuzz.sh ] && names+=(sanitized)
+names=(format "${names[@]}" package docs slurm gpu-report python)
 if [ $# -gt 0 ]; then
     names=("$@")
 fi
 
 # The picture tests take longer than all others together: in parts, so that two run at a time.
 declare -a parts=()
+render_parts=6
 for name in "${names[@]}"; do
     if [ "$name" = render ]; then
-        parts+=(render-1of3 render-2of3 render-3of3)
+        for ((k = 1; k <= render_parts; ++k)); do parts+=("render-${k}of$render_parts"); done
     else
         parts+=("$name")
     fi
 done
 names=("${parts[@]}")
 
+# The K-th of N parts of a GoogleTest binary, as a filter: neighbouring suites, about as many tests in each part. Not
+# GoogleTest's own shards, which deal out the tests of a suite one by one: each process would then make the pipelines of
+# all of them.
+part_of() { # BINARY K N
+    "$1" --gtest_list_tests | awk -v k="$2" -v n="$3" '
+        /^[^ ].*\./ { suite[++suites] = $1; next }
+        /^  / { ++tests[suites]; ++all }
+        END {
+            for (s = 1; s <= suites; ++s) {
+                if (int((before + tests[s] / 2) * n / all) == k - 1)
+                    printf "%s*:", suite[s]
+                before += tests[s]
+            }
+        }'
+}
+
 # Runs one GoogleTest binary, or a part of it (NAME-KofN), and writes "PASSED FAILED SKIPPED" to $logs/NAME.count. A test that
 # began and has no result (a crash, a timeout) counts as failed, and so does a binary that ran none.
 run_gtest() { # NAME [BINARY]
     local log=$logs/$1.log status=0 announced passed failed skipped binary=${2:-$build/tests/test_${1%-*of*}}
     if [[ $1 =~ -([0-9]+)of([0-9]+)$ ]]; then
-        export GTEST_SHARD_INDEX=$((BASH_REMATCH[1] - 1)) GTEST_TOTAL_SHARDS=${BASH_REMATCH[2]}
+        GTEST_FILTER=$(part_of "$binary" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}")
+        export GTEST_FILTER
     fi
     (cd "$root" && timeout --kill-after=10 2400 "$binary" >"$log" 2>&1) || status=$?
     announced=$(sed -n 's/^\[==========\] Running \([0-9]*\) test.*/\1/p' "$log" | head -n 1)

@@ -213,10 +213,10 @@ TEST(Compare, ATerminalSeesABar) {
     if (std::system("script --version > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "script, which makes a terminal, is missing";
     const TemporaryFolder folder;
-    const std::string command =
-        fmt::format("cd '{}' && script -qec \"'{}' compare spheres --size 64x36 --frames 1 --light-counts none "
-                    "--renderers light-prepass -o report\" /dev/null > said",
-                    folder.path.string(), PRELIGHT_PROGRAM);
+    const std::string command = fmt::format(
+        "cd '{}' && script -qec \"stty cols 120; '{}' compare spheres --size 64x36 --frames 1 --light-counts none "
+        "--renderers light-prepass -o report\" /dev/null > said",
+        folder.path.string(), PRELIGHT_PROGRAM);
     ASSERT_EQ(std::system(command.c_str()), 0);
     const std::string said = bytes_of(folder.path / "said");
     EXPECT_THAT(said, HasSubstr("\r[")) << "redrawn in place";
@@ -285,7 +285,7 @@ TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
 TEST(Compare, TellsEachStepWhereThereIsNoTerminal) {
     const TemporaryFolder folder;
     // Large enough for more than a second, after which the time that is left can be told.
-    const Result result = run({"compare", "spheres", "--size", "960x540", "--frames", "1", "--light-counts", "1,2",
+    const Result result = run({"compare", "spheres", "--size", "480x270", "--frames", "1", "--light-counts", "1,2",
                                "--renderers", "light-prepass,deferred", "-o", "report"},
                               folder.path);
     ASSERT_TRUE(succeeded(result));

@@ -22,7 +22,7 @@ std::string radiance(int width, int height, char mantissa = '\x80') {
 }
 
 std::vector<std::string> render_with(const std::vector<std::string>& more, const char* scene = "spheres") {
-    return joined({"render", scene, "--size", "64x36", "-o", "a.png"}, more);
+    return joined({"render", scene, "--size", "64x36", "--msaa", "1", "-o", "a.png"}, more);
 }
 
 TEST(Environment, EveryKindOfFileLightsTheSceneAndIsSeenBehindIt) {

@@ -25,7 +25,8 @@ std::string documented_material() {
     return text.substr(start, text.find("```", start) - start);
 }
 
-const std::vector<std::string> render_spheres{"render", "spheres", "--lights", "2", "--size", "64x36", "-o", "a.png"};
+const std::vector<std::string> render_spheres{"render", "spheres", "--lights", "2",  "--size",
+                                              "64x36",  "--msaa",  "1",        "-o", "a.png"};
 
 TEST(Material, TheOneOfTheDocumentationWorksAsTypedInEveryArchitecture) {
     const TemporaryFolder folder;

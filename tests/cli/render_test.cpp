@@ -16,8 +16,13 @@ using Json = nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-std::vector<std::string> small_render(const std::vector<std::string>& more) {
+/// As somebody types it who says nothing of samples: four a pixel.
+std::vector<std::string> smoothed_render(const std::vector<std::string>& more) {
     return joined({"render", "spheres", "--size", "64x36"}, more);
+}
+
+std::vector<std::string> small_render(const std::vector<std::string>& more) {
+    return joined(smoothed_render({"--msaa", "1"}), more);
 }
 
 /// Mean of all channels, and how far the values spread around it.
@@ -34,7 +39,7 @@ std::pair<double, double> mean_and_deviation(const Image& image) {
 
 TEST(Render, WritesAPngOfTheSizeAskedForWithSomethingOnIt) {
     const TemporaryFolder folder;
-    const Result result = run(small_render({"-o", "a.png"}), folder.path);
+    const Result result = run(smoothed_render({"-o", "a.png"}), folder.path);
     ASSERT_TRUE(succeeded(result));
     EXPECT_THAT(result.out, HasSubstr("a.png: 64x36, light-prepass"));
     const Image image = load_png(folder.path / "a.png");
@@ -47,8 +52,8 @@ TEST(Render, WritesAPngOfTheSizeAskedForWithSomethingOnIt) {
 TEST(Render, TwoRunsGiveTheSameBytes) {
     const TemporaryFolder folder;
     for (const char* renderer : {"light-prepass", "reference"}) {
-        ASSERT_TRUE(succeeded(run(small_render({"-o", "a.png", "--renderer", renderer}), folder.path)));
-        ASSERT_TRUE(succeeded(run(small_render({"-o", "b.png", "--renderer", renderer}), folder.path)));
+        ASSERT_TRUE(succeeded(run(smoothed_render({"-o", "a.png", "--renderer", renderer}), folder.path)));
+        ASSERT_TRUE(succeeded(run(smoothed_render({"-o", "b.png", "--renderer", renderer}), folder.path)));
         EXPECT_TRUE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png")) << renderer;
     }
 }
@@ -56,7 +61,8 @@ TEST(Render, TwoRunsGiveTheSameBytes) {
 TEST(Render, TheReferenceTakesSeveralSamplesAPixel) {
     const TemporaryFolder folder;
     const auto picture = [&](const std::vector<std::string>& more) {
-        const Result result = run(joined(small_render({"-o", "a.png", "--renderer", "reference"}), more), folder.path);
+        const Result result =
+            run(joined(smoothed_render({"-o", "a.png", "--renderer", "reference"}), more), folder.path);
         EXPECT_TRUE(succeeded(result));
         return bytes_of(folder.path / "a.png");
     };
@@ -91,13 +97,14 @@ TEST(Render, SmoothsEdgesUnlessToldOtherwise) {
                           {{"--preset", "engel"}, 1, "none"}};
     for (const Case& one : cases) {
         SCOPED_TRACE(testing::PrintToString(one.said));
-        ASSERT_TRUE(succeeded(run(joined(small_render({"-o", "a.png", "--stats", "a.json"}), one.said), folder.path)));
+        ASSERT_TRUE(
+            succeeded(run(joined(smoothed_render({"-o", "a.png", "--stats", "a.json"}), one.said), folder.path)));
         const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
         EXPECT_EQ(stats.at("msaa"), one.samples);
         EXPECT_EQ(stats.at("settings").at("antialiasing"), one.filter);
     }
-    ASSERT_TRUE(succeeded(run(small_render({"-o", "a.png"}), folder.path)));
-    ASSERT_TRUE(succeeded(run(small_render({"-o", "b.png", "--msaa", "4"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(smoothed_render({"-o", "a.png"}), folder.path)));
+    ASSERT_TRUE(succeeded(run(smoothed_render({"-o", "b.png", "--msaa", "4"}), folder.path)));
     EXPECT_TRUE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "b.png"));
 }
 
@@ -260,9 +267,9 @@ TEST(Render, StatsTellOfShadowsWhereThereAreAny) {
 TEST(Render, ShadowsThatFitAreNotWorthANote) {
     const TemporaryFolder folder;
     for (const auto& [scene, lights] : {std::pair("shadows", "4"), {"lights", "16"}, {"city", "64"}}) {
-        const Result result =
-            run({"render", scene, "--lights", lights, "--size", "64x36", "--set", "shadows=on", "-o", "a.png"},
-                folder.path);
+        const Result result = run({"render", scene, "--lights", lights, "--size", "64x36", "--msaa", "1", "--set",
+                                   "shadows=on", "-o", "a.png"},
+                                  folder.path);
         EXPECT_EQ(result.status, 0) << result.err;
         EXPECT_EQ(result.err.find("shadow"), std::string::npos) << scene << ": " << result.err;
     }
@@ -270,9 +277,8 @@ TEST(Render, ShadowsThatFitAreNotWorthANote) {
 
 TEST(Render, PassCpuGivesEachPassAFigure) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(succeeded(
-        run({"render", "spheres", "--size", "64x36", "-o", "a.png", "--frames", "3", "--stats", "a.json", "--pass-cpu"},
-            folder.path)));
+    ASSERT_TRUE(
+        succeeded(run(small_render({"-o", "a.png", "--frames", "3", "--stats", "a.json", "--pass-cpu"}), folder.path)));
     const Json stats = Json::parse(bytes_of(folder.path / "a.json"));
     for (const Json& pass : stats.at("passes"))
         expect_spread(pass.at("cpu_ms"));
@@ -328,9 +334,11 @@ TEST(Render, AFileShowsWhatTheBuiltinSceneShows) {
     const TemporaryFolder folder;
     for (const char* name : {"spheres", "lights", "city"}) {
         ASSERT_TRUE(succeeded(run({"make", name, "--lights", "8", "--seed", "3", "-o", "s.glb"}, folder.path)));
-        ASSERT_TRUE(succeeded(run({"render", "s.glb", "--size", "64x36", "-o", "file.png"}, folder.path)));
-        ASSERT_TRUE(succeeded(run(
-            {"render", name, "--lights", "8", "--seed", "3", "--size", "64x36", "-o", "builtin.png"}, folder.path)));
+        ASSERT_TRUE(
+            succeeded(run({"render", "s.glb", "--size", "64x36", "--msaa", "1", "-o", "file.png"}, folder.path)));
+        ASSERT_TRUE(succeeded(
+            run({"render", name, "--lights", "8", "--seed", "3", "--size", "64x36", "--msaa", "1", "-o", "builtin.png"},
+                folder.path)));
         const Image file = load_png(folder.path / "file.png"), builtin = load_png(folder.path / "builtin.png");
         ASSERT_EQ(file.pixels.size(), builtin.pixels.size());
         // What glTF cannot say to the last bit may move an edge, never more.

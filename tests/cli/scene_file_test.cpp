@@ -40,7 +40,7 @@ Json with_faulty_light() {
 struct Files : TemporaryFolder {
     void write(const std::string& name, const std::string& text) const { test::write(path / name, text); }
     Result render(const std::vector<std::string>& more) const {
-        return run(joined({"render", "a.gltf", "-o", "a.png", "--size", "64x36"}, more), path);
+        return run(joined({"render", "a.gltf", "-o", "a.png", "--size", "64x36", "--msaa", "1"}, more), path);
     }
 };
 
@@ -142,7 +142,7 @@ TEST(SceneFile, NamesAreEscapedInEveryMessage) {
     Files files;
     const std::string name = "a\x1b[31m\nb.gltf";
     files.write(name, with_faulty_light().dump());
-    const Result warned = run({"render", name, "-o", "a\tb.png", "--size", "64x36"}, files.path);
+    const Result warned = run({"render", name, "-o", "a\tb.png", "--size", "64x36", "--msaa", "1"}, files.path);
     EXPECT_EQ(warned.status, 0);
     EXPECT_THAT(warned.err, StartsWith("warning: a\\x1b[31m\\nb.gltf: light 0"));
     EXPECT_THAT(warned.out, StartsWith("a\\tb.png: 64x36"));

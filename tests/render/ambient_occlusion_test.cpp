@@ -229,6 +229,7 @@ TEST(AmbientOcclusion, IsTheSameInBothArchitecturesForEveryMaterialAndEnvironmen
             garden.scene.environment = std::make_shared<Environment>(sky);
         }
         Shot shot = garden.shot();
+        shot.width = 160, shot.height = 90;
         shot.settings = {{"ssao", "half"}, {"ssao-radius", "0.8"}};
         const Image once = render_linear(test_device(), shot);
         shot.renderer = "deferred";
