@@ -60,10 +60,10 @@ TEST(View, ARecordingGivesTheBytesThatRenderGives) {
 }
 
 /// The session that the recording makes, in this process.
-std::unique_ptr<Session> session_of(const std::string& events, uint32_t steps) {
+std::unique_ptr<Session> session_of(const std::string& events, uint32_t steps, const std::string& scene = "spheres") {
     const Recording recording = parse_recording(head + events, "r");
     app::RenderCommand command;
-    command.scene = "spheres";
+    command.scene = scene;
     auto session = std::make_unique<Session>(command, recording.width, recording.height);
     auto event = recording.events.begin();
     while (session->steps() < steps) {
@@ -161,6 +161,30 @@ TEST(View, LightsAndObjectsAreEditedByNumber) {
     session->apply({0, "move-object", {std::to_string(node), "0", "0", "4"}});
     EXPECT_LT(glm::length(place() - was - glm::dvec3(0, 0, 4)), 1e-12);
     EXPECT_TRUE(session->messages().empty());
+}
+
+TEST(View, TimeRunsBackwardsToo) {
+    const auto time = [](const std::string& events, uint32_t steps, const char* scene = "motion") {
+        return session_of(events, steps, scene)->time();
+    };
+    EXPECT_NEAR(time("0 time 1\n0 speed -1\n0 play on\n", 30), 0.5, 1e-9);
+    EXPECT_NEAR(time("0 speed -2\n0 play on\n", 30), 3, 1e-9) << "before its beginning is its end, at 4 s";
+    EXPECT_NEAR(time("0 time 1\n0 speed -1\n0 play on\n30 speed 1\n", 60), 1, 1e-9) << "and back";
+    // Particles have a beginning, and no end to come from.
+    EXPECT_EQ(time("0 time 0.1\n0 speed -1\n0 play on\n", 30, "city-sparks"), 0);
+}
+
+TEST(View, AScreenshotIsOfTheStepThatAsksForIt) {
+    const TemporaryFolder folder;
+    const std::string end = played(
+        folder.path, "1 wheel 0 2\n2 screenshot early.png\n3 wheel 0 2\n5 screenshot last.png\n", {"--frames", "6"});
+    EXPECT_TRUE(bytes_of(folder.path / "last.png") == end) << "asked for at the very last step";
+    EXPECT_TRUE(bytes_of(folder.path / "early.png") == played(folder.path, "1 wheel 0 2\n"));
+    write(folder.path / "r.txt", head + "1 resize 0 0\n2 screenshot none.png\n3 resize 96 54\n");
+    const Result minimised = run({"view", "spheres", "--play", "r.txt", "-o", "p.png"}, folder.path);
+    EXPECT_EQ(minimised.status, 0);
+    EXPECT_THAT(minimised.err, HasSubstr("step 3: screenshot none.png: a window that is minimised has no picture"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "none.png"));
 }
 
 TEST(View, ScaleAutoGoesDownWhereItIsSlowAndBackWhereNothingMoves) {

@@ -4,9 +4,10 @@
 #   tests/window/session.sh PRELIGHT FOLDER      FOLDER keeps screenshots and recordings
 set -euo pipefail
 prelight=$(realpath "$1")
+here=$(dirname "$(realpath "$0")")
 mkdir -p "$2"
 cd "$2"
-for program in Xvfb xdotool import convert compare; do
+for program in Xvfb xdotool xprop python3 import convert compare; do
     command -v $program >/dev/null || { echo "session: $program is not installed"; exit 77; }
 done
 
@@ -80,29 +81,54 @@ xdotool key question
 settle
 import -window root help.png
 xdotool key question
-xdotool windowsize "$(xdotool search --name '^prelight$' | head -n 1)" 700 460
+number=$(xdotool search --name '^prelight$' | head -n 1)
+xdotool windowsize "$number" 700 460
 settle
 xdotool key Delete
+settle 0.5
+"$prelight" make spheres --lights 2 -o 'a scene.glb' >/dev/null
+"$here/drop.py" "$number" 'a scene.glb' || fail "no file can be dropped"
 xdotool key g
-settle 2
+rm -f prelight-*.png
+xdotool key p # which is there when all before it has been done
+for _ in $(seq 600); do
+    [ -e prelight-1.png ] && break
+    sleep 0.1
+done
+settle
 import -window root last.png
 xdotool key Escape
 finish
+sed -n 's/.* pictures; input was in one of the next \([0-9]*\)$/\1/p' view.log >lag
+[ -s lag ] || fail "nobody has counted pictures between input and what shows it"
+[ "$(cat lag)" -le 2 ] || fail "input was seen $(cat lag) pictures later"
 
 # The picture's bytes are those of the same input without a window.
 "$prelight" view multipass --play session.txt -o played.png >/dev/null
-convert last.png -crop 700x460+0+0 +repage -depth 8 last.png
-different=$(compare -metric AE last.png played.png null: 2>&1 || true)
+for picture in last.png played.png; do # without the message that the screenshot is written
+    convert $picture -crop 700x370+0+0 +repage -depth 8 seen-$picture
+done
+different=$(compare -metric AE seen-last.png seen-played.png null: 2>&1 || true)
 [ "$different" = 0 ] || fail "$different pixels of the window differ from those of the recording"
+cmp prelight-1.png played.png || fail "the window's own screenshot differs from the recording's"
 [ "$(compare -metric AE panels.png normals.png null: 2>&1 || true)" != 0 ] || fail "key 2 shows nothing else"
-grep -q 'button left down' session.txt && grep -q 'wheel' session.txt && grep -q 'resize 700 460' session.txt ||
+grep -q 'button left down' session.txt && grep -q 'wheel' session.txt && grep -q 'resize 700 460' session.txt &&
+    grep -q 'drop .*a scene.glb' session.txt ||
     fail "not all input was recorded"
 
-# 2. Losses: each is recovered from once.
-printf 'prelight view 1\nsize 500x300\n20 lose surface\n21 wheel 0 1\n60 lose device\n61 wheel 0 1\n150 panels off\n' >loss.txt
-start multipass --size 500x300 --play loss.txt
-settle 5
-import -window root lost.png
-xdotool mousemove 250 150 key Escape
-finish
+# 2. Losses: each is recovered from once. The last step's screenshot is not lost, and is the recording's: also of a
+# picture large enough to begin with a draft.
+# The wheel goes by where the mouse is, which is also a real one here.
+printf '%s\n' 'prelight view 1' 'size 800x500' '20 lose surface' '21 move 500 200' '21 wheel 0 1' '60 lose device' \
+    '61 move 500 200' '61 wheel 0 1' '119 screenshot last.png' >loss.txt
+# All on a screen of 144 dots an inch, where panels are larger, and pictures are not.
+xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER $'Xft.dpi:\t144\n'
+mkdir -p losses without
+rm -f losses/last.png without/last.png
+(cd losses && exec "$prelight" view multipass --size 800x500 --play ../loss.txt --frames 120 --validate) >view.log 2>&1 ||
+    fail "the window of losses ended with $?"
+grep -q 'in full after' view.log || fail "no draft came first"
+(cd without && exec "$prelight" view multipass --play ../loss.txt --frames 120 -o played.png) >/dev/null 2>&1 ||
+    fail "the recording of losses cannot be played"
+cmp losses/last.png without/last.png || fail "the screenshot of the last step is not the recording's"
 echo "session: as it should be"

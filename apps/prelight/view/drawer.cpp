@@ -3,6 +3,8 @@
 #include "../memory_check.hpp"
 #include "../validation.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <gpu/context.hpp>
 #include <prelight/error.hpp>
@@ -21,11 +23,17 @@ void Drawer::open() {
     software_ = dynamic_cast<gpu::Context&>(*device_).is_software();
 }
 
+uint32_t Drawer::scaled(uint32_t pixels) const {
+    return std::max(static_cast<uint32_t>(std::lround(pixels * detail_)), 1u);
+}
+
+bool Drawer::draws_on_host(const Session& session) const { return software_ || session.look().renderer == "reference"; }
+
 bool Drawer::make_renderer(Session& session) {
     const Look& look = session.look();
     RenderOptions options = look.options;
-    options.width = session.picture_width();
-    options.height = session.picture_height();
+    options.width = scaled(session.picture_width());
+    options.height = scaled(session.picture_height());
     try {
         auto next = create_renderer(look.renderer, device_.get(), options);
         check_memory(session);
@@ -59,10 +67,11 @@ void Drawer::follow(Session& session) {
         world &= !made;
         lights |= made;
     }
-    if (width_ != session.picture_width() || height_ != session.picture_height()) {
-        renderer_->resize(session.picture_width(), session.picture_height());
-        width_ = session.picture_width();
-        height_ = session.picture_height();
+    const uint32_t width = scaled(session.picture_width()), height = scaled(session.picture_height());
+    if (width_ != width || height_ != height) {
+        renderer_->resize(width, height);
+        width_ = width;
+        height_ = height;
     }
     WorldChanges moved = session.stage().take_changes();
     moved.lights = false; // below

@@ -22,6 +22,11 @@ public:
     Image read(std::string_view view) { return renderer_->read(view); }
     Stats stats() const { return renderer_->stats(); }
 
+    /// Pixels drawn for one of the session's, along each side, from the next picture on: fewer give a draft sooner.
+    void set_detail(double detail) { detail_ = detail; }
+    /// Whether a picture takes the processor's time.
+    bool draws_on_host(const Session& session) const;
+
     Device* device() { return device_.get(); }
     Renderer* renderer() { return renderer_.get(); }
     /// A test's: the device is lost now.
@@ -42,12 +47,14 @@ private:
     void check_memory(const Session& session);
     void take_scene(Session& session);
     void recover(Session& session);
+    uint32_t scaled(uint32_t pixels) const;
 
     RenderCommand command_;
     std::vector<std::string> window_extensions_;
     std::unique_ptr<Device> device_;
     std::unique_ptr<Renderer> renderer_;
     bool software_ = false;
+    double detail_ = 1;
     const Scene* checked_ = nullptr;  ///< there is memory for it
     uint32_t width_ = 0, height_ = 0; ///< of its pictures
     std::optional<uint32_t> lost_at_; ///< step

@@ -23,18 +23,6 @@ void print_messages(Session& session) {
     session.dismiss_messages();
 }
 
-void take_screenshot(Session& session, Drawer& drawer, const std::string& name) {
-    if (!drawer.draw(session))
-        return;
-    try {
-        save_screenshot(drawer.read(session.look().buffer), name);
-    } catch (const DeviceLost&) {
-        throw;
-    } catch (const Error& error) {
-        session.tell(error.what());
-    }
-}
-
 } // namespace
 
 void play(const ViewCommand& command) {
@@ -69,8 +57,7 @@ void play(const ViewCommand& command) {
             else if (session.changes().look)
                 drawer.follow(session);
         });
-        for (const std::string& name : session.take_screenshots())
-            drawer.keep(session, [&] { take_screenshot(session, drawer, name); });
+        take_screenshots(session, drawer, false);
         print_messages(session);
     }
     if (session.minimised())

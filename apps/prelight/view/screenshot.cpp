@@ -19,4 +19,21 @@ std::filesystem::path save_screenshot(const Image& picture, const std::string& n
     return file;
 }
 
+void take_screenshots(Session& session, Drawer& drawer, bool tells_all) {
+    for (const std::string& name : session.take_screenshots())
+        drawer.keep(session, [&] {
+            if (!drawer.draw(session))
+                return session.tell(fmt::format("screenshot {}: a window that is minimised has no picture", name));
+            try {
+                const auto file = save_screenshot(drawer.read(session.look().buffer), name);
+                if (tells_all)
+                    session.tell(fmt::format("{} is written", file.string()));
+            } catch (const DeviceLost&) {
+                throw;
+            } catch (const Error& error) {
+                session.tell(error.what());
+            }
+        });
+}
+
 } // namespace prelight::app::viewer

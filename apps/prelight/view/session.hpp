@@ -95,6 +95,7 @@ public:
     void dismiss_messages() { messages_.clear(); }
 
     /// What somebody outside has to do: file names of screenshots, losses that a test wants.
+    bool wants_screenshots() const { return !screenshots_.empty(); }
     std::vector<std::string> take_screenshots() { return std::exchange(screenshots_, {}); }
     std::string take_loss() { return std::exchange(loss_, {}); }
 

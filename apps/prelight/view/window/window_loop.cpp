@@ -6,6 +6,7 @@
 #include "../../watch.hpp"
 #include "../../watchdog.hpp"
 #include "../drawer.hpp"
+#include "../input_lag.hpp"
 #include "../recording.hpp"
 #include "../scale_control.hpp"
 #include "../screenshot.hpp"
@@ -27,9 +28,11 @@
 namespace prelight::app::viewer {
 namespace {
 
-constexpr int settling_pictures = 3;     // of the panels, after input
-constexpr double look_every_ms = 250;    // at files that may have changed, and at the plot
-constexpr uint32_t most_steps_late = 15; // after a pause longer than that the clock does not catch up
+constexpr int settling_pictures = 3;          // of the panels, after input
+constexpr double look_every_ms = 250;         // at files that may have changed, and at the plot
+constexpr uint32_t most_steps_late = 15;      // after a pause longer than that the clock does not catch up
+constexpr double draft_detail = 0.25;         // of the first picture, where the processor draws it
+constexpr uint32_t small_picture = 640 * 360; // pixels that need no draft
 
 class WindowLoop {
 public:
@@ -40,14 +43,13 @@ public:
                            [&, size = window_.extent()] {
                                return std::make_unique<Session>(command.render, size.width, size.height);
                            })),
-          drawer_(command.render, GlfwWindow::extensions()), owned_(made_.get()), session_(*owned_),
-          ui_(window_.handle(), window_.content_scale()), watch_(session_.files()), watched_(session_.loads()) {
+          drawer_(command.render, GlfwWindow::extensions()), ui_(window_.handle(), window_.content_scale()),
+          owned_(scene_with_set_up()), session_(*owned_), watch_(session_.files()), watched_(session_.loads()) {
         recording_.width = session_.window_width();
         recording_.height = session_.window_height();
         if (!command.play.empty())
             played_ = load_recording(command.play).events;
         drawer_.on_loss([this] { take_down(); }, [this] { set_up(); });
-        set_up();
         if (command.scale && *command.scale != 1)
             take({0, "scale", {fmt::format("{}", *command.scale)}});
         if (command.render.auto_exposure)
@@ -56,8 +58,11 @@ public:
 
     void run() {
         const WatchdogPause waits; // for whoever sits before it
-        drawer_.follow(session_);  // a start that cannot be is a failure, not a message
-        clock_ms_ = wall_ms();
+        draft_ =
+            drawer_.draws_on_host(session_) && session_.picture_width() * session_.picture_height() > small_picture;
+        drawer_.set_detail(draft_ ? draft_detail : 1);
+        drawer_.follow(session_); // a start that cannot be is a failure, not a message
+        clock_ms_ = renderer_ms_ = wall_ms();
         try {
             while (!session_.done() && !window_.closed()) {
                 const double began = wall_ms();
@@ -75,6 +80,14 @@ public:
     }
 
 private:
+    /// What needs no scene is made while it is read.
+    std::unique_ptr<Session> scene_with_set_up() {
+        set_up();
+        std::unique_ptr<Session> session = made_.get();
+        scene_ms_ = wall_ms();
+        return session;
+    }
+
     void set_up() {
         auto& context = dynamic_cast<gpu::Context&>(*drawer_.device());
         presenter_.emplace(context, window_.make_surface(context.instance()));
@@ -109,8 +122,15 @@ private:
         session_.apply(event); // tells what is wrong with one that is not
     }
 
+    void take_from_person(Event event) {
+        input_ = true;
+        lag_.take(session_.steps());
+        take(std::move(event));
+    }
+
     void take_input() {
         window_.capture(ui_.wants_mouse(), ui_.wants_keyboard());
+        input_ = false;
         if (window_.take_stir())
             redraw_ = settling_pictures;
         if (window_.take_escape())
@@ -118,10 +138,11 @@ private:
         for (Event& event : window_.take_events()) {
             if (event.verb == "key" && event.words == std::vector<std::string>{"Tab", "down"})
                 ui_.focus_panels(true);
-            take(std::move(event));
+            take_from_person(std::move(event));
         }
         for (Event& event : std::exchange(asked_, {}))
-            take(std::move(event));
+            take_from_person(std::move(event));
+        lag_.look();
         look_at_files();
         const std::string loss = session_.take_loss();
         if (loss == "device")
@@ -148,6 +169,8 @@ private:
         const double now = wall_ms();
         const double step_ms = 1000.0 / steps_per_second;
         auto due = static_cast<uint32_t>(std::max((now - clock_ms_) / step_ms, 0.0));
+        if (due == 0 && input_ && clock_ms_ <= now)
+            due = 1; // what was asked for is in this picture; the clock waits for itself afterwards
         if (due > most_steps_late) {
             due = 1;
             clock_ms_ = now - step_ms;
@@ -159,6 +182,11 @@ private:
             session_.step();
             if (session_.changes().look) // as when it is played: refused at the step that asks for it
                 drawer_.keep(session_, [&] { drawer_.follow(session_); });
+            if (session_.wants_screenshots()) { // of that step too
+                drawer_.set_detail(1);
+                take_screenshots(session_, drawer_, true);
+                session_.need_picture(); // which the screen has not seen
+            }
         }
         if (!command_.play.empty() && command_.steps && session_.steps() >= *command_.steps)
             take({0, "quit", {}});
@@ -171,6 +199,8 @@ private:
         else if (command_.scale == std::nullopt)
             if (const auto scale = control_.still((began - changed_ms_) / 1000, session_.scale()))
                 take({0, "scale", {fmt::format("{}", *scale)}});
+        if (!changed)
+            lag_.rest(session_.steps());
         if (session_.minimised() || (!session_.changes().any() && redraw_ <= 0 && !ui_.busy()))
             return;
         redraw_ = std::max(redraw_ - 1, 0);
@@ -198,18 +228,37 @@ private:
             if (drawn)
                 hand_over();
         }
-        screenshots();
         std::vector<Event> asked = ui_.build(session_, figures_, in_force_);
         asked_.insert(asked_.end(), asked.begin(), asked.end());
         const bool shown = presenter_->show(
             window_.extent(), [&](const gpu::OverlayContext& target) { backend_->draw(ui_.data(), target); });
         if (!shown && drawn)
             session_.need_picture();
-        if (shown && first_) {
-            first_ = false;
-            fmt::print("{}: first picture after {:.0f} ms\n", escaped(command_.render.scene), wall_ms() - start_ms_);
-            std::fflush(stdout);
+        if (shown)
+            lag_.show(session_.steps());
+        if (shown && first_)
+            tell_first();
+        else if (shown && drawn)
+            tell_full();
+    }
+
+    void tell_first() {
+        first_ = false;
+        const double now = wall_ms();
+        fmt::print("{}: first picture after {:.0f} ms (scene {:.0f}, renderer {:.0f}, picture {:.0f})\n",
+                   escaped(command_.render.scene), now - start_ms_, scene_ms_ - start_ms_, renderer_ms_ - scene_ms_,
+                   now - renderer_ms_);
+        std::fflush(stdout);
+        if (draft_) {
+            drawer_.set_detail(1);
+            session_.need_picture();
         }
+    }
+    void tell_full() {
+        if (!std::exchange(draft_, false))
+            return;
+        fmt::print("{}: in full after {:.0f} ms\n", escaped(command_.render.scene), wall_ms() - start_ms_);
+        std::fflush(stdout);
     }
 
     void hand_over() {
@@ -228,19 +277,6 @@ private:
         } else if (shown_ms) {
             figures_.add({}, shown_ms);
             in_force_ = drawer_.stats().settings;
-        }
-    }
-
-    void screenshots() {
-        for (const std::string& name : session_.take_screenshots()) {
-            try {
-                const auto file = save_screenshot(drawer_.read(session_.look().buffer), name);
-                session_.tell(fmt::format("{} is written", file.string()));
-            } catch (const DeviceLost&) {
-                throw;
-            } catch (const Error& error) {
-                session_.tell(error.what());
-            }
         }
     }
 
@@ -271,6 +307,9 @@ private:
         drawer_.drop_renderer();
         take_down();
         check_validation(*drawer_.device());
+        if (lag_.measured() > 0)
+            fmt::print("{}: {} pictures; input was in one of the next {}\n", escaped(session_.scene_name()),
+                       lag_.pictures(), lag_.most());
     }
 
     const ViewCommand& command_;
@@ -278,11 +317,13 @@ private:
     GlfwWindow window_;
     std::future<std::unique_ptr<Session>> made_; ///< while the device is opened
     Drawer drawer_;
-    std::unique_ptr<Session> owned_;
-    Session& session_;
     Ui ui_;
     std::optional<gpu::Presenter> presenter_;
     std::optional<UiBackend> backend_;
+    int redraw_ = settling_pictures;
+    double scene_ms_ = 0, renderer_ms_ = 0; ///< when there was one
+    std::unique_ptr<Session> owned_;
+    Session& session_;
     FileWatch watch_;
     uint32_t watched_ = 0; ///< Session::loads() of the files that are watched
     Recording recording_;
@@ -292,8 +333,9 @@ private:
     std::map<std::string, std::string> in_force_;
     ScaleControl control_;
     std::optional<uint32_t> surface_lost_at_; ///< step
-    int redraw_ = settling_pictures;
-    bool first_ = true;
+    InputLag lag_;
+    bool input_ = false;                ///< somebody has just asked for something
+    bool first_ = true, draft_ = false; ///< no picture was shown yet; none but a draft
     double clock_ms_ = 0, looked_ms_ = 0, changed_ms_ = 0;
 };
 
