@@ -60,6 +60,8 @@ settle() { sleep "${1:-1.5}"; }
 
 # 1. Input.
 start multipass --size 800x500 --record session.txt
+grep -Eq 'first picture after [0-9]+ ms \(window [0-9]+, scene [0-9]+, renderer [0-9]+, picture [0-9]+\)' view.log ||
+    fail "nothing says what the first picture took"
 xdotool mousemove 600 250
 settle 0.5
 xdotool mousedown 1

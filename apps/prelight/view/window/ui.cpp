@@ -42,6 +42,15 @@ Ui::~Ui() {
     ImGui::DestroyContext();
 }
 
+void Ui::wait(const std::string& line) {
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize, size = ImGui::CalcTextSize(line.c_str());
+    ImGui::GetForegroundDrawList()->AddText({(screen.x - size.x) / 2, (screen.y - size.y) / 2},
+                                            ImGui::GetColorU32(ImGuiCol_Text), line.c_str());
+    ImGui::Render();
+}
+
 std::vector<Event> Ui::build(Session& session, const Figures& figures,
                              const std::map<std::string, std::string>& in_force) {
     std::vector<Event> events;

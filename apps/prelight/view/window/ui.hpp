@@ -44,6 +44,8 @@ public:
     Ui(const Ui&) = delete;
     Ui& operator=(const Ui&) = delete;
 
+    /// Lays out a line in the middle of a window that has nothing else to show yet.
+    void wait(const std::string& line);
     /// Lays out one picture's panels; what the user does in them comes back as events.
     std::vector<Event> build(Session& session, const Figures& figures,
                              const std::map<std::string, std::string>& in_force);

@@ -80,9 +80,16 @@ public:
     }
 
 private:
-    /// What needs no scene is made while it is read.
+    /// What needs no scene is made while it is read, and whoever waits sees for what.
     std::unique_ptr<Session> scene_with_set_up() {
         set_up();
+        ui_.wait(fmt::format("Reading {}", escaped(command_.render.scene)));
+        try {
+            show_over_picture();
+        } catch (const gpu::SurfaceLost&) {
+            // as the first picture will find out
+        }
+        window_ms_ = wall_ms();
         std::unique_ptr<Session> session = made_.get();
         scene_ms_ = wall_ms();
         return session;
@@ -230,8 +237,7 @@ private:
         }
         std::vector<Event> asked = ui_.build(session_, figures_, in_force_);
         asked_.insert(asked_.end(), asked.begin(), asked.end());
-        const bool shown = presenter_->show(
-            window_.extent(), [&](const gpu::OverlayContext& target) { backend_->draw(ui_.data(), target); });
+        const bool shown = show_over_picture();
         if (!shown && drawn)
             session_.need_picture();
         if (shown)
@@ -245,9 +251,9 @@ private:
     void tell_first() {
         first_ = false;
         const double now = wall_ms();
-        fmt::print("{}: first picture after {:.0f} ms (scene {:.0f}, renderer {:.0f}, picture {:.0f})\n",
-                   escaped(command_.render.scene), now - start_ms_, scene_ms_ - start_ms_, renderer_ms_ - scene_ms_,
-                   now - renderer_ms_);
+        fmt::print("{}: first picture after {:.0f} ms (window {:.0f}, scene {:.0f}, renderer {:.0f}, picture {:.0f})\n",
+                   escaped(command_.render.scene), now - start_ms_, window_ms_ - start_ms_, scene_ms_ - window_ms_,
+                   renderer_ms_ - scene_ms_, now - renderer_ms_);
         std::fflush(stdout);
         if (draft_) {
             drawer_.set_detail(1);
@@ -259,6 +265,11 @@ private:
             return;
         fmt::print("{}: in full after {:.0f} ms\n", escaped(command_.render.scene), wall_ms() - start_ms_);
         std::fflush(stdout);
+    }
+
+    bool show_over_picture() {
+        return presenter_->show(window_.extent(),
+                                [&](const gpu::OverlayContext& target) { backend_->draw(ui_.data(), target); });
     }
 
     void hand_over() {
@@ -321,7 +332,7 @@ private:
     std::optional<gpu::Presenter> presenter_;
     std::optional<UiBackend> backend_;
     int redraw_ = settling_pictures;
-    double scene_ms_ = 0, renderer_ms_ = 0; ///< when there was one
+    double window_ms_ = 0, scene_ms_ = 0, renderer_ms_ = 0; ///< when there was one
     std::unique_ptr<Session> owned_;
     Session& session_;
     FileWatch watch_;
