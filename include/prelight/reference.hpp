@@ -29,7 +29,8 @@ struct ReferenceSamples {
     Rate geometry = Rate::sample;
     /// Samples share a surface only if it is of one colour, as far as a G-buffer tells.
     bool colours_apart = false;
-    /// A light's shadow is that at the pixel's one place, for all its samples. Not on layers.
+    /// A light's shadow is that at the pixel's one place, for all its samples; at their own where the light does not
+    /// reach that place, or its surface turns away from it. Not on layers.
     bool shadows_per_pixel = false;
     /// [Transparency::layers] Surfaces that are blended, all of them: colour, alpha, light.
     Rate layers = Rate::sample;

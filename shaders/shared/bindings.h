@@ -27,6 +27,9 @@
 #define INPUT_PAIR_COUNTERS 3
 #define INPUT_MATERIAL 4  // deferred shading: RT2; views: the light buffer's pair
 #define INPUT_ALBEDO 5    // and RT3
+// with samples of edge pixels: the pixel's one surface
+#define INPUT_PIXEL_DEPTH 6
+#define INPUT_PIXEL_NORMAL 7
 // material pass
 #define INPUT_DIFFUSE_LIGHT 0
 #define INPUT_SPECULAR_LIGHT 1
@@ -207,6 +210,7 @@
 #define CONSTANT_SHADOW_FILTER 51
 #define CONSTANT_SHADOWS_TRANSMIT 52
 #define CONSTANT_SHADOW_EXTREMES 109
+#define CONSTANT_SHADOWS_AT_PIXEL 53
 #define CONSTANT_SPECULAR_ANTIALIASING 70
 #define CONSTANT_SAMPLES 71
 #define CONSTANT_STORED_ENCODED 72

@@ -53,20 +53,24 @@ float read_depth(ivec2 pixel) {
     return linear_depth_decode(depth_source, pixel_read(depth_buffer, pixel));
 }
 
-// False where no surface is.
-bool read_position(ivec2 pixel, out vec3 world) {
-    float stored = read_depth(pixel);
+// Of a surface at a place in pixels; `stored`: as read_depth() has it, 0 where there is none.
+vec3 position_of(vec2 place, float stored) {
     bool surface = stored > 0.0;
-    vec2 clip = clip_of(place_of(pixel));
+    vec2 clip = clip_of(place);
     if (position_from_ray) {
         float z = !surface ? 1.0 : linear_depth ? stored : view_depth(stored);
         vec3 across = clip.x * frame.ray_right.xyz + clip.y * frame.ray_up.xyz;
-        world = across * mix(1.0, z, frame.forward.w) + frame.forward.xyz * z;
-    } else {
-        float d = !surface ? 1.0 : linear_depth ? device_depth(stored) : stored;
-        vec4 h = frame.world_from_clip * vec4(clip, d, 1.0);
-        world = h.xyz / h.w;
+        return across * mix(1.0, z, frame.forward.w) + frame.forward.xyz * z;
     }
-    return surface;
+    float d = !surface ? 1.0 : linear_depth ? device_depth(stored) : stored;
+    vec4 h = frame.world_from_clip * vec4(clip, d, 1.0);
+    return h.xyz / h.w;
+}
+
+// False where no surface is.
+bool read_position(ivec2 pixel, out vec3 world) {
+    float stored = read_depth(pixel);
+    world = position_of(place_of(pixel), stored);
+    return stored > 0.0;
 }
 #endif

@@ -16,6 +16,10 @@ layout(constant_id = CONSTANT_SPECULAR_STEP_GATE) const bool specular_step_gate 
 layout(constant_id = CONSTANT_REFLECTION_VECTOR) const bool reflection_vector = false;
 layout(constant_id = CONSTANT_SPECULAR_WAY) const int specular_way = SPECULAR_STORED;
 
+#ifdef SHADOWS_ELSEWHERE
+layout(constant_id = CONSTANT_SHADOWS_AT_PIXEL) const bool shadows_at_pixel = false; // for all samples of it
+#endif
+
 // A surface point as lights see it, with everything that no light changes.
 struct LitPoint {
     bool surface;     // something is there to be lit
@@ -28,6 +32,9 @@ struct LitPoint {
     vec2 turn;        // of the disc that shadows are filtered with
     uint sun;         // the shadow (as in LightSource) that needs no maps, for it is known here; 0: there is none
     float sunlit;     // what comes past it
+#ifdef SHADOWS_ELSEWHERE
+    vec3 shadow_world, shadow_n; // [shadows_at_pixel] where shadows are looked up, as world and n
+#endif
 #endif
 };
 
@@ -45,6 +52,9 @@ LitPoint lit_point(bool surface, vec3 world, vec3 n, vec3 v, float roughness, ve
     p.turn = disc_turn(pixel);
     p.sun = 0u;
     p.sunlit = 1.0;
+#ifdef SHADOWS_ELSEWHERE
+    p.shadow_world = p.shadow_n = vec3(0.0);
+#endif
 #endif
     if (shading == SHADING_GGX) {
         p.alpha2 = roughness * roughness * roughness * roughness;
@@ -110,6 +120,27 @@ float schlick_weight(float cosine) {
     return m2 * m2 * m;
 }
 
+#ifdef SHADOWS
+// What of the light comes past its shadow casters; `to_light`, `nl`: of the point.
+float unhidden(LightSource source, LitPoint p, vec3 to_light, float nl, bool wanted) {
+    vec3 world = p.world, n = p.n;
+#ifdef SHADOWS_ELSEWHERE
+    if (shadows_at_pixel) { // but for lights that do not get there, whose maps have nothing to say of it
+        vec3 to = source.position.xyz - p.shadow_world * (may_be(LIGHT_KIND_DIRECTIONAL) ? source.position.w : 1.0);
+        float d2 = dot(to, to), inverse = inversesqrt(max(d2, 1e-12));
+        float facing = dot(p.shadow_n, to) * inverse;
+        bool there = facing > 0.0 && attenuation(source, d2, inverse, to * inverse) > 0.0;
+        world = there ? p.shadow_world : world;
+        n = there ? p.shadow_n : n;
+        to_light = there ? to : to_light;
+        nl = there ? min(facing, 1.0) : nl;
+    }
+#endif
+    LightShadow shadow = LightShadow(source.shadow, source.shadow_kind, source.axis);
+    return unshadowed(shadow, world, n, -to_light, nl, p.turn, wanted);
+}
+#endif
+
 // What one light sends to a surface point, before the material's colours come in: factors of its colour.
 struct LightTerms {
     float diffuse;      // N·L att
@@ -136,9 +167,8 @@ LightTerms light_terms(inout LightSource source, LitPoint p) {
     }
 #ifdef SHADOWS
     bool known = p.sun > 0u && source.shadow == p.sun;
-    LightShadow shadow = LightShadow(source.shadow, source.shadow_kind, source.axis);
-    float unhidden = unshadowed(shadow, p.world, p.n, -to_light, nl, p.turn, contributes && !known);
-    att *= known ? p.sunlit : unhidden;
+    float comes = unhidden(source, p, to_light, nl, contributes && !known);
+    att *= known ? p.sunlit : comes;
 #endif
     float lv = dot(l, p.v);
     float half2 = max(2.0 + 2.0 * lv, 1e-12);  // |L + V|²

@@ -2,6 +2,9 @@
 #ifndef PRELIGHT_LIT_PIXEL_GLSL
 #define PRELIGHT_LIT_PIXEL_GLSL
 #include "shared/gbuffer.glsl"
+#if defined(SAMPLES) && defined(SHADOWS)
+#define SHADOWS_ELSEWHERE
+#endif
 #include "shared/lighting.glsl"
 
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
@@ -13,6 +16,11 @@ layout(set = SET_INPUTS, binding = INPUT_PAIR_COUNTERS, std430) buffer PairCount
 #ifdef DEFERRED_TARGET
 layout(set = SET_INPUTS, binding = INPUT_MATERIAL) uniform PIXEL_IMAGE material_buffer;  // RT2
 layout(set = SET_INPUTS, binding = INPUT_ALBEDO) uniform PIXEL_IMAGE albedo_buffer;      // RT3
+#endif
+
+#ifdef SHADOWS_ELSEWHERE // of the pixel's one surface
+layout(set = SET_INPUTS, binding = INPUT_PIXEL_DEPTH) uniform ONE_SAMPLE_IMAGE pixel_depth;
+layout(set = SET_INPUTS, binding = INPUT_PIXEL_NORMAL) uniform ONE_SAMPLE_IMAGE pixel_normal;
 #endif
 
 struct LitPixel {
@@ -29,6 +37,12 @@ LitPixel read_pixel(ivec2 pixel) {
     bool surface = read_position(pixel, world);
     p.point = lit_point(surface, world, read_normal(pixel), to_viewer(world), max(read_roughness(pixel), 0.089),
                         vec2(pixel) + 0.5);
+#ifdef SHADOWS_ELSEWHERE
+    if (shadows_at_pixel) {
+        p.point.shadow_world = position_of(vec2(pixel) + 0.5, one_sample_read(pixel_depth, pixel).r);
+        p.point.shadow_n = stored_normal(one_sample_read(pixel_normal, pixel));
+    }
+#endif
 #ifdef DEFERRED_TARGET
     vec4 albedo = pixel_read(albedo_buffer, pixel);
     p.takes_light = stored_reflectance(pixel_read(material_buffer, pixel), albedo, p.reflects);

@@ -28,6 +28,8 @@ void sample_light_pass(graph::FrameGraph& graph, const resident::View& view, con
                        LightingInputs inputs, const SampledSurfaces& surfaces, const LightTarget& target) {
     inputs.surface = surfaces.samples;
     inputs.edges = surfaces.edges;
+    if (surfaces.shadows_per_pixel)
+        inputs.shadows_at = surfaces.pixels;
     inputs.target = target;
     if (inputs.lists)
         light_list_pass(graph, view, name, inputs);

@@ -116,6 +116,11 @@ void declare_lit_surface(graph::FrameGraph& graph, graph::Pass& pass, const Ligh
         pass.sample(INPUT_COLOUR_BEFORE, inputs.own_light);
     if (!inputs.target.counts())
         declare_shadows(pass, inputs.shadows);
+    if (inputs.edges && inputs.shadows) { // bound in any case; else nothing is read there
+        const auto& at = inputs.shadows_at;
+        pass.sample(INPUT_PIXEL_DEPTH, at ? at->depth_source : inputs.shadows.transmittance)
+            .sample(INPUT_PIXEL_NORMAL, at ? at->normal : inputs.shadows.transmittance);
+    }
 }
 
 gpu::ShaderKey lighting_shader(const LightingInputs& inputs, const char* file) {
@@ -140,6 +145,8 @@ gpu::Constants lighting_constants(const resident::View& view, const LightingInpu
     if (inputs.edges)
         for (const auto& constant : inputs.edges->constants())
             constants.push_back(constant);
+    if (inputs.shadows_at && inputs.shadows)
+        constants.emplace_back(CONSTANT_SHADOWS_AT_PIXEL, true);
     if (inputs.lists)
         for (const auto& constant : light_list_constants(*inputs.lists))
             constants.push_back(constant);

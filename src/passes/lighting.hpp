@@ -37,6 +37,8 @@ struct LightingInputs {
     std::optional<LightLists> lists; ///< tiles and clusters
     /// `surface` has several samples a pixel, and the target is a sample light buffer: light of edge pixels' samples.
     std::optional<SampleEdges> edges = {};
+    /// With `edges`: the pixels' one surface, where shadows are looked up there (SampledSurfaces::shadows_per_pixel).
+    std::optional<SurfaceBuffers> shadows_at = {};
     bool write_once = false; ///< all of a pixel's lights in one loop, instead of blended one by one
 };
 

@@ -34,6 +34,9 @@ struct SampledSurfaces {
     SurfaceBuffers samples;
     SurfaceBuffers pixels;
     std::optional<SampleEdges> edges; ///< none: all of a pixel's samples are lit as one
+    /// With `edges`: a light's shadow is that at the pixel's one surface, for all its samples that the light reaches;
+    /// where it does not reach that surface, at each sample's own.
+    bool shadows_per_pixel = false;
 };
 
 /// The rest of a G-buffer: RT0, RT2 and RT3.

@@ -66,7 +66,7 @@ void InferredLight::light_row(uint32_t y) {
             texel.closeness = closeness(seen.hit.distance);
             const Surface surface = world_.surface(seen.hit, x, y, pixel_centre);
             Lighting lighting(form_, surface, factor_, world_.environment());
-            texel.shadow_mask = world_.gather(lighting, surface, seen.hit, &seen.hit, reached);
+            texel.shadow_mask = world_.gather(lighting, surface, seen.hit, reached);
             texel.sums = lighting.sums();
             if (form_.occlusion_radius > 0 && !seen.layer)
                 texel.visibility = ray_visibility(world_.rays(), seen.hit, surface.normal, form_.occlusion_radius);

@@ -107,25 +107,35 @@ bool PixelShader::several_triangles() const {
 }
 
 /// Over a bent surface one shadow ray tells less of a pixel than one from each sample. And its place may lie within the
-/// body, deeper than shadow maps are moved.
+/// body, deeper than shadow maps are moved. At an edge it is the first sample's moved to the pixel's centre, maybe
+/// beyond its surface, where no neighbour tells how near a shadow's border is.
 void PixelShader::doubt_shadows() {
-    if (!several_triangles())
+    if (one_surface_ && !several_triangles())
         return;
-    std::array<Hit, most_samples + 1> starts;
+    std::array<Hit, most_samples + 6> starts;
     uint32_t count = 0;
-    for (const Sample& sample : samples())
-        starts[count++] = sample.hit;
+    Sample* first = nullptr;
+    for (Sample& sample : samples())
+        if (sample.found && (!first || one_surface_)) {
+            first = first ? first : &sample;
+            starts[count++] = sample.hit;
+        }
     const glm::dvec3 moved = pixel_.surface.position - pixel_.hit.position;
-    if (std::abs(glm::dot(moved, pixel_.hit.geometric_normal)) > world_.lens().pixel(pixel_.hit.distance) / 32) {
+    if (!one_surface_) {
+        starts[count++] = pixel_.hit;
+        for (const glm::dvec2& aside : {glm::dvec2(0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1)})
+            if (const Hit hit = world_.rays().beside(first->hit, world_.lens().ray(x_, y_, aside)); before_camera(hit))
+                starts[count++] = hit;
+    } else if (std::abs(glm::dot(moved, pixel_.hit.geometric_normal)) > world_.lens().pixel(pixel_.hit.distance) / 32) {
         starts[count] = pixel_.hit;
         starts[count++].position = pixel_.surface.position;
     }
-    uint64_t first = 0;
+    uint64_t first_mask = 0;
     for (uint32_t i = 0; i < count; ++i) {
         Lighting lights(form_, pixel_.surface, factor_, world_.environment());
-        const uint64_t mask = world_.gather(lights, pixel_.surface, starts[i], &starts[i], reached_);
-        first = i == 0 ? mask : first;
-        samples_[0].shadow_unclear = samples_[0].shadow_unclear || mask != first;
+        const uint64_t mask = world_.gather(lights, pixel_.surface, starts[i], reached_);
+        first_mask = i == 0 ? mask : first_mask;
+        first->shadow_unclear = first->shadow_unclear || mask != first_mask;
     }
 }
 

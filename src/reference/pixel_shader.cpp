@@ -81,7 +81,7 @@ void PixelShader::shade_surfaces() {
         choose_pixel();
     if (edges && !one_surface_)
         choose_edges();
-    if (form_.shadows && one_surface_)
+    if (form_.shadows && (one_surface_ || (form_.samples.shadows_per_pixel && pixel_.found)))
         doubt_shadows();
     const bool per_fragment = at_fragments(form_.samples.material);
     for (uint32_t i = 0; i < all.size(); ++i) {
@@ -164,10 +164,15 @@ Lighting PixelShader::shine(const ReferenceForm& form, const Surface& material, 
         }
         const Surface lit = lit_as(material, point->surface);
         Lighting lights(form, lit, factor_, world_.environment());
-        const Hit* shadows_at = !shadows_at_pixel ? &point->hit : pixel_.found ? &pixel_.hit : nullptr;
-        point->shadow_mask = world_.gather(lights, lit, point->hit, shadows_at, reached_);
+        const bool at_pixel = shadows_at_pixel && pixel_.found && point != &pixel_;
+        const ShadowPlace pixel{pixel_.hit, pixel_.surface.normal};
+        point->shadow_mask = world_.gather(lights, lit, point->hit, reached_, at_pixel ? &pixel : nullptr);
         point->lit = true;
         lighting.take(lights, share);
+        if (at_pixel && !one_surface_) { // what neighbours of the same surface are compared with is its own
+            Lighting own(form, lit, factor_, world_.environment());
+            point->shadow_mask = world_.gather(own, lit, point->hit, reached_);
+        }
     }
     return lighting;
 }

@@ -43,8 +43,8 @@ glm::dvec3 SeenWorld::normal(const Hit& hit, const Ray& ray) const {
     return shading_normal(rays_, textures_, hit, glm::normalize(-ray.direction));
 }
 
-uint64_t SeenWorld::gather(Lighting& lighting, const Surface& surface, const Hit& hit, const Hit* shadows_at,
-                           std::vector<uint32_t>& reached) const {
+uint64_t SeenWorld::gather(Lighting& lighting, const Surface& surface, const Hit& hit, std::vector<uint32_t>& reached,
+                           const ShadowPlace* elsewhere) const {
     const double pixel = lens_.pixel(hit.distance) / std::max(std::abs(glm::dot(surface.normal, surface.view)), 0.1);
     uint64_t shadow_mask = 0;
     lights_.reach(surface.position, reached);
@@ -52,9 +52,8 @@ uint64_t SeenWorld::gather(Lighting& lighting, const Surface& surface, const Hit
         Incident light = lights_.incident(index, surface.position, pixel);
         if (!lighting.is_lit_by(light))
             continue;
-        if (form_.shadows && light.casts_shadow && shadows_at) {
-            const Passage passage =
-                from_light(*shadows_at, shadows_at == &hit ? light : lights_.incident(index, shadows_at->position));
+        if (form_.shadows && light.casts_shadow) {
+            const Passage passage = elsewhere ? from_light(hit, light, *elsewhere, index) : from_light(hit, light);
             const uint64_t mark = (index + uint64_t(1)) * 0x9e3779b97f4a7c15u;
             if (passage.crossed != 0) // which surfaces dim it: their alpha may well vary from pixel to pixel
                 shadow_mask += scattered(mark ^ passage.crossed);
@@ -65,6 +64,13 @@ uint64_t SeenWorld::gather(Lighting& lighting, const Surface& surface, const Hit
         lighting.add(light);
     }
     return shadow_mask;
+}
+
+Passage SeenWorld::from_light(const Hit& hit, const Incident& light, const ShadowPlace& elsewhere,
+                              uint32_t index) const {
+    const Incident there = lights_.incident(index, elsewhere.hit.position);
+    const bool reaches = there.radiance != glm::dvec3(0) && glm::dot(elsewhere.normal, there.to_light) > 0;
+    return reaches ? from_light(elsewhere.hit, there) : from_light(hit, light);
 }
 
 Passage SeenWorld::from_light(const Hit& hit, const Incident& light) const {

@@ -7,6 +7,12 @@
 
 namespace prelight::reference {
 
+/// Where shadows are looked for in another one's place.
+struct ShadowPlace {
+    const Hit& hit;
+    glm::dvec3 normal; ///< shading normal: lights that it turns away from have no shadow there
+};
+
 /// A world as one camera sees it: what a ray hits, what the surface there is like, which lights reach it. Positions are
 /// relative to the camera.
 class SeenWorld {
@@ -27,12 +33,13 @@ public:
     glm::dvec3 normal(const Hit& hit, const Ray& ray) const;
     /// Adds every light that reaches the surface and is not in shadow there. Returns a hash of those that are, or in
     /// part.
-    /// `shadows_at`: where shadow rays start, `hit` as a rule; null: nothing is in shadow. `reached`: room to work in.
-    uint64_t gather(Lighting& lighting, const Surface& surface, const Hit& hit, const Hit* shadows_at,
-                    std::vector<uint32_t>& reached) const;
+    /// Shadow rays start at `hit`, or `elsewhere` for lights that reach that place. `reached`: room to work in.
+    uint64_t gather(Lighting& lighting, const Surface& surface, const Hit& hit, std::vector<uint32_t>& reached,
+                    const ShadowPlace* elsewhere = nullptr) const;
 
 private:
     Passage from_light(const Hit& hit, const Incident& light) const;
+    Passage from_light(const Hit& hit, const Incident& light, const ShadowPlace& elsewhere, uint32_t index) const;
 
     const ReferenceForm& form_;
     const World& world_;

@@ -200,6 +200,7 @@ RendererInfo deferred_info() {
              light_sums_setting(),
              specular_antialiasing_setting(),
              msaa_light_setting(false),
+             msaa_shadows_setting(),
              texture_filter_setting(),
              antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "specular", "albedo", "sun-occlusion", "motion",

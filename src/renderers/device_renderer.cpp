@@ -232,7 +232,10 @@ passes::SampledSurfaces DeviceRenderer::sampled(graph::FrameGraph& graph, const 
                                                 passes::GBufferColours* colours) {
     if (!edges_)
         return {surface, surface, {}};
-    return passes::sampled_surfaces(graph, view, surface, sample_light(settings_), *edges_, colours);
+    passes::SampledSurfaces surfaces =
+        passes::sampled_surfaces(graph, view, surface, sample_light(settings_), *edges_, colours);
+    surfaces.shadows_per_pixel = shadows_per_pixel(settings_);
+    return surfaces;
 }
 
 void DeviceRenderer::build_again() {

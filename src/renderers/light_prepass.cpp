@@ -162,6 +162,7 @@ RendererInfo light_prepass_info() {
              {"position", {"ray", "matrix"}, "ray", "position from depth: frustum ray or inverse matrix"},
              specular_antialiasing_setting(),
              msaa_light_setting(true),
+             msaa_shadows_setting(),
              msaa_material_setting(),
              light_of_layers_setting(),
              texture_filter_setting(),

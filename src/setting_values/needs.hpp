@@ -51,6 +51,7 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"msaa-geometry", {"msaa", {"2", "4"}}},
         {"msaa-shadows", {"msaa", {"2", "4"}}},
         {"msaa-shadows", {"shadows", {"on"}}},
+        {"msaa-shadows", {"msaa-light", {"edges", "samples"}}},
         {"msaa-layers", {"msaa", {"2", "4"}}},
         {"msaa-layers", {"transparency", {"layers"}}}};
     std::vector<SettingNeed> found;

@@ -218,6 +218,24 @@ TEST(SampleForms, ShadowsOncePerPixelAreThoseOfItsOnePlace) {
     EXPECT_THAT(zero.edge, testing::Each(0)) << "a shadow is no edge";
 }
 
+TEST(SampleForms, ALightBehindThePixelsPlaceHasNoShadowThere) {
+    // Before a wall a card that ends within pixels, and between them a lamp: the card turns away from it.
+    TestWorld test;
+    test.add_material({.metallic = 0});
+    test.add(wall_triangle());
+    test.add(triangle(at_pixel(6.55, -500), at_pixel(6.55, 500), at_pixel(-900, 0)),
+             glm::translate(glm::dmat4(1), {0, 0, 4}));
+    test.add_light({.kind = LightKind::point, .intensity = 5}, glm::dvec3(at_pixel(6.5, 5.5)) + glm::dvec3(0, 0, 2));
+    const PlacedCamera camera = metre_camera(ProjectionKind::orthographic);
+    const ReferenceForm shadows{.shadows = true};
+    const auto each = sampled(test, camera, {.count = 4}, shadows);
+    const auto once = sampled(test, camera, {.count = 4, .shadows_per_pixel = true}, shadows);
+    const size_t first = (size_t(5) * columns + 6) * 4;
+    EXPECT_EQ(each.sample_colours[first].r, 0);
+    EXPECT_GT(each.sample_colours[first + 1].r, 0);
+    EXPECT_EQ(once.sample_colours, each.sample_colours);
+}
+
 TEST(SampleForms, AmbientOcclusionGoesWithTheLights) {
     // A wall stands on another one, beyond the picture's right border, and takes ambient light away before it.
     TestWorld test;

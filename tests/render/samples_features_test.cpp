@@ -51,6 +51,58 @@ TEST(SamplesWith, Shadows) {
     expect_agree(shot, ways, half_float_bound, {.pixels = 200});
 }
 
+/// Balls and cards in and out of each other's shadows.
+struct ShadowedGarden : Garden {
+    ShadowedGarden() {
+        for (int i = 0; i < 3; ++i) {
+            const glm::dmat4 place = glm::translate(glm::dmat4(1), {-3.0 + 3 * i, 0.9, i % 2 ? -1.4 : 1.5});
+            add(square(0.8f), glm::rotate(place, 0.8 * i - 0.8, glm::dvec3(0.1, 1, 0.3)));
+        }
+        add_light({.kind = LightKind::directional, .colour = {1, 0.9f, 0.8f}, .intensity = 0.8f}, at(0, 5, 0),
+                  glm::normalize(glm::dvec3(-0.5, -1, -0.3)));
+        add_light(spot(0.6f, 12, 40), at(4, 5, 3), glm::normalize(glm::dvec3(-0.7, -1, -0.6)));
+    }
+};
+
+constexpr std::pair<const char*, const char*> sharp_shadows[] = {
+    {"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}, {"shadow-budget", "8388608"}};
+
+TEST(SamplesWith, ShadowsOncePerPixel) {
+    const ShadowedGarden garden;
+    Shot shot = with_samples(garden.shot(), 320);
+    shot.settings.insert(std::begin(sharp_shadows), std::end(sharp_shadows));
+    const Way ways[] = {{"light-prepass", {}},
+                        {"light-prepass", {{"msaa-light", "samples"}}},
+                        {"light-prepass", {{"list-shading", "fragment"}, {"normals", "oct32"}}},
+                        {"light-prepass", {{"light-culling", "volumes"}, {"position", "matrix"}}},
+                        {"deferred", {}},
+                        {"deferred", {{"msaa-light", "samples"}, {"light-culling", "clusters"}}}};
+    for (const bool orthographic : {false, true}) {
+        if (orthographic) {
+            shot.camera.camera.kind = ProjectionKind::orthographic;
+            shot.camera.camera.ymag = 2.8;
+            shot.camera.camera.zfar = 40;
+        }
+        References references;
+        for (const Way& way : std::span(ways).first(orthographic ? 1 : std::size(ways))) {
+            Shot one = in_way(shot, way);
+            SCOPED_TRACE(name_of(one));
+            const Image each = &way == ways ? render_linear(test_device(), one) : Image();
+            one.settings["msaa-shadows"] = "pixel";
+            const ReferencePicture& reference = references.of(one);
+            const Image once = render_linear(test_device(), one);
+            save_when_wanted(once, reference);
+            expect_within_on_edges(once, reference, half_float_bound, {.pixels = 200});
+            if (&way != ways)
+                continue;
+            // Pixels that are judged tell the two apart.
+            EXPECT_GT(compare(once, reference.linear, reference.left_out()).psnr,
+                      compare(each, reference.linear, reference.left_out()).psnr + 3);
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
 TEST(SamplesWith, CookiesAndProfiles) {
     Garden garden;
     garden.scene.images = {window_cookie(), dice_cookie()};

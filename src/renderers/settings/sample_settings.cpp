@@ -16,6 +16,11 @@ constexpr ChoiceSetting<SampleLight> light_setting{
     "msaa-light", light_words, "edges",
     "--msaa 2 or 4: what is lit by itself: the samples of edge pixels, all samples, or (pixel) no more than a pixel"};
 
+constexpr Choice<bool> shadows_words[] = {{"sample", false}, {"pixel", true}};
+constexpr ChoiceSetting<bool> shadows_setting{
+    "msaa-shadows", shadows_words, "sample",
+    "--msaa 2 or 4: shadows wherever lights are evaluated, or once for the whole pixel, whatever its samples show"};
+
 } // namespace
 
 SettingInfo msaa_light_setting(bool once) {
@@ -26,6 +31,10 @@ SettingInfo msaa_light_setting(bool once) {
 }
 
 SampleLight sample_light(const Settings& settings) { return settings.value(light_setting); }
+
+SettingInfo msaa_shadows_setting() { return shadows_setting.info(); }
+
+bool shadows_per_pixel(const Settings& settings) { return settings.value(shadows_setting); }
 
 void resolve_sample_settings(Settings& settings, const gpu::Context& context, uint32_t samples) {
     if (samples == 1)
