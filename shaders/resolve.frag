@@ -3,7 +3,8 @@
 // The mean of a pixel's samples. Scene-linear ones give scene-linear light, or with a tone curve the finished picture:
 // each sample is tone mapped before the mean, or one bright light would outweigh all else in its pixel. Finished ones
 // are decoded first, for what is averaged is light. Samples that are all alike stay as they are.
-// Where blended surfaces stand in half of the samples, each pair of samples is mixed first, as light.
+// Where blended surfaces stand in half of the samples, each pair of samples is mixed first, as light. Or one sample by
+// itself, for views.
 #define SAMPLES
 #include "shared/display.glsl"
 #include "shared/half_samples.h"
@@ -60,9 +61,16 @@ vec4 mean_of_all(ivec2 pixel) {
     return mean;
 }
 
+vec4 only(ivec2 pixel, int i) {
+    vec4 stored = sample_at(pixel, i);
+    return stored_encoded ? stored : shown(stored);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 mean = resolved == RESOLVED_ALL ? mean_of_all(pixel) : mean_of_halves(pixel);
+    vec4 mean = resolved == RESOLVED_ALL      ? mean_of_all(pixel)
+                : resolved >= RESOLVED_SAMPLE ? only(pixel, resolved - RESOLVED_SAMPLE)
+                                              : mean_of_halves(pixel);
     bool encodes = !stored_encoded && tonemap_curve != TONEMAP_LINEAR && !target_encodes;
     out_colour = vec4(encodes ? srgb_encode(mean.rgb) : mean.rgb, mean.a);
 }

@@ -1,12 +1,15 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: LIGHT_PAIR|STENCIL_ROUGHNESS
-// A buffer drawn so that a person can read it.
+// variants: LIGHT_PAIR|STENCIL_ROUGHNESS|SAMPLES
+// A buffer drawn so that a person can read it; of several samples a pixel, one of them.
 #include "shared/display.glsl"
 #include "shared/gbuffer.glsl"
 #include "shared/luv.glsl"
 
 layout(constant_id = CONSTANT_VIEW) const int view = VIEW_DEPTH;
+#ifdef SAMPLES
+layout(constant_id = CONSTANT_VIEW_SAMPLE) const int view_sample = 0;
+#endif
 layout(location = 0) out vec4 out_colour;
 #ifdef LIGHT_PAIR
 #include "shared/light_pair.glsl"
@@ -33,6 +36,9 @@ vec3 wheel(vec2 pixels) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
+#ifdef SAMPLES
+    pixel_sample = view_sample;
+#endif
     // Of the inputs, INPUT_NORMAL holds the buffer that is looked at.
 #ifdef LIGHT_PAIR
     uvec4 bits = pixel_read(pair_buffer, pixel);

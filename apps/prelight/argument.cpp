@@ -143,8 +143,11 @@ std::string builtin_names() { return fmt::format("{}", fmt::join(builtin_list(),
 void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
     bool named = false;
     for (const std::string& text : texts) {
-        // The name of a single layer holds a = itself: layer=N, layer=N=FILE.
-        const size_t equals = text.find('=', text.starts_with("layer=") ? std::string_view("layer=").size() : 0);
+        // The name of a single layer or sample holds a = itself: layer=N, layer=N=FILE.
+        size_t equals = text.find('=');
+        for (const char* one : {"layer=", "sample=", "depth-sample=", "normal-sample="})
+            if (text.starts_with(one))
+                equals = text.find('=', equals + 1);
         if (equals != std::string::npos) {
             if (equals == 0 || equals + 1 == text.size())
                 refuse("--view", text, "not of the form BUFFER=FILE");

@@ -5,6 +5,7 @@
 #include <prelight/renderer.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace prelight {
 
@@ -25,12 +26,32 @@ inline std::optional<uint32_t> layer_of_view(std::string_view view) {
     return number;
 }
 
-/// Whether a renderer has the buffer: one of its `views`, or "layer=N" where "layers" is one of them.
+/// One sample of each pixel of a buffer.
+struct SampleView {
+    std::string_view buffer; ///< "final", "depth" or "normal"
+    uint32_t sample = 0;     ///< in Vulkan's order, from 0
+};
+
+/// What "sample=N" (of the picture), "depth-sample=N" and "normal-sample=N" show, N: 0 … 3. None for every other name.
+inline std::optional<SampleView> sample_of_view(std::string_view view) {
+    constexpr std::pair<std::string_view, std::string_view> buffers[] = {
+        {"sample=", "final"}, {"depth-sample=", "depth"}, {"normal-sample=", "normal"}};
+    for (const auto& [start, buffer] : buffers)
+        if (view.starts_with(start) && view.size() == start.size() + 1 && view.back() >= '0' && view.back() <= '3')
+            return SampleView{buffer, static_cast<uint32_t>(view.back() - '0')};
+    return {};
+}
+
+/// Whether a renderer has the buffer: one of its `views`, "layer=N" where "layers" is one of them, or one sample of one
+/// of them, where it knows several a pixel.
 inline bool has_view(const RendererInfo& info, std::string_view view) {
     const auto lists = [&](std::string_view name) {
         return std::find(info.views.begin(), info.views.end(), name) != info.views.end();
     };
-    return lists(view) || (layer_of_view(view) && lists("layers"));
+    const auto sample = sample_of_view(view);
+    const bool samples = std::any_of(info.settings.begin(), info.settings.end(),
+                                     [](const SettingInfo& one) { return one.key.starts_with("msaa-"); });
+    return lists(view) || (layer_of_view(view) && lists("layers")) || (sample && samples && lists(sample->buffer));
 }
 
 /// All that it has, for a line of text.
@@ -38,7 +59,12 @@ inline std::string names_of_views(const RendererInfo& info) {
     std::string names;
     for (const std::string& view : info.views)
         names += (names.empty() ? "" : ", ") + view;
-    return has_view(info, "layer=1") ? names + ", layer=1 … layer=" + std::to_string(most_shown_layers) : names;
+    if (has_view(info, "layer=1"))
+        names += ", layer=1 … layer=" + std::to_string(most_shown_layers);
+    for (const std::string start : {"sample=", "depth-sample=", "normal-sample="})
+        if (has_view(info, start + "0"))
+            names += ", " + start + "0 … " + start + "3";
+    return names;
 }
 
 } // namespace prelight

@@ -235,6 +235,7 @@
 #define CONSTANT_K_BUFFER_SLOT 105
 #define CONSTANT_HALF_SAMPLES 106
 #define CONSTANT_RESOLVED 107
+#define CONSTANT_VIEW_SAMPLE 109
 #define CONSTANT_TARGET_CONVERSION 108
 
 // Values of those constants.
@@ -283,6 +284,7 @@
 #define RESOLVED_ALL 0
 #define RESOLVED_HALVES 1  // shared/half_samples.h: blended surfaces over what is opaque
 #define RESOLVED_OPAQUE 2  // of them those that show what is opaque
+#define RESOLVED_SAMPLE 3  // and so on: only the first, only the second …
 
 #define NORMAL_OCT24 0
 #define NORMAL_OCT32 1

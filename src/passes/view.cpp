@@ -36,7 +36,7 @@ graph::ImageId layers_view_pass(graph::FrameGraph& graph, const resident::View& 
 }
 
 graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name, ViewKind kind,
-                         const SurfaceBuffers& surface, graph::ImageId buffer) {
+                         const SurfaceBuffers& surface, graph::ImageId buffer, uint32_t sample) {
     const graph::ImageId target = view_image(graph, view, name);
     graph::Pass& pass = graph.pass("view-" + name);
     const bool pair = is_light_pair(graph, buffer) || kind == ViewKind::edges; // unsigned integers
@@ -52,10 +52,14 @@ graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, c
         pass.sample(INPUT_MATERIAL, buffer);
     gpu::Constants constants = surface.format.constants();
     constants.emplace_back(CONSTANT_VIEW, static_cast<uint32_t>(kind));
-    draw_fullscreen(
-        pass, view,
-        {"view.frag", gpu::when(pair, gpu::Variant::light_pair) | gpu::when(stencil, gpu::Variant::stencil_roughness)},
-        constants);
+    const uint32_t samples = graph.raster(buffer).samples;
+    if (samples > 1)
+        constants.insert(constants.end(), {{CONSTANT_SAMPLES, samples}, {CONSTANT_VIEW_SAMPLE, sample}});
+    draw_fullscreen(pass, view,
+                    {"view.frag", gpu::when(pair, gpu::Variant::light_pair) |
+                                      gpu::when(stencil, gpu::Variant::stencil_roughness) |
+                                      gpu::when(samples > 1, gpu::Variant::samples)},
+                    constants);
     return target;
 }
 

@@ -24,9 +24,10 @@ enum class ViewKind {
     edges = VIEW_EDGES,                   ///< SampleEdges::flags: surfaces of an edge pixel, white for four
 };
 
-/// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8.
+/// `buffer` drawn so that a person can read it, as sRGB-encoded RGBA8. `sample`: the one that is shown where surface
+/// and buffer have several a pixel, depth in its attachment.
 graph::ImageId view_pass(graph::FrameGraph& graph, const resident::View& view, const std::string& name, ViewKind kind,
-                         const SurfaceBuffers& surface, graph::ImageId buffer);
+                         const SurfaceBuffers& surface, graph::ImageId buffer, uint32_t sample = 0);
 
 /// Edge pixels, whose samples have light of their own; black where no pixel is one.
 graph::ImageId edges_view_pass(graph::FrameGraph& graph, const resident::View& view, const SampledSurfaces& surfaces);

@@ -105,6 +105,7 @@ public:
             refuse_without_effect(info, key, value, options.views);
         if (stats_.settings.at("transparency") == "half-samples")
             check_half_samples(options);
+        check_sample_views(options);
         form_ = form_of(stats_.settings, stats_.shading, options.msaa);
         if (!options.preset.empty())
             throw UsageError(fmt::format("reference: unknown preset {} (it has none)", options.preset));
@@ -216,6 +217,8 @@ private:
             throw UsageError(fmt::format("reference: unknown view {} (there are: {})", view, names_of_views(info)));
         if (const auto layer = layer_of_view(view))
             buffers_.layers[*layer];
+        if (const auto one = sample_of_view(view); one && one->buffer != "final")
+            buffers_.samples[one->sample];
     }
 
     /// Light of another resolution than the picture's knows no Fresnel light by light.

@@ -9,21 +9,34 @@
 namespace prelight::reference {
 namespace {
 
-Image draw_depth(const ReferencePicture& picture) {
-    Image image(picture.linear.width, picture.linear.height);
+Image draw_depth(const Image& size, const std::vector<double>& depth) {
+    Image image(size.width, size.height);
     // White at the camera, halved at each doubling of 1 + distance / 10 m, as the other renderers.
-    for (size_t i = 0; i < picture.depth.size(); ++i)
-        if (std::isfinite(picture.depth[i]))
-            image.pixels[i] = glm::vec3(static_cast<float>(1 / (1 + picture.depth[i] / 10)));
+    for (size_t i = 0; i < depth.size(); ++i)
+        if (std::isfinite(depth[i]))
+            image.pixels[i] = glm::vec3(static_cast<float>(1 / (1 + depth[i] / 10)));
     return image;
 }
 
-Image draw_normals(const ReferencePicture& picture) {
-    Image image(picture.linear.width, picture.linear.height);
-    for (size_t i = 0; i < picture.normal.size(); ++i)
-        if (std::isfinite(picture.depth[i]))
-            image.pixels[i] = glm::vec3(picture.normal[i]) * 0.5f + 0.5f;
+Image draw_normals(const Image& size, const std::vector<double>& depth, const std::vector<glm::dvec3>& normals) {
+    Image image(size.width, size.height);
+    for (size_t i = 0; i < normals.size(); ++i)
+        if (std::isfinite(depth[i]))
+            image.pixels[i] = glm::vec3(normals[i]) * 0.5f + 0.5f;
     return image;
+}
+
+Image draw_sample(const SampleView& view, const ReferencePicture& picture, const ReferenceBuffers& buffers) {
+    if (view.buffer == "depth")
+        return draw_depth(picture.linear, buffers.samples.at(view.sample).depth);
+    if (view.buffer == "normal") {
+        const SampleSurfaces& seen = buffers.samples.at(view.sample);
+        return draw_normals(picture.linear, seen.depth, seen.normal);
+    }
+    Image linear(picture.linear.width, picture.linear.height);
+    for (size_t i = 0; i < linear.pixels.size(); ++i)
+        linear.pixels[i] = picture.sample_colours[i * picture.samples + view.sample];
+    return tonemap(linear, buffers.curve);
 }
 
 /// As a white diffuse surface would show it.
@@ -53,9 +66,9 @@ Image draw_counts(const Image& size, const std::vector<uint32_t>& counts) {
 Image draw_view(std::string_view view, const ReferencePicture& picture, const ReferenceBuffers& buffers,
                 double exposure_factor) {
     if (view == "depth")
-        return draw_depth(picture);
+        return draw_depth(picture.linear, picture.depth);
     if (view == "normal")
-        return draw_normals(picture);
+        return draw_normals(picture.linear, picture.depth, picture.normal);
     if (view == "albedo")
         return tonemap(buffers.albedo, Tonemap::none);
     if (view == "diffuse-light")
@@ -68,6 +81,8 @@ Image draw_view(std::string_view view, const ReferencePicture& picture, const Re
         return draw_counts(picture.linear, picture.layer_count);
     if (view == "ambient-occlusion")
         return buffers.visibility;
+    if (const auto sample = sample_of_view(view))
+        return draw_sample(*sample, picture, buffers);
     if (const auto number = layer_of_view(view))
         return tonemap(buffers.layers.at(*number), Tonemap::none);
     throw UsageError("reference: no view is named " + std::string(view));

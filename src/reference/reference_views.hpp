@@ -11,7 +11,8 @@ namespace prelight::reference {
 /// `diffuse-light`, `specular-light`: the light sums times `exposure_factor` / π, tone-mapped;
 /// `light-count`: lights with attenuation and N·L above zero, black, blue, cyan, green, yellow, red,
 /// white at 0, 1, 4, 16, 64, 256, 1,024; `layers`: blended surfaces in front, in the same colours; `layer=N`: the Nth
-/// of them by its alpha over black, tone-mapped. All others show what is opaque.
+/// of them by its alpha over black, tone-mapped; `sample=N`, `depth-sample=N`, `normal-sample=N`: one sample of the
+/// picture, tone-mapped, and of those two. All others show what is opaque.
 Image draw_view(std::string_view view, const ReferencePicture& picture, const ReferenceBuffers& buffers,
                 double exposure_factor);
 

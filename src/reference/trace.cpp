@@ -77,6 +77,9 @@ public:
         buffers->light_count.assign(pixels, 0);
         for (auto& [number, image] : buffers->layers)
             image = Image(width, height);
+        for (auto& [number, one] : buffers->samples)
+            one = {std::vector<double>(pixels, std::numeric_limits<double>::infinity()),
+                   std::vector<glm::dvec3>(pixels, glm::dvec3(0))};
         buffers->visibility = buffers->visibility_radius > 0 ? Image(width, height) : Image();
         for (glm::vec3& one : buffers->visibility.pixels)
             one = glm::vec3(1);
@@ -114,6 +117,7 @@ public:
                 picture.layer_count[at] = static_cast<uint32_t>(layers.size());
             picture.linear.pixels[at] = samples[0].colour;
             show_layers(at, samples);
+            show_samples(at, samples);
             if (inferred_) {
                 bool unclear = samples[0].light_unclear;
                 for (const Sample& layer : samples[0].layers)
@@ -183,6 +187,16 @@ private:
                         display_light(static_cast<float>(layer.surface.alpha) * layer.colour, buffers_->curve) /
                         static_cast<float>(samples.size());
                 }
+    }
+
+    void show_samples(size_t at, std::span<const Sample> samples) {
+        if (!buffers_)
+            return;
+        for (auto& [number, one] : buffers_->samples)
+            if (const Sample& sample = samples[number]; sample.found) {
+                one.depth[at] = sample.hit.distance;
+                one.normal[at] = sample.surface.normal;
+            }
     }
 
     ReferenceLayer layer_of(const Sample& layer) const {

@@ -158,6 +158,7 @@ private:
         show("albedo", ViewKind::albedo, gbuffer.albedo);
         show("sun-occlusion", ViewKind::sun_occlusion, gbuffer.albedo);
         show("motion", ViewKind::motion, gbuffer.motion);
+        add_surface_samples(outputs, graph, view, drawn.surface);
         if (wants("edges"))
             outputs["edges"] = passes::edges_view_pass(graph, view, surfaces);
         if (visibility)

@@ -107,6 +107,10 @@ protected:
     /// For an architecture that draws blended surfaces in half of the samples.
     BlendedSurfaces& blended() { return blended_; }
 
+    /// Samples of depth and normals by themselves, where that was asked for.
+    void add_surface_samples(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                             const passes::SurfaceBuffers& surface) const;
+
 private:
     /// set_world(), with what is on the device already. Null: nothing is.
     void take_world(const World& world, std::shared_ptr<resident::GpuScene> scene);
@@ -115,6 +119,9 @@ private:
     /// How many layers there are, and single ones, where that was asked for. `layers`: none where nothing is blended.
     void add_layers_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
                           const passes::SurfaceBuffers& surface, const std::optional<graph::ImageId>& layers) const;
+    /// Samples of the picture by themselves, where that was asked for. `curve`: of a picture that is linear.
+    void add_picture_samples(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                             graph::ImageId picture, passes::Display curve) const;
     /// Throws Error.
     void check_size(uint32_t width, uint32_t height) const;
     /// Of a pixel. Throws UsageError for a number that no renderer knows, Error for one that the device lacks.

@@ -63,6 +63,7 @@ void ForwardRenderer::add_views(Outputs& outputs, graph::FrameGraph& graph, cons
     const auto show = [&](const char* name, passes::ViewKind kind, graph::ImageId buffer) {
         outputs[name] = passes::view_pass(graph, view, name, kind, surface, buffer);
     };
+    add_surface_samples(outputs, graph, view, surface_of(depth));
     if (wants("depth"))
         show("depth", passes::ViewKind::depth, pixels);
     if (wants("albedo"))

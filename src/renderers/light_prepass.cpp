@@ -132,6 +132,7 @@ private:
         });
         add_light_views(outputs, graph, view, stage, visibility);
         add_material_views(outputs, graph, view, surfaces.pixels, materials);
+        add_surface_samples(outputs, graph, view, drawn);
         if (wants("edges"))
             outputs["edges"] = passes::edges_view_pass(graph, view, surfaces);
         return outputs;

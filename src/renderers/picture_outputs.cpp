@@ -20,6 +20,8 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
     const std::optional<graph::ImageId> layers =
         blended_.add(graph, view, std::move(over), world_lists(), settings_,
                      view.scene().blends() ? layer_light(graph, view) : LayerLight{}, wants("layers"));
+    Outputs outputs;
+    add_picture_samples(outputs, graph, view, linear, options_.tonemap);
     auto which = blended_.in_half_samples() ? passes::Resolved::halves : passes::Resolved::all;
     if (filter) {
         linear = filter(passes::resolve_pass(graph, view, linear, which));
@@ -29,7 +31,7 @@ DeviceRenderer::Outputs DeviceRenderer::linear_outputs(graph::FrameGraph& graph,
     const bool one = graph.raster(linear).samples == 1;
     const graph::ImageId picture = one ? passes::tonemap_pass(graph, view, linear, options_.tonemap)
                                        : passes::resolve_tonemapped_pass(graph, view, linear, options_.tonemap, which);
-    Outputs outputs{{"final", post_filter_.add(graph, view, surface, picture)}};
+    outputs["final"] = post_filter_.add(graph, view, surface, picture);
     own_passes(vulkan::Stage::after_display, graph, view, surface, {{"picture", outputs["final"]}});
     add_layers_views(outputs, graph, view, surface, layers);
     if (wants("linear"))
@@ -47,7 +49,29 @@ DeviceRenderer::Outputs DeviceRenderer::picture_outputs(graph::FrameGraph& graph
     Outputs outputs{{"final", post_filter_.add(graph, view, surface, passes::resolve_pass(graph, view, picture))}};
     own_passes(vulkan::Stage::after_display, graph, view, surface, {{"picture", outputs["final"]}});
     add_layers_views(outputs, graph, view, surface, {});
+    add_picture_samples(outputs, graph, view, picture, {});
     return outputs;
+}
+
+void DeviceRenderer::add_picture_samples(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                                         graph::ImageId picture, passes::Display curve) const {
+    for (const std::string& name : options_.views)
+        if (const auto one = sample_of_view(name); one && one->buffer == "final") {
+            const passes::Resolved alone = passes::only_sample(one->sample);
+            outputs[name] = curve ? passes::resolve_tonemapped_pass(graph, view, picture, *curve, alone)
+                                  : passes::resolve_pass(graph, view, picture, alone);
+        }
+}
+
+void DeviceRenderer::add_surface_samples(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,
+                                         const passes::SurfaceBuffers& surface) const {
+    using passes::ViewKind;
+    for (const std::string& name : options_.views)
+        if (const auto one = sample_of_view(name); one && one->buffer != "final") {
+            const bool depth = one->buffer == "depth";
+            outputs[name] = passes::view_pass(graph, view, name, depth ? ViewKind::depth : ViewKind::normal, surface,
+                                              depth ? surface.depth_source : surface.normal, one->sample);
+        }
 }
 
 void DeviceRenderer::add_layers_views(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,

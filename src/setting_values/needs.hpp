@@ -89,6 +89,14 @@ inline void check_half_samples(const RenderOptions& options) {
                                          view));
 }
 
+/// Throws UsageError for views of samples that a pixel has not, or of its only one.
+inline void check_sample_views(const RenderOptions& options) {
+    for (const std::string& view : options.views)
+        if (const auto one = sample_of_view(view); one && (options.msaa == 1 || one->sample >= options.msaa))
+            throw UsageError(fmt::format("--view {}: needs --msaa {}, and it is {}", view,
+                                         one->sample < 2 ? "2 or 4" : "4", options.msaa));
+}
+
 inline const char* shading_name(Shading shading) { return shading == Shading::ggx ? "ggx" : "phong"; }
 
 /// Why a setting makes no difference with the values in force: what it needs; empty where it does make one. `msaa`:

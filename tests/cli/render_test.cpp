@@ -187,6 +187,15 @@ TEST(Render, WritesSingleLayers) {
     }
 }
 
+TEST(Render, WritesSingleSamples) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(succeeded(run({"render", "spheres", "--size", "64x36", "--msaa", "4", "-o", "a.png", "--view",
+                               "sample=0=first.png", "--view", "depth-sample=3=depth.png", "--view", "sample=3"},
+                              folder.path)));
+    EXPECT_FALSE(bytes_of(folder.path / "a.png") == bytes_of(folder.path / "first.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "depth.png"));
+}
+
 TEST(Render, StatsHoldWhatTheContractNames) {
     const TemporaryFolder folder;
     ASSERT_TRUE(succeeded(run({"render", "lights", "--lights", "16", "--size", "64x36", "-o", "a.png", "--frames", "3",

@@ -40,6 +40,7 @@ Settings::Settings(const RendererInfo& info, const RenderOptions& options)
     for (const std::string& view : options.views)
         if (!has_view(info, view))
             throw UsageError(fmt::format("--view {}: {} has {}", view, info.name, names_of_views(info)));
+    check_sample_views(options);
     if (!options.preset.empty() &&
         std::find(info.presets.begin(), info.presets.end(), options.preset) == info.presets.end())
         throw UsageError(fmt::format("--preset {}: {} has {}", options.preset, info.name,
