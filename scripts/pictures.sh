@@ -83,6 +83,30 @@ convert "$work"/street-{one,smaa,pixel,edges}.png -crop 60x68+232+148 +repage -s
     -bordercolor white -border 3x0 +append "$work/samples.png"
 keep samples
 
+# Leaves and wires, likewise, and from four times as many pixels.
+"$(dirname "$prelight")/examples/example_edge_error" --scenes "$work"
+zoom() { # SCENE WHERE
+    local thin=("$prelight" render "$work/$1.glb")
+    "${thin[@]}" --size 640x360 --msaa 1 -o "$work/$1-one.png"
+    "${thin[@]}" --size 640x360 --set antialiasing=smaa -o "$work/$1-smaa.png"
+    "${thin[@]}" --size 640x360 --msaa 4 -o "$work/$1-four.png"
+    "${thin[@]}" --size 1280x720 --msaa 1 -o "$work/$1-twice.png"
+    convert "$work/$1-twice.png" -colorspace RGB -filter box -resize 50% -colorspace sRGB "$work/$1-twice.png"
+    convert "$work/$1"-{one,smaa,four,twice}.png -crop "$2" +repage -scale 400% \
+        -bordercolor white -border 3x0 +append "$work/samples-$1.png"
+    few_colours "samples-$1"
+}
+zoom leaves 60x68+240+100
+zoom wires 60x68+510+160
+
+# Shadows where each surface of an edge is lit, and once a pixel.
+for way in sample pixel; do
+    "$prelight" render shadows --size 640x360 --msaa 4 --set shadows=on --set msaa-shadows=$way -o "$work/once-$way.png"
+done
+convert "$work"/once-{sample,pixel}.png -crop 60x40+130+130 +repage -scale 600% \
+    -bordercolor white -border 3x0 +append "$work/samples-shadows.png"
+keep samples-shadows
+
 # Inferred lighting: what does not get better than the light's resolution.
 street --msaa 1 --renderer inferred --set inferred-scale=1 -o "$work/inferred-street-one.png"
 street --msaa 1 --renderer inferred --set inferred-scale=1/2 -o "$work/inferred-street-half.png"
