@@ -240,7 +240,7 @@ if [ -d "$shared" ]; then
     "$hall" "$shared/sponza-512.glb" "$work/sponza-shadows-reference.png" reference
     few_colours sponza-shadows -filter box -resize 50%
     few_colours sponza-shadows-reference -filter box -resize 50%
-    montage "${tiles[@]}" -resize 240x135 -geometry +4+4 -tile 6x -background '#202020' -fill '#c8c8c8' -pointsize 11 "$work/sheet.png"
+    montage "${tiles[@]}" -resize 240x135 -geometry +4+4 -tile 6x -background '#202020' -fill '#c8c8c8' -font DejaVu-Sans -pointsize 10 "$work/sheet.png"
     convert "$work/sheet.png" -strip -dither FloydSteinberg -define dither:diffusion-amount=40% -colors 256 \
         -define png:compression-level=9 "PNG8:$out/contact-sheet.png"
 fi
