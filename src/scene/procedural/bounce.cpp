@@ -77,7 +77,9 @@ glm::dvec2 place_in_square(uint32_t i, glm::dvec2 begin) {
 
 void add_virtual_lights(Scene& scene, uint32_t count, uint64_t seed) {
     Random random(seed);
-    const glm::dvec2 begin(random.unit(), random.unit());
+    // One by one: in which order a call's arguments are evaluated is the compiler's business.
+    const double second = random.unit(), first = random.unit();
+    const glm::dvec2 begin(first, second);
     const double area = double(window_y.y - window_y.x) * double(window_z.y - window_z.x);
     const double lumens = sun_lux * area * std::abs(sun.x) / count; // each share of the window's
     for (uint32_t i = 0; i < count; ++i) {

@@ -115,8 +115,10 @@ void add_lights(Scene& scene, uint32_t lights, uint64_t seed) {
         Light small = made % 3 == 0 ? through_window : made % 3 == 1 ? pierced : wall;
         small.range = 3;
         small.intensity *= 0.1f;
-        const glm::dvec3 from(random.uniform(-5.5, 5.5), random.uniform(0.6, 3.8), random.uniform(-3.5, 5));
-        add_aimed(scene, small, from, from + glm::dvec3(random.uniform(-1, 1), -1, random.uniform(-1, 1)));
+        // One by one: in which order a call's arguments are evaluated is the compiler's business.
+        const double z = random.uniform(-3.5, 5), y = random.uniform(0.6, 3.8), x = random.uniform(-5.5, 5.5);
+        const double along = random.uniform(-1, 1), across = random.uniform(-1, 1);
+        add_aimed(scene, small, {x, y, z}, glm::dvec3(x, y, z) + glm::dvec3(across, -1, along));
     }
 }
 

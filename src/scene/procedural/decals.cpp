@@ -81,12 +81,15 @@ void add_decals(Scene& scene) {
                                                 .base_colour_texture = colours,
                                                 .normal_texture = normals});
     };
-    const uint32_t cracks =
-        material("cracks", add_decal_map(scene, crack_colours()), 0, 0.9f, add_decal_map(scene, crack_normals()));
+    // Maps one by one: in which order a call's arguments are evaluated is the compiler's business.
+    const TextureRef crack_bumps = add_decal_map(scene, crack_normals()),
+                     crack_picture = add_decal_map(scene, crack_colours());
+    const uint32_t cracks = material("cracks", crack_picture, 0, 0.9f, crack_bumps);
     const uint32_t paint = material("paint", add_decal_map(scene, arrow()), 0, 0.3f);
     const uint32_t mark = material("mark", add_decal_map(scene, target()), 0, 0.35f);
-    const uint32_t bolts =
-        material("bolts", add_decal_map(scene, bolt_colours()), 1, 0.35f, add_decal_map(scene, bolt_normals()));
+    const TextureRef bolt_bumps = add_decal_map(scene, bolt_normals()),
+                     bolt_picture = add_decal_map(scene, bolt_colours());
+    const uint32_t bolts = material("bolts", bolt_picture, 1, 0.35f, bolt_bumps);
     const uint32_t water = material("water", add_decal_map(scene, puddle()), 0, 0.12f);
     const uint32_t burn = material("burn", add_decal_map(scene, scorch()), 0, 0.95f);
     const glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};

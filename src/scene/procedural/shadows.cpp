@@ -102,7 +102,9 @@ void add_shadowed_lights(Scene& scene, uint32_t lights, uint64_t seed) {
         auto [from, to] = places[i % 3];
         if (i >= 3) {
             from = {random.uniform(-7, 7), random.uniform(1, 4), random.uniform(-20, 4)};
-            to = from + glm::dvec3(random.uniform(-1, 1), -1, random.uniform(-1, 1));
+            // One by one: in which order a call's arguments are evaluated is the compiler's business.
+            const double along = random.uniform(-1, 1), across = random.uniform(-1, 1);
+            to = from + glm::dvec3(across, -1, along);
         }
         add_light_towards(scene, kinds[i % 3], from, to);
     }
