@@ -1,4 +1,4 @@
-# prelight_target(NAME FOLDERS... ): one static library of every .cpp below the folders, with the
+# prelight_target(NAME FOLDER… [EXCEPT FOLDER]): one static library of every .cpp below the folders, with the
 # project's warnings. A new source file needs no edit of a build file.
 # How this project compiles, which is nobody else's business: prelight_flags for all, prelight_options for the library and
 # what looks into it.
@@ -58,12 +58,18 @@ function(prelight_unity TARGET)
     set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
+# prelight_sources(OUT FOLDER… [EXCEPT FOLDER]): every .cpp below the folders.
 function(prelight_sources OUT)
+    cmake_parse_arguments(PARSE_ARGV 1 given "" EXCEPT "")
     set(all)
-    foreach(folder IN LISTS ARGN)
+    foreach(folder IN LISTS given_UNPARSED_ARGUMENTS)
         file(GLOB_RECURSE found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
         list(APPEND all ${found})
     endforeach()
+    if(given_EXCEPT)
+        file(GLOB_RECURSE left_out CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${given_EXCEPT}/*.cpp)
+        list(REMOVE_ITEM all ${left_out})
+    endif()
     set(${OUT} ${all} PARENT_SCOPE)
 endfunction()
 

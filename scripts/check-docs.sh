@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Holds README and docs against the program: links, commands, and every figure that a command prints
-# (scripts/check_docs.py says how a page marks one); and the picture of folders against the code.
+# (scripts/check_docs.py says how a page marks one); the picture of folders, and the one that knows the operating system, against
+# the code.
 #   scripts/check-docs.sh            fails where a page says something else
 #   scripts/check-docs.sh --update   writes such figures anew
 # Needs the program and test_cli: scripts/build.sh --tests.
@@ -13,6 +14,7 @@ if [[ " $* " == *" --update "* ]]; then
 else
     python3 scripts/draw_folders.py --check || status=1
 fi
+python3 scripts/check_platform.py || status=1
 python3 scripts/check_docs.py --program "$PWD/$build/prelight" "$@" || status=1
 "$build/tests/test_cli" --gtest_filter='Docs.*' --gtest_brief=1 || status=1
 exit $status

@@ -2,13 +2,13 @@
 
 #include "output.hpp"
 #include "sequence/video.hpp"
-#include "standard_streams.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/scene_io.hpp>
 
 namespace prelight::app {

@@ -5,7 +5,8 @@
 #include "options/given.hpp"
 #include "picture_command.hpp"
 #include "scene_source.hpp"
-#include "standard_streams.hpp"
+
+#include <platform/program/standard_streams.hpp>
 
 namespace prelight::app {
 namespace {

@@ -7,8 +7,8 @@
 #include "options/help.hpp"
 #include "picture_command.hpp"
 #include "sequence/plan.hpp"
-#include "standard_streams.hpp"
 
+#include <platform/program/standard_streams.hpp>
 #include <prelight/error.hpp>
 #include <prelight/version.hpp>
 

@@ -1,28 +1,20 @@
 #include "commands.hpp"
-#include "crash.hpp"
-#include "heap.hpp"
-#include "interrupt.hpp"
 #include "log.hpp"
 #include "terminal.hpp"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <new>
+#include <platform/program/crash.hpp>
+#include <platform/program/heap.hpp>
+#include <platform/program/interrupt.hpp>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/error.hpp>
 #include <system_error>
 
 namespace {
-
-/// Started with a standard stream closed, the first file that is opened would take its number, and what is
-/// printed would go into that file.
-void keep_standard_streams() {
-    for (int stream = 0; stream <= 2; ++stream)
-        if (fcntl(stream, F_GETFD) < 0)
-            open("/dev/null", O_RDONLY); // the lowest free number, which is this one; a write to it fails
-}
 
 /// One line on stderr, whatever the reason holds, and the exit status.
 int fail(std::string_view reason, int status) {
@@ -41,12 +33,12 @@ int fail_to_print(int error) {
 
 int main(int argc, char** argv) {
     using namespace prelight;
-    app::set_up_heap();
+    set_up_heap();
     keep_standard_streams();
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // each result is seen when it is there
     try {
-        app::handle_crashes();
-        app::handle_interrupts();
+        handle_crashes();
+        handle_interrupts();
         const app::Command command = app::parse_command_line(argc, argv);
         app::set_quiet(app::wants_quiet(command));
         std::visit([](const auto& one) { app::run(one); }, command);

@@ -1,11 +1,11 @@
 #include "memory_check.hpp"
 
-#include "watchdog.hpp"
+#include <platform/program/watchdog.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <platform/spare_memory.hpp>
 #include <prelight/error.hpp>
-#include <system/spare_memory.hpp>
 
 namespace prelight::app {
 namespace {

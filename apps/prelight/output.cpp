@@ -1,44 +1,18 @@
 #include "output.hpp"
 
-#include "standard_streams.hpp"
+#include <platform/program/file_identity.hpp>
+#include <platform/program/standard_streams.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <image/atomic_file.hpp>
 #include <map>
 #include <optional>
+#include <platform/atomic_file.hpp>
 #include <prelight/error.hpp>
-#include <sys/stat.h>
 
 namespace prelight::app {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// What a name leads to: the file itself, or of one that is not there yet its folder and its name in it.
-struct Identity {
-    dev_t device = 0;
-    ino_t inode = 0;
-    std::string name; ///< empty: the file is there
-    auto operator<=>(const Identity&) const = default;
-};
-
-/// Nothing: a device or a pipe, or a name that leads nowhere.
-std::optional<Identity> identity_of(const fs::path& path) {
-    struct stat status = {};
-    if (stat(path.c_str(), &status) == 0) {
-        if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode))
-            return {};
-        return Identity{status.st_dev, status.st_ino, {}};
-    }
-    const fs::path target = follow_links(path);
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (stat(folder.c_str(), &status) != 0)
-        return {};
-    return Identity{status.st_dev, status.st_ino, target.filename().string()};
-}
-
-} // namespace
 
 void check_writable(const fs::path& path) {
     if (is_standard_stream(path))
@@ -48,9 +22,9 @@ void check_writable(const fs::path& path) {
 }
 
 void check_distinct(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
-    std::map<Identity, const fs::path*> written; // a sequence has thousands
+    std::map<FileIdentity, const fs::path*> written; // a sequence has thousands
     for (const fs::path& output : outputs) {
-        const std::optional<Identity> identity = output.empty() ? std::nullopt : identity_of(output);
+        const std::optional<FileIdentity> identity = output.empty() ? std::nullopt : identity_of(output);
         if (!identity)
             continue;
         const auto [same, is_new] = written.emplace(*identity, &output);
@@ -60,7 +34,7 @@ void check_distinct(std::span<const fs::path> outputs, std::span<const fs::path>
                                                                    output.string(), same->second->string()));
     }
     for (const fs::path& input : inputs) {
-        const std::optional<Identity> identity = input.empty() ? std::nullopt : identity_of(input);
+        const std::optional<FileIdentity> identity = input.empty() ? std::nullopt : identity_of(input);
         const auto same = identity && identity->name.empty() ? written.find(*identity) : written.end();
         if (same == written.end())
             continue;

@@ -1,14 +1,13 @@
 #include "progress.hpp"
 
 #include "log.hpp"
-#include "terminal.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
+#include <platform/program/terminal.hpp>
 #include <string>
-#include <unistd.h>
 
 namespace prelight::app {
 namespace {
@@ -28,7 +27,7 @@ std::string clock_text(double seconds) {
                         : fmt::format("{}:{:02d}:{:02d}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1), start_(now()) {}
+Progress::Progress() : terminal_(is_terminal(stderr)), start_(now()) {}
 
 Progress::~Progress() { clear(); }
 

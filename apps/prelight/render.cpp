@@ -8,13 +8,13 @@
 #include "renderer_info.hpp"
 #include "scene_source.hpp"
 #include "session.hpp"
-#include "standard_streams.hpp"
 #include "stats_json.hpp"
 #include "validation.hpp"
 #include "watch.hpp"
 
 #include <fmt/format.h>
 #include <future>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/error.hpp>
 
 namespace prelight::app {

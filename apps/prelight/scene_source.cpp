@@ -2,10 +2,10 @@
 
 #include "argument.hpp"
 #include "options/suggestion.hpp"
-#include "standard_streams.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/scene_io.hpp>
 
 namespace prelight::app {

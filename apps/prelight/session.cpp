@@ -1,20 +1,20 @@
 #include "session.hpp"
 
 #include "argument.hpp"
-#include "interrupt.hpp"
 #include "memory_check.hpp"
 #include "meter.hpp"
 #include "scene_files.hpp"
 #include "scene_source.hpp"
-#include "standard_streams.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <image/atomic_file.hpp>
 #include <image/display_bytes.hpp>
 #include <image/png_writer.hpp>
+#include <platform/atomic_file.hpp>
+#include <platform/program/interrupt.hpp>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/error.hpp>
 #include <prelight/views.hpp>
 

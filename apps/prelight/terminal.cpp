@@ -2,8 +2,7 @@
 
 #include <cstdlib>
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
+#include <platform/program/terminal.hpp>
 
 namespace prelight::app {
 
@@ -13,15 +12,10 @@ bool may_style(bool terminal, const char* no_color, const char* term) {
 }
 
 std::string styled(std::FILE* stream, Style style, std::string_view text) {
-    if (!may_style(isatty(fileno(stream)) == 1, std::getenv("NO_COLOR"), std::getenv("TERM")))
+    if (!may_style(is_terminal(stream), std::getenv("NO_COLOR"), std::getenv("TERM")))
         return std::string(text);
     const char* code = style == Style::heading ? "1" : style == Style::warning ? "33" : "31";
     return fmt::format("\033[{}m{}\033[0m", code, text);
-}
-
-size_t columns_of(std::FILE* stream) {
-    winsize size = {};
-    return ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 } // namespace prelight::app

@@ -13,7 +13,4 @@ bool may_style(bool terminal, const char* no_color, const char* term);
 /// The text, in the style where the stream may show it.
 std::string styled(std::FILE* stream, Style style, std::string_view text);
 
-/// Columns of the stream's terminal; 80 where it is none.
-size_t columns_of(std::FILE* stream);
-
 } // namespace prelight::app

@@ -1,6 +1,6 @@
 #include "watch.hpp"
 
-#include "watchdog.hpp"
+#include <platform/program/watchdog.hpp>
 
 #include <chrono>
 #include <thread>

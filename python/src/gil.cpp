@@ -1,9 +1,7 @@
 #include "gil.hpp"
 #include <atomic>
 #include <chrono>
-#include <cxxabi.h>
 #include <thread>
-#include <unistd.h>
 
 // An interpreter that ends does not wait for daemon threads. Two things must not happen: that one still draws when the
 // driver's own exit handlers run, and that Python ends one by pthread_exit() where it wants the GIL back, which no
@@ -17,7 +15,7 @@ std::thread::id last_thread; ///< the one that ends the interpreter; written bef
 
 [[noreturn]] void stay() {
     for (;;)
-        pause();
+        std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
 bool must_stay() { return ending && std::this_thread::get_id() != last_thread; }
@@ -38,7 +36,7 @@ WithoutGil::~WithoutGil() {
         stay();
     try {
         PyEval_RestoreThread(state_);
-    } catch (abi::__forced_unwind&) { // the interpreter ended while it waited for the GIL
+    } catch (...) { // the C library unwinds a thread that the interpreter ends while it waits for the GIL
         stay();
     }
 }

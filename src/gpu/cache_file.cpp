@@ -2,12 +2,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
-#include <system/read_file.hpp>
-#include <unistd.h>
+#include <platform/process.hpp>
+#include <platform/read_file.hpp>
 
 namespace prelight::gpu {
 namespace {
@@ -41,11 +40,8 @@ std::vector<std::byte> read_if_there(const fs::path& file) {
 } // namespace
 
 fs::path cache_folder() {
-    if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg)
-        return fs::path(xdg) / "prelight";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return fs::path(home) / ".cache" / "prelight";
-    return {};
+    const fs::path folder = user_cache_folder();
+    return folder.empty() ? folder : folder / "prelight";
 }
 
 void CacheKey::add(std::string_view bytes) {
@@ -91,7 +87,7 @@ void write_cache(const fs::path& file, std::span<const std::byte> payload) {
     static std::atomic<uint32_t> written = 0; // several threads may write
     std::error_code ignored;
     fs::create_directories(file.parent_path(), ignored);
-    const fs::path temporary = file.string() + fmt::format(".{}-{}", getpid(), written++);
+    const fs::path temporary = file.string() + fmt::format(".{}-{}", process_id(), written++);
     const std::vector<std::byte> sealed = seal_cache(payload);
     std::ofstream out(temporary, std::ios::binary);
     out.write(reinterpret_cast<const char*>(sealed.data()), static_cast<std::streamsize>(sealed.size()));

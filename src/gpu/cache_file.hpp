@@ -9,8 +9,8 @@
 
 namespace prelight::gpu {
 
-/// Where files lie that save a later run work: $XDG_CACHE_HOME (or ~/.cache)/prelight. Empty when neither
-/// variable is set: nothing is kept then.
+/// Where files lie that save a later run work: `prelight` in the user's cache folder. Empty when there is
+/// none: nothing is kept then.
 std::filesystem::path cache_folder();
 
 /// 128 bits of text that stands for what was added: two FNV-1a hashes that begin differently.

@@ -1,9 +1,9 @@
 #include "instance.hpp"
 #include "check.hpp"
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <platform/process.hpp>
 
 namespace prelight::gpu {
 namespace {
@@ -29,15 +29,15 @@ VkDebugUtilsMessengerCreateInfoEXT messenger_info(MessageLog* log) {
 }
 
 void point_loader_at_layer() {
-    setenv("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "1", 0);
-    setenv("VK_LAYER_SYNCVAL_LOAD_OP_AFTER_STORE_OP_VALIDATION", "1", 0);
+    set_environment_default("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "1");
+    set_environment_default("VK_LAYER_SYNCVAL_LOAD_OP_AFTER_STORE_OP_VALIDATION", "1");
     // The build leaves a manifest (cmake/ValidationLayer.cmake): programs in its folder find it from where they are,
     // and what is installed knows nothing of that folder.
     std::error_code none;
-    std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+    std::filesystem::path folder = program_file().parent_path();
     for (int up = 0; up < 3 && !folder.empty(); ++up, folder = folder.parent_path())
         if (const std::filesystem::path layers = folder / "share/prelight/layers"; exists(layers, none))
-            setenv("VK_LAYER_PATH", layers.c_str(), 0);
+            set_environment_default("VK_LAYER_PATH", layers.string());
 }
 
 bool has_layer() {

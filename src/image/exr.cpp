@@ -8,12 +8,12 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <half.h>
-#include <image/atomic_file.hpp>
+#include <platform/atomic_file.hpp>
+#include <platform/read_file.hpp>
+#include <platform/spare_memory.hpp>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
 #include <stdexcept>
-#include <system/read_file.hpp>
-#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {

@@ -3,11 +3,11 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <platform/read_file.hpp>
+#include <platform/spare_memory.hpp>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
 #include <string_view>
-#include <system/read_file.hpp>
-#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {

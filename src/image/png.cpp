@@ -1,12 +1,12 @@
 #include <fmt/format.h>
-#include <image/atomic_file.hpp>
 #include <image/display_bytes.hpp>
 #include <image/png_reader.hpp>
 #include <image/png_writer.hpp>
+#include <platform/atomic_file.hpp>
+#include <platform/read_file.hpp>
+#include <platform/spare_memory.hpp>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
-#include <system/read_file.hpp>
-#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {

@@ -1,5 +1,5 @@
+#include <platform/read_file.hpp>
 #include <prelight/material_shader.hpp>
-#include <system/read_file.hpp>
 
 namespace prelight {
 

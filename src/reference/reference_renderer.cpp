@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <platform/clocks.hpp>
 #include <prelight/error.hpp>
 #include <prelight/light_distribution.hpp>
 #include <prelight/views.hpp>
@@ -11,7 +12,6 @@
 #include <reference/trace.hpp>
 #include <setting_values/allows.hpp>
 #include <setting_values/needs.hpp>
-#include <timing/clocks.hpp>
 
 namespace prelight {
 namespace {

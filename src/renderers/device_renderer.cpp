@@ -10,8 +10,8 @@
 #include <passes/deformation.hpp>
 #include <passes/index_trimming.hpp>
 #include <passes/target.hpp>
+#include <platform/clocks.hpp>
 #include <prelight/error.hpp>
-#include <timing/clocks.hpp>
 
 namespace prelight {
 

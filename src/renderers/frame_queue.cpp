@@ -1,8 +1,8 @@
 #include "frame_queue.hpp"
 #include <fmt/format.h>
 #include <gpu/check.hpp>
+#include <platform/clocks.hpp>
 #include <prelight/error.hpp>
-#include <timing/clocks.hpp>
 
 namespace prelight {
 

@@ -1,5 +1,5 @@
 #include "frame_stats.hpp"
-#include <timing/clocks.hpp>
+#include <platform/clocks.hpp>
 
 namespace prelight {
 

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <memory>
 #include <parallel/parallel_for.hpp>
+#include <platform/clocks.hpp>
 #include <thread>
-#include <timing/clocks.hpp>
 
 namespace prelight::resident {
 namespace {

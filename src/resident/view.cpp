@@ -7,10 +7,10 @@
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 #include <memory>
+#include <platform/clocks.hpp>
 #include <prelight/error.hpp>
 #include <prelight/light_distribution.hpp>
 #include <shared/bindings.h>
-#include <timing/clocks.hpp>
 #include <utility>
 
 namespace prelight::resident {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <platform/read_file.hpp>
 #include <prelight/error.hpp>
 #include <prelight/light_distribution.hpp>
-#include <system/read_file.hpp>
 
 namespace prelight {
 namespace {

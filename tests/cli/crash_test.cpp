@@ -1,20 +1,20 @@
 // Too little memory, signals and standstill: a line and status 1, in bounded time.
 #include "process.hpp"
 
-#include <crash.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <gmock/gmock.h>
-#include <image/atomic_file.hpp>
 #include <memory_check.hpp>
+#include <platform/atomic_file.hpp>
+#include <platform/program/crash.hpp>
+#include <platform/program/watchdog.hpp>
+#include <platform/spare_memory.hpp>
 #include <prelight/error.hpp>
 #include <sys/resource.h>
-#include <system/spare_memory.hpp>
 #include <thread>
 #include <unistd.h>
-#include <watchdog.hpp>
 
 namespace prelight::test {
 namespace {
@@ -63,7 +63,7 @@ TEST(TooLittleMemory, EveryLimitThatThereIsIsAsked) {
 void prepare() {
     const rlimit no_core = {0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
-    app::handle_crashes();
+    handle_crashes();
 }
 
 /// `end` runs in a process of its own, with a temporary file and a folder that it must not leave.
@@ -77,7 +77,7 @@ void expect_last_words(const std::function<void()>& end, const char* words) {
         fs::create_directories(folder.path / "growing/pictures");
         std::ofstream(folder.path / "growing/pictures/b.png") << "b";
         std::ofstream(folder.path / "growing/index.html") << "page";
-        const app::RemovedOnCrash removed(folder.path / "growing");
+        const RemovedOnCrash removed(folder.path / "growing");
         end();
     };
     EXPECT_EXIT(run(), testing::ExitedWithCode(1), words);
@@ -114,7 +114,7 @@ TEST(LastWords, OfAnExceptionThatNothingCatches) {
 TEST(LastWords, OfARunThatStandsStill) {
     expect_last_words(
         [] {
-            app::start_watchdog(2);
+            start_watchdog(2);
             std::this_thread::sleep_for(std::chrono::seconds(60));
         },
         "^prelight: stands still");
@@ -123,9 +123,9 @@ TEST(LastWords, OfARunThatStandsStill) {
 TEST(LastWords, NoneOfARunThatWorksOrMeansToWait) {
     const auto work = [] {
         prepare();
-        app::start_watchdog(2);
+        start_watchdog(2);
         {
-            const app::WatchdogPause pause;
+            const WatchdogPause pause;
             std::this_thread::sleep_for(std::chrono::seconds(4));
         }
         volatile uint64_t sum = 0;

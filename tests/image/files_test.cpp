@@ -3,8 +3,8 @@
 #include <cmath>
 #include <fstream>
 #include <gmock/gmock.h>
-#include <image/atomic_file.hpp>
 #include <limits>
+#include <platform/atomic_file.hpp>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
 

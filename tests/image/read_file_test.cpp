@@ -5,6 +5,8 @@
 #include <cstring>
 #include <fstream>
 #include <gmock/gmock.h>
+#include <platform/read_file.hpp>
+#include <platform/spare_memory.hpp>
 #include <prelight/error.hpp>
 #include <prelight/image.hpp>
 #include <sys/resource.h>
@@ -12,8 +14,6 @@
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <sys/wait.h>
-#include <system/read_file.hpp>
-#include <system/spare_memory.hpp>
 #include <thread>
 
 namespace prelight {

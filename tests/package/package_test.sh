@@ -179,7 +179,7 @@ prelight_reference
 prelight_render
 prelight_scene
 prelight_$form
-prelight_system
+prelight_platform
 prelight_text
 prelight_timing" "$(tr ';' '\n' <sub-$form/targets.txt)"
 done

@@ -14,10 +14,10 @@
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <platform/read_file.hpp>
 #include <set>
 #include <span>
 #include <stdexcept>
-#include <system/read_file.hpp>
 #include <thread>
 #include <tuple>
 

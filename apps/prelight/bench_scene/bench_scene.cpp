@@ -7,7 +7,6 @@
 #include "memory_check.hpp"
 #include "output.hpp"
 #include "scene_files.hpp"
-#include "standard_streams.hpp"
 #include "stats_json.hpp"
 #include "table.hpp"
 #include "time_budget.hpp"
@@ -16,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/error.hpp>
 #include <prelight/version.hpp>
 

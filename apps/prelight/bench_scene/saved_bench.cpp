@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <platform/read_file.hpp>
 #include <prelight/error.hpp>
-#include <system/read_file.hpp>
 
 namespace prelight::app {
 namespace {

@@ -8,7 +8,6 @@
 #include "pictures.hpp"
 #include "renderer_info.hpp"
 #include "scene_files.hpp"
-#include "standard_streams.hpp"
 #include "stats_json.hpp"
 #include "times.hpp"
 #include "validation.hpp"
@@ -17,6 +16,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/device.hpp>
 #include <prelight/error.hpp>
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <gpu/cache_file.hpp>
-#include <sys/stat.h>
+#include <platform/process.hpp>
 
 namespace prelight::app {
 namespace {
@@ -84,12 +84,6 @@ std::string content_key(const fs::path& file) {
     return fmt::format("{}: {}\n", file.string(), hash.text());
 }
 
-std::string program_key() {
-    struct stat status = {};
-    if (stat("/proc/self/exe", &status) != 0)
-        return "?\n";
-    return fmt::format("{} {} {} {} {}\n", status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec,
-                       status.st_mtim.tv_nsec);
-}
+std::string program_key() { return program_identity() + "\n"; }
 
 } // namespace prelight::app

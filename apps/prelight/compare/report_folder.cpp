@@ -1,17 +1,14 @@
 #include "report_folder.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <image/atomic_file.hpp>
 #include <nlohmann/json.hpp>
+#include <platform/atomic_file.hpp>
+#include <platform/process.hpp>
+#include <platform/program/move_folder.hpp>
+#include <platform/read_file.hpp>
 #include <prelight/error.hpp>
 #include <set>
-#include <system/read_file.hpp>
-#include <unistd.h>
 
 namespace prelight::app {
 namespace {
@@ -83,24 +80,6 @@ void check_place(const fs::path& place) {
                            *stranger));
 }
 
-/// Swaps the two folders at once where the file system can, else by way of a third name.
-bool swap_folders(const fs::path& a, const fs::path& b) {
-    if (renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0)
-        return true;
-    const fs::path third = a.string() + ".old";
-    if (std::rename(b.c_str(), third.c_str()) != 0)
-        return false;
-    if (std::rename(a.c_str(), b.c_str()) != 0) {
-        const int why = errno;
-        std::rename(third.c_str(), b.c_str()); // as it was
-        errno = why;
-        return false;
-    }
-    std::error_code ignored; // the new one is in place
-    fs::rename(third, a, ignored);
-    return true;
-}
-
 } // namespace
 
 ReportFolder::ReportFolder(const fs::path& place) : place_(fs::absolute(follow_links(place)).lexically_normal()) {
@@ -109,7 +88,7 @@ ReportFolder::ReportFolder(const fs::path& place) : place_(fs::absolute(follow_l
     if (!place_.has_filename()) // "report/"
         place_ = follow_links(place_.parent_path());
     check_place(place_);
-    growing_ = place_.parent_path() / fmt::format(".prelight-{}.tmp", getpid());
+    growing_ = place_.parent_path() / fmt::format(".prelight-{}.tmp", process_id());
     guard_.emplace(growing_);
     const auto lock = guard_->hold();
     std::error_code error;
@@ -135,11 +114,8 @@ void ReportFolder::write(const std::function<void(const fs::path&)>& save) {
 void ReportFolder::publish() {
     const auto lock = guard_->hold();
     check_place(place_); // hours may have passed
-    std::error_code error;
-    const bool done =
-        fs::exists(place_, error) ? swap_folders(growing_, place_) : std::rename(growing_.c_str(), place_.c_str()) == 0;
-    if (!done)
-        refuse(place_, fmt::format("cannot be replaced ({})", std::strerror(errno)));
+    if (const std::error_code error = move_folder(growing_, place_))
+        refuse(place_, fmt::format("cannot be replaced ({})", error.message()));
     // What lay there before now has the hidden name, and goes with this object.
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "interrupt.hpp"
+#include <platform/program/interrupt.hpp>
 
 #include <filesystem>
 #include <functional>

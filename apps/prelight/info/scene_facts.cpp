@@ -4,11 +4,11 @@
 #include "extension_uses.hpp"
 #include "scene_files.hpp"
 #include "scene_source.hpp"
-#include "standard_streams.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/light_distribution.hpp>
 #include <prelight/material_shader.hpp>
 #include <scene/gltf/extensions.hpp>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <platform/program/terminal.hpp>
 
 namespace prelight::app {
 namespace {

@@ -1,6 +1,6 @@
 #include "sequence/frame_writer.hpp"
 
-#include "interrupt.hpp"
+#include <platform/program/interrupt.hpp>
 
 namespace prelight::app {
 

@@ -1,10 +1,10 @@
 #include "sequence/video.hpp"
 
 #include "argument.hpp"
-#include "interrupt.hpp"
 
 #include <fmt/format.h>
 #include <image/display_bytes.hpp>
+#include <platform/program/interrupt.hpp>
 #include <prelight/error.hpp>
 
 namespace prelight::app {
@@ -64,7 +64,7 @@ Words ffmpeg_arguments(const std::filesystem::path& file, uint32_t width, uint32
     const Words encoder = encoder_of(file);
     words.insert(words.end(), encoder.begin(), encoder.end());
     // Under its number and not its name: an interrupt takes the name away, and a late ffmpeg would make it anew.
-    words.insert(words.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", "/proc/self/fd/3"});
+    words.insert(words.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", ChildProcess::output_name});
     return words;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-#include "sequence/child_process.hpp"
 #include "sequence/frame_rate.hpp"
 
-#include <image/atomic_file.hpp>
 #include <memory>
+#include <platform/atomic_file.hpp>
+#include <platform/program/child_process.hpp>
 #include <prelight/image.hpp>
 
 namespace prelight::app {

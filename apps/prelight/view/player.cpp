@@ -1,7 +1,6 @@
 #include "player.hpp"
 
 #include "../argument.hpp"
-#include "../interrupt.hpp"
 #include "../meter.hpp"
 #include "../output.hpp"
 #include "../validation.hpp"
@@ -11,6 +10,7 @@
 
 #include <array>
 #include <fmt/format.h>
+#include <platform/program/interrupt.hpp>
 #include <prelight/error.hpp>
 
 namespace prelight::app::viewer {

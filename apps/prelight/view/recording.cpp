@@ -3,8 +3,8 @@
 #include "../argument.hpp"
 
 #include <fmt/format.h>
+#include <platform/read_file.hpp>
 #include <prelight/error.hpp>
-#include <system/read_file.hpp>
 
 namespace prelight::app::viewer {
 namespace {

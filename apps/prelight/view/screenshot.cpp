@@ -1,9 +1,9 @@
 #include "screenshot.hpp"
 
 #include "../argument.hpp"
-#include "../interrupt.hpp"
 
 #include <fmt/format.h>
+#include <platform/program/interrupt.hpp>
 #include <prelight/error.hpp>
 
 namespace prelight::app::viewer {

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
+#include <platform/read_file.hpp>
 #include <scene/gltf/document.hpp>
 #include <scene/gltf/extensions.hpp>
 #include <scene/gltf/json_mistake.hpp>
 #include <scene/gltf/uri.hpp>
-#include <system/read_file.hpp>
 
 namespace prelight::gltf {
 namespace {

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <platform/file_bytes.hpp>
 #include <prelight/scene_io.hpp>
 #include <scene/gltf/budget.hpp>
 #include <scene/gltf/json.hpp>
 #include <span>
 #include <string>
-#include <system/file_bytes.hpp>
 #include <vector>
 
 namespace prelight::gltf {

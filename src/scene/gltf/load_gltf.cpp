@@ -1,4 +1,6 @@
 #include <new>
+#include <platform/read_file.hpp>
+#include <platform/spare_memory.hpp>
 #include <prelight/scene_io.hpp>
 #include <scene/gltf/animations.hpp>
 #include <scene/gltf/extras.hpp>
@@ -7,8 +9,6 @@
 #include <scene/gltf/primitives.hpp>
 #include <scene/gltf/textures.hpp>
 #include <scene/gltf/uri.hpp>
-#include <system/read_file.hpp>
-#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {

@@ -1,7 +1,7 @@
 #include <cstring>
 #include <fmt/format.h>
+#include <platform/read_file.hpp>
 #include <scene/images/codecs.hpp>
-#include <system/read_file.hpp>
 
 namespace prelight::images {
 

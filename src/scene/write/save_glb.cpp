@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <image/atomic_file.hpp>
 #include <limits>
+#include <platform/atomic_file.hpp>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
 #include <scene/write/parts.hpp>

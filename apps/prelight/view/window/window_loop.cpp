@@ -1,10 +1,8 @@
 // The window: input to events, events to the session, the session's picture to the screen.
-#include "../../interrupt.hpp"
 #include "../../meter.hpp"
 #include "../../output.hpp"
 #include "../../validation.hpp"
 #include "../../watch.hpp"
-#include "../../watchdog.hpp"
 #include "../drawer.hpp"
 #include "../input_lag.hpp"
 #include "../recording.hpp"
@@ -21,9 +19,11 @@
 #include <fmt/format.h>
 #include <future>
 #include <imgui.h>
+#include <platform/clocks.hpp>
+#include <platform/program/interrupt.hpp>
+#include <platform/program/watchdog.hpp>
 #include <prelight/error.hpp>
 #include <renderers/device_renderer.hpp>
-#include <timing/clocks.hpp>
 
 namespace prelight::app::viewer {
 namespace {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <platform/read_file.hpp>
+#include <platform/spare_memory.hpp>
 #include <string_view>
 #include <sys/resource.h>
-#include <system/read_file.hpp>
-#include <system/spare_memory.hpp>
 
 namespace prelight {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
-#include <sys/mman.h>
+#include <platform/huge_pages.hpp>
 #include <vector>
 
 namespace prelight {
@@ -24,9 +24,7 @@ struct UnsetAllocator {
         if (bytes < large)
             return static_cast<T*>(::operator new(bytes));
         void* memory = ::operator new(bytes, huge_page);
-#ifdef MADV_HUGEPAGE
-        madvise(memory, bytes / static_cast<size_t>(huge_page) * static_cast<size_t>(huge_page), MADV_HUGEPAGE);
-#endif
+        ask_for_huge_pages(memory, bytes / static_cast<size_t>(huge_page) * static_cast<size_t>(huge_page));
         return static_cast<T*>(memory);
     }
     void deallocate(T* memory, size_t count) {

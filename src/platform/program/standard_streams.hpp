@@ -3,7 +3,11 @@
 #include <filesystem>
 #include <span>
 
-namespace prelight::app {
+namespace prelight {
+
+/// A standard stream that is closed leads to nothing from here on: else the first file that is opened would take its
+/// number, and what is printed would go into that file. Before anything is opened.
+void keep_standard_streams();
 
 /// "-": standard input as a scene, standard output as a file that is written.
 bool is_standard_stream(const std::filesystem::path& path);
@@ -14,4 +18,4 @@ std::filesystem::path standard_input_file();
 /// Throws std::system_error when it cannot be written.
 void write_standard_output(std::span<const std::byte> bytes);
 
-} // namespace prelight::app
+} // namespace prelight

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace prelight::app {
+namespace prelight {
 
 /// Ends the program with one line and status 1 when for so many seconds it has used no processor, read or written
 /// nothing and waited for no disk: a driver that missed an allocation may wait for itself for ever. Seconds while the
@@ -17,4 +17,4 @@ public:
     WatchdogPause& operator=(const WatchdogPause&) = delete;
 };
 
-} // namespace prelight::app
+} // namespace prelight

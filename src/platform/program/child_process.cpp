@@ -1,12 +1,10 @@
-#include "sequence/child_process.hpp"
-
-#include "watchdog.hpp"
-
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <platform/program/child_process.hpp>
+#include <platform/program/watchdog.hpp>
 #include <prelight/error.hpp>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -15,7 +13,7 @@
 
 extern char** environ;
 
-namespace prelight::app {
+namespace prelight {
 namespace {
 
 constexpr int output_in_child = 3;
@@ -59,6 +57,8 @@ struct SpawnActions {
 };
 
 } // namespace
+
+const char* const ChildProcess::output_name = "/proc/self/fd/3"; // output_in_child
 
 ChildProcess::ChildProcess(std::vector<std::string> arguments, const std::filesystem::path& output)
     : name_(arguments.at(0)) {
@@ -143,4 +143,4 @@ std::string ChildProcess::last_message() const {
     return text.substr(text.rfind('\n') + 1);
 }
 
-} // namespace prelight::app
+} // namespace prelight

@@ -2,9 +2,9 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <platform/read_file.hpp>
 #include <prelight/error.hpp>
 #include <sys/stat.h>
-#include <system/read_file.hpp>
 #include <system_error>
 #include <unistd.h>
 

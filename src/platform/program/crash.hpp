@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-namespace prelight::app {
+namespace prelight {
 
 /// A signal that would end the program (a driver does not check every allocation, for one), std::terminate, and a
 /// run that stands still all end the same way: one line on stderr, temporary files removed, exit status 1. Call
@@ -20,4 +20,4 @@ public:
     RemovedOnCrash& operator=(const RemovedOnCrash&) = delete;
 };
 
-} // namespace prelight::app
+} // namespace prelight

@@ -3,17 +3,19 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
-namespace prelight::app {
+namespace prelight {
 
 /// Another program that reads what this one gives it, found on the PATH and started without a shell. A group of its
 /// own: Ctrl-C reaches this program only, whose end closes the pipe.
 class ChildProcess {
 public:
-    /// `output`: a file that the program finds as /proc/self/fd/3, for reading and writing. Its standard output is
-    /// lost, its messages are kept. Throws Error: there is no such program, or it cannot be started.
+    /// Under which name the program finds its output.
+    static const char* const output_name;
+
+    /// `output`: a file that the program finds as `output_name`, for reading and writing. Its standard output is lost,
+    /// its messages are kept. Throws Error: there is no such program, or it cannot be started.
     ChildProcess(std::vector<std::string> arguments, const std::filesystem::path& output);
     /// Ends it when it still runs.
     ~ChildProcess();
@@ -32,10 +34,10 @@ private:
     std::string last_message() const;
 
     std::string name_;
-    pid_t pid_ = -1;
+    int pid_ = -1;
     int input_ = -1;    ///< our end of the pipe
     int messages_ = -1; ///< a file without a name
     int status_ = 0;    ///< as waitpid() gives it
 };
 
-} // namespace prelight::app
+} // namespace prelight

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace prelight::app {
+namespace prelight {
 
 /// How this process's heap grows and shrinks. Before anything else.
 void set_up_heap();
 
-} // namespace prelight::app
+} // namespace prelight

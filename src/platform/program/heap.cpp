@@ -1,16 +1,16 @@
-#include "heap.hpp"
-
-#ifdef __GLIBC__
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <platform/program/heap.hpp>
+
+#ifdef __GLIBC__
 #include <malloc.h>
-#include <sys/mman.h>
+#include <platform/huge_pages.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
 #endif
 
-namespace prelight::app {
+namespace prelight {
 
 #ifdef __GLIBC__
 namespace {
@@ -24,8 +24,7 @@ bool limited(decltype(RLIMIT_AS) resource) {
 /// microseconds: of a small picture of a real scene they were a third of all time. So the heap grows once by more than
 /// most pictures need, and where the system asks to be asked (`madvise`, as Debian has it), for huge pages. Only what
 /// is used becomes memory.
-void ask_for_huge_pages() {
-#ifdef MADV_HUGEPAGE
+void grow_in_huge_pages() {
     constexpr size_t huge = size_t(2) << 20, room = size_t(1536) << 20, small = size_t(1) << 20;
     const uintptr_t before = reinterpret_cast<uintptr_t>(sbrk(0));
     mallopt(M_TOP_PAD, static_cast<int>(room));
@@ -35,8 +34,7 @@ void ask_for_huge_pages() {
     mallopt(M_MMAP_MAX, 0); // also what would else be mapped by itself
     const uintptr_t from = (before + huge - 1) / huge * huge, to = reinterpret_cast<uintptr_t>(sbrk(0));
     if (from < to) // an address of the heap's, which no object points to
-        madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);
-#endif
+        ask_for_huge_pages(reinterpret_cast<void*>(from), to - from);
 }
 
 } // namespace
@@ -51,10 +49,10 @@ void set_up_heap() {
     if (limited(RLIMIT_AS))
         mallopt(M_ARENA_MAX, 1);
     else if (!limited(RLIMIT_DATA))
-        ask_for_huge_pages();
+        grow_in_huge_pages();
 }
 #else
 void set_up_heap() {}
 #endif
 
-} // namespace prelight::app
+} // namespace prelight

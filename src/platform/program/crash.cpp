@@ -1,5 +1,3 @@
-#include "crash.hpp"
-
 #include <atomic>
 #include <climits>
 #include <csignal>
@@ -7,13 +5,14 @@
 #include <cstring>
 #include <exception>
 #include <fcntl.h>
-#include <image/atomic_file.hpp>
 #include <new>
+#include <platform/atomic_file.hpp>
+#include <platform/program/crash.hpp>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace prelight::app {
+namespace prelight {
 namespace {
 
 // A signal handler reaches nothing but static storage, and calls nothing that allocates or locks.
@@ -165,4 +164,4 @@ RemovedOnCrash::RemovedOnCrash(const std::filesystem::path& folder) {
 
 RemovedOnCrash::~RemovedOnCrash() { folder_is_set = false; }
 
-} // namespace prelight::app
+} // namespace prelight

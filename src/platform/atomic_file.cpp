@@ -4,7 +4,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <image/atomic_file.hpp>
+#include <platform/atomic_file.hpp>
 #include <prelight/error.hpp>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -1,8 +1,3 @@
-#include "watchdog.hpp"
-
-#include "crash.hpp"
-#include "interrupt.hpp"
-
 #include <atomic>
 #include <charconv>
 #include <chrono>
@@ -10,11 +5,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <platform/program/crash.hpp>
+#include <platform/program/interrupt.hpp>
+#include <platform/program/watchdog.hpp>
 #include <string>
 #include <sys/resource.h>
 #include <thread>
 
-namespace prelight::app {
+namespace prelight {
 namespace {
 
 std::atomic<int> pauses = 0; // of the whole process, as what is watched is
@@ -95,4 +93,4 @@ WatchdogPause::WatchdogPause() { ++pauses; }
 
 WatchdogPause::~WatchdogPause() { --pauses; }
 
-} // namespace prelight::app
+} // namespace prelight

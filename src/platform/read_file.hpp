@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <platform/file_bytes.hpp>
 #include <stdexcept>
 #include <string>
-#include <system/file_bytes.hpp>
 
 namespace prelight {
 

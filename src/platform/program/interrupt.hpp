@@ -1,11 +1,10 @@
 #pragma once
-#include "crash.hpp"
-
 #include <filesystem>
 #include <mutex>
+#include <platform/program/crash.hpp>
 #include <thread>
 
-namespace prelight::app {
+namespace prelight {
 
 /// Ctrl-C and the like end the program at once, but not while a file is being written: then right
 /// after, or when they come a second time. A closed pipe or a limit of a file's size ends nothing: the write
@@ -51,4 +50,4 @@ private:
     std::thread thread_;
 };
 
-} // namespace prelight::app
+} // namespace prelight

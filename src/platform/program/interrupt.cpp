@@ -1,15 +1,14 @@
-#include "interrupt.hpp"
-
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <image/atomic_file.hpp>
+#include <platform/atomic_file.hpp>
+#include <platform/program/interrupt.hpp>
 #include <prelight/error.hpp>
 #include <unistd.h>
 
-namespace prelight::app {
+namespace prelight {
 namespace {
 
 // A signal handler can reach nothing but static storage. It may run in any thread (a driver has
@@ -101,4 +100,4 @@ void RemovedOnInterrupt::wait_for_signal() {
     die_by(signal);
 }
 
-} // namespace prelight::app
+} // namespace prelight

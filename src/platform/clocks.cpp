@@ -1,6 +1,6 @@
-#include "clocks.hpp"
 #include <chrono>
 #include <ctime>
+#include <platform/clocks.hpp>
 #include <sys/resource.h>
 
 namespace prelight {

@@ -1,16 +1,16 @@
-#include "standard_streams.hpp"
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <platform/program/standard_streams.hpp>
 #include <prelight/error.hpp>
 #include <sys/mman.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
 
-namespace prelight::app {
+namespace prelight {
 namespace {
 
 [[noreturn]] void refuse_input(const char* reason) { throw Error(fmt::format("standard input: {}", reason)); }
@@ -40,6 +40,12 @@ int copy_of_input() {
 
 } // namespace
 
+void keep_standard_streams() {
+    for (int stream = 0; stream <= 2; ++stream)
+        if (fcntl(stream, F_GETFD) < 0)
+            open("/dev/null", O_RDONLY); // the lowest free number, which is this one; a write to it fails
+}
+
 bool is_standard_stream(const std::filesystem::path& path) { return path == "-"; }
 
 std::filesystem::path standard_input_file() {
@@ -52,4 +58,4 @@ void write_standard_output(std::span<const std::byte> bytes) {
         throw std::system_error(errno, std::generic_category(), "standard output");
 }
 
-} // namespace prelight::app
+} // namespace prelight
