@@ -58,7 +58,7 @@ share/doc/libprelight$soversion/copyright" "$(files runtime)"
 same_lines "what developers need" "lib/libprelight.a
 lib/libprelight.so
 lib/pkgconfig/prelight.pc
-$(printf 'lib/cmake/prelight/%s.cmake\n' prelightConfig prelightConfigVersion PrelightDependencies \
+$(printf 'lib/cmake/prelight/%s.cmake\n' prelightConfig prelightConfigVersion PrelightDependencies PrelightPackages \
     prelight-{static,shared}{,-release})
 $(cd "$root" && find include/prelight -name '*.hpp')
 share/doc/libprelight-dev/copyright" "$(files development)"
@@ -111,7 +111,7 @@ mv "$prefix/lib/cmake/prelight/prelight-static.cmake" .
 refused "a form that is not installed" "the static form of Prelight is not installed" \
     cmake -S . -B refused "-DWANTED=COMPONENTS;static"
 mv prelight-static.cmake "$prefix/lib/cmake/prelight/"
-refused "the static form without libraries that it is made of" "needs OpenEXR, spng, libdeflate, libjpeg, libwebp" \
+refused "the static form without libraries that it is made of" "Prelight: spng is missing: libspng-dev (Debian), libspng-devel (Fedora)" \
     env PKG_CONFIG_LIBDIR=/nowhere cmake -S . -B refused "-DWANTED=COMPONENTS;static"
 
 # 4. Debian packages, unpacked beside the system.
@@ -167,6 +167,26 @@ done
 echo "eight pictures, the same bytes from every form"
 
 # 6. add_subdirectory.
+# What the build is made of, each thing hidden: a line each, with the package that scripts/packages.txt installs.
+hidden=(-DCMAKE_IGNORE_PATH="/usr/lib/x86_64-linux-gnu;/lib/x86_64-linux-gnu" -DPRELIGHT_WINDOW=ON)
+for name in glm Vulkan fmt simdjson draco meshoptimizer embree OpenEXR SPNG libdeflate JPEG WebP nlohmann_json CLI11 glfw3 \
+    imgui GTest ZLIB unofficial-shaderc; do
+    hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$name=ON")
+done
+refused "a build without all that it is made of" \
+    "draco is missing: libdraco-dev (Debian), draco-devel (Fedora), draco (Arch), draco (Homebrew), draco (vcpkg)" \
+    env PKG_CONFIG_LIBDIR=/nowhere cmake -S "$root" -B hidden "${hidden[@]}"
+sed -n 's/^ *Prelight: .* is missing: \([^ ]*\) (Debian).*/\1/p' "$log" >missing
+[ "$(wc -l <missing)" = 19 ] || fail "not a line for each"
+while read -r package; do
+    grep -q "^$package\b" "$root/scripts/packages.txt" || fail "$package: is not in scripts/packages.txt"
+done <missing
+same_lines "docs/building.md has the packages of cmake/PrelightPackages.cmake" \
+    "$(sed -n 's/^    "\([^"]*\)")*$/\1/p' "$root/cmake/PrelightPackages.cmake" | tr -s ' ')" \
+    "$(sed -n '/^## What it is made of/,/^## What was run/s/^| \([a-zA-Z0-9-]*\) |[^|]*| \(.*\) |$/\1 \2/p' "$root/docs/building.md" |
+        sed 's/[`|]//g; s/–/-/g' | tr -s ' ' | sed '/^---/d')"
+step "a library without a config for CMake, by pkg-config" cmake -S "$root" -B by-module -DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON \
+    -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DPRELIGHT_TESTS=OFF
 for form in static shared; do
     on=$([ $form = shared ] && echo ON || echo OFF)
     step "add_subdirectory, $form" cmake -S "$root/tests/package/subproject" -B sub-$form -DPRELIGHT="$root" -DBUILD_SHARED_LIBS=$on
