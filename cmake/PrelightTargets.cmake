@@ -28,6 +28,8 @@ set(PRELIGHT_PRECOMPILED <algorithm> <array> <bit> <chrono> <cmath> <cstdint> <c
     <glm/ext/matrix_transform.hpp> <glm/ext/matrix_clip_space.hpp>)
 # GCC 12 warns of its own std::string (bug 105329) where that comes from a precompiled header.
 target_compile_options(prelight_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-array-bounds>)
+# Warns of braces left out around a struct's only member, which GCC has no warning for.
+target_compile_options(prelight_flags INTERFACE $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-missing-braces>)
 if(CCACHE)
     add_compile_options(-fpch-preprocess) # else ccache does not know what a precompiled header holds
 endif()

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every test: installs what is missing, builds Release and the fuzz target, runs all test binaries.
-#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli python slurm gpu-report package docs sanitized …
+#   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli python slurm gpu-report package clang docs sanitized …
 #                             and pip, which only runs when it is named
 # One line for each binary; the last line counts the tests. "sanitized": the fastest binary and the fuzz targets under the address
 # and undefined-behaviour sanitizers. Fuzz targets do a fixed number of runs from a fixed seed: scripts/fuzz.sh fuzzes freely.
@@ -39,7 +39,7 @@ for binary in "$build"/tests/test_*; do
     name=${binary##*/test_}
     [[ -x $binary && " ${known[*]} " != *" $name "* ]] && names+=("$name")
 done
-names=(format "${names[@]}" package docs slurm gpu-report python)
+names=(format "${names[@]}" package clang docs slurm gpu-report python)
 if [ $# -gt 0 ]; then
     names=("$@")
 fi
@@ -174,6 +174,8 @@ run_one() { # NAME: runs it, then prints its line
         run_command gpu-report tests/gpu_report/gpu_report_test.sh
     elif [ "$1" = package ]; then # what is installed, used as other projects do
         run_command package tests/package/package_test.sh
+    elif [ "$1" = clang ]; then # library and program, built by clang, which warns of other things
+        run_command clang tests/compilers/clang_test.sh
     elif [ "$1" = pip ]; then # the Python module, built by pip
         run_command pip tests/package/pip_test.sh
     elif [ "$1" = format ]; then # all C++ as .clang-format says
