@@ -12,9 +12,9 @@ namespace prelight {
 
 /// A node's translation, rotation and scale as glTF gives them; animation changes one of the three.
 struct Trs {
-    glm::dvec3 translation{0};
+    glm::dvec3 translation{0};       ///< metres, in the parent's space
     glm::dquat rotation{1, 0, 0, 0}; ///< need not be of unit length; zero turns nothing
-    glm::dvec3 scale{1};
+    glm::dvec3 scale{1};             ///< factors along the node's axes
 
     /// Translation × rotation × scale.
     PRELIGHT_API glm::dmat4 matrix() const;
@@ -40,24 +40,26 @@ struct AnimationSampler {
     std::vector<float> times; ///< seconds, finite, strictly increasing, at least one
     /// Keyframe after keyframe; with cubic_spline each is in-tangent, value, out-tangent.
     std::vector<float> values;
-    Interpolation interpolation = Interpolation::linear;
+    Interpolation interpolation = Interpolation::linear; ///< between two keyframes
 };
 
+/// What a sampler's values change.
 struct AnimationChannel {
     uint32_t sampler = 0; ///< index into Animation::samplers
     uint32_t node = 0;    ///< index into Scene::nodes; it has a Node::trs unless `path` is weights
-    AnimationPath path = AnimationPath::translation;
+    AnimationPath path = AnimationPath::translation; ///< which of the node's properties
 };
 
+/// Movements of a scene's nodes that belong together.
 struct Animation {
-    std::string name;
-    std::vector<AnimationSampler> samplers{};
-    std::vector<AnimationChannel> channels{};
+    std::string name;                         ///< of the file; may be empty
+    std::vector<AnimationSampler> samplers{}; ///< the keyframes
+    std::vector<AnimationChannel> channels{}; ///< what they move
 };
 
 /// Joints that a mesh follows.
 struct Skin {
-    std::string name;
+    std::string name;                       ///< of the file; may be empty
     std::vector<uint32_t> joints{};         ///< indices into Scene::nodes
     std::vector<glm::dmat4> inverse_bind{}; ///< mesh → joint space, as many; empty: all identity
 };

@@ -20,8 +20,8 @@ struct EncodingFigures {
     uint32_t directions = 0;  ///< measured
     double mean = 0;          ///< angle between a direction and what comes back, degrees
     double percentile_99 = 0; ///< 99 % of the directions are off by no more
-    double max = 0;
-    Comparison picture; ///< of the light pre-pass with this encoding, against its reference
+    double max = 0;           ///< degrees: the direction that is off most
+    Comparison picture;       ///< of the light pre-pass with this encoding, against its reference
 };
 
 /// Figures of one place where view depth is read from.
@@ -35,9 +35,11 @@ struct DepthFigures {
     Comparison picture; ///< as above
 };
 
+/// How bench_encodings() and bench_depth_sources() measure.
 struct EncodingBench {
-    uint32_t directions = 2'097'152; ///< evenly over the sphere; rounded up to whole rows of 1,024
-    uint32_t width = 640, height = 360;
+    uint32_t directions = 2'097'152;                  ///< evenly over the sphere; rounded up to whole rows of 1,024
+    uint32_t width = 640;                             ///< of the pictures, pixels
+    uint32_t height = 360;                            ///< likewise
     std::function<void(const EncodingFigures&)> done; ///< called after each encoding; may be empty
 };
 

@@ -19,15 +19,18 @@ struct Decal {
     int32_t order = 0;     ///< higher ones lie over lower ones; among equals the later node
     /// Angle between the surface's normal and the box's +Z, radians, 0 ≤ from ≤ to ≤ π/2: whole up to the first,
     /// gone from the second on, smoothstep of the cosine between them.
-    float fade_from = 1.04719755f, fade_to = 1.39626340f;
-    bool colour = true;    ///< changes base colour and metallic
-    bool normal = true;    ///< changes the normal, where the material has a normal map
-    bool roughness = true; ///< changes roughness
+    float fade_from = 1.04719755f;
+    float fade_to = 1.39626340f; ///< see fade_from
+    bool colour = true;          ///< changes base colour and metallic
+    bool normal = true;          ///< changes the normal, where the material has a normal map
+    bool roughness = true;       ///< changes roughness
+    /// Member by member.
     bool operator==(const Decal&) const = default;
 };
 
+/// A decal at its place in the world.
 struct PlacedDecal {
-    Decal decal;
+    Decal decal;             ///< what lies there
     glm::dmat4 transform{1}; ///< box → world; can be inverted
 };
 

@@ -20,14 +20,16 @@ enum class ParticleShape { octahedron, billboard };
 /// either in air that holds it back (`drag`) or bouncing on a horizontal plane (`ground`). Particles move along
 /// with their node.
 struct Emitter {
-    uint32_t count = 64; ///< particles at any time, 1 … 65,536
-    uint64_t seed = 1;
-    float lifetime_from = 1, lifetime_to = 2; ///< seconds, > 0; each particle's own, between these
-    float speed_from = 2, speed_to = 4;       ///< metres a second, ≥ 0
-    float cone = 0.5f;                        ///< radians from the axis, 0 … π; directions even over the solid angle
-    float radius = 0;                         ///< metres ≥ 0: of the ball that particles start in
-    float gravity = 9.81f;                    ///< metres a second², along −Y; may be negative (smoke)
-    float drag = 0;                           ///< 1/s ≥ 0: dv/dt = gravity − drag · v; not with `ground`
+    uint32_t count = 64;           ///< particles at any time, 1 … 65,536
+    uint64_t seed = 1;             ///< another one throws other particles
+    float lifetime_from = 1;       ///< seconds, > 0; each particle's own, between this
+    float lifetime_to = 2;         ///< and this
+    float speed_from = 2;          ///< metres a second, ≥ 0; each particle's own, between this
+    float speed_to = 4;            ///< and this
+    float cone = 0.5f;             ///< radians from the axis, 0 … π; directions even over the solid angle
+    float radius = 0;              ///< metres ≥ 0: of the ball that particles start in
+    float gravity = 9.81f;         ///< metres a second², along −Y; may be negative (smoke)
+    float drag = 0;                ///< 1/s ≥ 0: dv/dt = gravity − drag · v; not with `ground`
     std::optional<float> ground{}; ///< height in the world, metres: what falls on it bounces; needs gravity > 0
     float bounce = 0.4f;           ///< 0 … 1: vertical speed that a bounce leaves
     float slip = 0.7f;             ///< 0 … 1: horizontal speed that a bounce leaves
@@ -42,8 +44,8 @@ struct Emitter {
     /// most 1, and the opacity over life as alpha. Texture coordinates of octahedra are (age ÷ lifetime, number ÷
     /// count), and their material is meant to be unlit; those of billboards are the corners of the picture.
     uint32_t material = 0;
-    bool casts_shadow = false; ///< its lights do
-    ParticleShape shape = ParticleShape::octahedron;
+    bool casts_shadow = false;                       ///< its lights do
+    ParticleShape shape = ParticleShape::octahedron; ///< what is drawn
     std::vector<float> sizes{1};     ///< factors ≥ 0 on `size`, at even steps of a life as `colours`; at least one
     std::vector<float> opacities{1}; ///< 0 … 1, likewise; alpha of the vertices
     /// Radians a second ≥ 0, of billboards, which are turned anyhow: each by its own speed between −spin and +spin.

@@ -16,10 +16,11 @@ PRELIGHT_API std::optional<double> auto_exposure(const Image& linear, const std:
 
 /// How much of a picture has lost its values.
 struct Extremes {
-    double burnt =
-        0; ///< share of the pixels with a channel at 253/255 or more: what pbr-neutral makes of four times white
+    /// Share of the pixels with a channel at 253/255 or more: what pbr-neutral makes of four times white.
+    double burnt = 0;
     double black = 0; ///< share of those below 1/255 in all channels
 };
+/// Counts them in a display-encoded picture, values 0 … 1.
 PRELIGHT_API Extremes find_extremes(const Image& display);
 
 } // namespace prelight

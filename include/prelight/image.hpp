@@ -11,13 +11,16 @@ namespace prelight {
 /// A picture of 32-bit float RGB, row by row from the top left. What the numbers mean (scene-linear,
 /// display-encoded, a buffer's content) is said where the picture is made.
 struct Image {
-    uint32_t width = 0;
-    uint32_t height = 0;
+    uint32_t width = 0;            ///< pixels
+    uint32_t height = 0;           ///< pixels
     std::vector<glm::vec3> pixels; ///< width × height values
 
     Image() = default;
+    /// A black one.
     Image(uint32_t w, uint32_t h) : width(w), height(h), pixels(size_t(w) * h, glm::vec3(0)) {}
+    /// The pixel in column `x` from the left and row `y` from the top; neither is checked.
     glm::vec3& at(uint32_t x, uint32_t y) { return pixels[size_t(y) * width + x]; }
+    /// Likewise.
     const glm::vec3& at(uint32_t x, uint32_t y) const { return pixels[size_t(y) * width + x]; }
 };
 
@@ -43,6 +46,7 @@ PRELIGHT_API float srgb_encode(float linear);
 /// Inverse of `srgb_encode`.
 PRELIGHT_API float srgb_decode(float encoded);
 
+/// How scene-linear values become those of a display.
 enum class Tonemap {
     pbr_neutral, ///< Khronos PBR Neutral tone mapper
     aces,        ///< ACES filmic fit (Narkowicz 2015)

@@ -42,13 +42,14 @@ PRELIGHT_API LightProfile load_profile(const std::filesystem::path& path);
 
 /// How a light throws its cookie.
 enum class CookieKind {
-    none,
+    none,   ///< it has none
     spot,   ///< the picture fills the square around the outer cone, as the light sees it
     sphere, ///< point, 2 : 1: equirectangular; the middle lies along −Z, the top row towards +Y, what is left of the
             ///< middle towards −X
     cube ///< point, 6 : 1: faces +X −X +Y −Y +Z −Z side by side, each as the light sees it, +Y up; +Y and −Y as it
          ///< tilts up and down from −Z
 };
+/// By the light's kind; `none` without a cookie.
 PRELIGHT_API CookieKind cookie_kind(const Scene& scene, const Light& light);
 
 /// Whether the light sends more in some directions than its cone says.

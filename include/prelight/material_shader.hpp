@@ -14,36 +14,45 @@ struct Scene;
 
 /// A number, or up to four, that a material's file declares.
 struct MaterialParameter {
-    std::string name;
-    uint32_t components = 1;
-    glm::vec4 default_value{0};
-    float low = 0, high = 1; ///< of each component
-    std::string description; ///< the comment beside it
-    uint32_t offset = 0;     ///< bytes, in the std140 block of all
+    std::string name;           ///< as the file declares it
+    uint32_t components = 1;    ///< 1 … 4
+    glm::vec4 default_value{0}; ///< of its first `components`
+    float low = 0;              ///< smallest value of each component
+    float high = 1;             ///< largest value of each component
+    std::string description;    ///< the comment beside it
+    uint32_t offset = 0;        ///< bytes, in the std140 block of all
 };
 
 /// A texture that a material's file declares beside glTF's own.
 struct MaterialTexture {
-    enum class StandIn { white, black, flat, required };
-    std::string name;
+    /// What is read where a material has no such texture.
+    enum class StandIn {
+        white,    ///< 1 in all channels
+        black,    ///< 0 in all channels
+        flat,     ///< the normal map of a flat surface
+        required, ///< nothing: such a material is refused
+    };
+    std::string name;                  ///< as the file declares it
     uint32_t slot = 0;                 ///< 0 … 7
     bool colour = false;               ///< sRGB-encoded in the file
     StandIn stand_in = StandIn::white; ///< what is read where a material has none
-    std::string description;
+    std::string description;           ///< the comment beside it
 };
 
 /// A material's way to be shaded: one GLSL file with surface() and shade(), what it declares, and where it
 /// came from. The language of these files: docs/materials.md.
 struct MaterialShader {
-    std::string name;        ///< built-in: as `prelight materials` lists it; else the file's name
-    std::string file;        ///< for messages; empty: built-in
-    std::string source;      ///< GLSL
-    std::string description; ///< its first comment
-    std::vector<MaterialParameter> parameters;
-    std::vector<MaterialTexture> textures;
-    uint32_t parameter_bytes = 0;
+    std::string name;                          ///< built-in: as `prelight materials` lists it; else the file's name
+    std::string file;                          ///< for messages; empty: built-in
+    std::string source;                        ///< GLSL
+    std::string description;                   ///< its first comment
+    std::vector<MaterialParameter> parameters; ///< that it declares, in its order
+    std::vector<MaterialTexture> textures;     ///< that it declares, in its order
+    uint32_t parameter_bytes = 0;              ///< of the std140 block with all parameters
 
+    /// By name; null: there is none.
     PRELIGHT_API const MaterialParameter* find_parameter(std::string_view parameter) const;
+    /// By name; null: there is none.
     PRELIGHT_API const MaterialTexture* find_texture(std::string_view texture) const;
 };
 

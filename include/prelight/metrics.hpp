@@ -10,12 +10,12 @@ namespace prelight {
 /// Both are first exposed by the same factor, so that the reference's 99th percentile (over all
 /// channel values of pixels that are not left out) becomes 1; then clamped to 0 … 1.
 struct Comparison {
-    double psnr = 0;      ///< dB, linear RGB; infinity when equal
-    double flip = 0;      ///< mean FLIP (Andersson and others 2020), 67 pixels per degree
-    double off_share = 0; ///< share of pixels with a channel off by more than 2/255 in sRGB
-    double block = 0;     ///< largest difference of the means of any 16×16 block, sRGB, in 1/255
-    uint32_t block_x = 0; ///< where that block lies, in pixels
-    uint32_t block_y = 0;
+    double psnr = 0;           ///< dB, linear RGB; infinity when equal
+    double flip = 0;           ///< mean FLIP (Andersson and others 2020), 67 pixels per degree
+    double off_share = 0;      ///< share of pixels with a channel off by more than 2/255 in sRGB
+    double block = 0;          ///< largest difference of the means of any 16×16 block, sRGB, in 1/255
+    uint32_t block_x = 0;      ///< where that block begins, in pixels from the left
+    uint32_t block_y = 0;      ///< and from the top
     double left_out_share = 0; ///< share of pixels that `left_out` excludes
 };
 

@@ -21,8 +21,13 @@ struct ReferenceSamples {
         pixel,    ///< once for all of the pixel's materials: see below
         edges,    ///< likewise where a pixel's samples share a surface; else once for those that share light
         fragment, ///< once a fragment, as forward renderers do
-    } light = Light::sample;
-    enum class Rate { sample, fragment };
+    };
+    Light light = Light::sample; ///< as Light says
+    /// How often something is evaluated.
+    enum class Rate {
+        sample,   ///< at each sample
+        fragment, ///< once a fragment
+    };
     Rate material = Rate::sample; ///< surface and background colours, and what becomes of the light
     /// What lights see of surfaces but for their position: normal and roughness. Of surfaces with an alpha mask always
     /// each sample's, as are alpha tests.
@@ -41,20 +46,29 @@ struct ReferenceSamples {
     // (1 + 2 tan) times the width of a pixel there; tan is that of the angle between the first one's normal and the
     // view, at most 10. Of the others those share light that do so at a cosine of 0.9995 and a hundredth, at the mean
     // of their places and device depths, with the first one's normal.
+
+    /// Member by member.
     bool operator==(const ReferenceSamples&) const = default;
 };
 
 /// Which form of the lighting model the reference evaluates (see docs/lighting-model.md).
 /// The picture of an implementation is judged against the reference of its own form.
 struct ReferenceForm {
-    Shading shading = Shading::ggx;
-    enum class Fresnel { weighted, nv, mono, full } fresnel = Fresnel::weighted; ///< [ggx] `model=`
-    bool mono_specular = false;     ///< [phong]: specular light as luminance (packed light buffer)
-    bool grey_reflectance = false;  ///< lights meet F0's luminance (a G-buffer with one specular channel)
-    bool gate_by_step = false;      ///< [phong] specular-gate=step: N·L > 0 instead of factor N·L
-    bool reflection_vector = false; ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
-    bool ambient_as_light = false;  ///< ambient enters the diffuse sum (full-screen light)
-    bool shadows = false;           ///< shadow rays for every light that casts one
+    Shading shading = Shading::ggx; ///< the lighting model
+    /// [ggx] Where Fresnel's reflectance comes from: the setting `model` (docs/lighting-model.md).
+    enum class Fresnel {
+        weighted, ///< the mean over the lights, weighted by their light
+        nv,       ///< of the angle between normal and viewer
+        mono,     ///< weighted, with specular light as luminance
+        full,     ///< of each light
+    };
+    Fresnel fresnel = Fresnel::weighted; ///< as Fresnel says
+    bool mono_specular = false;          ///< [phong]: specular light as luminance (packed light buffer)
+    bool grey_reflectance = false;       ///< lights meet F0's luminance (a G-buffer with one specular channel)
+    bool gate_by_step = false;           ///< [phong] specular-gate=step: N·L > 0 instead of factor N·L
+    bool reflection_vector = false;      ///< [phong] specular-vector=reflection: (R·V)^n, not (N·H)^n
+    bool ambient_as_light = false;       ///< ambient enters the diffuse sum (full-screen light)
+    bool shadows = false;                ///< shadow rays for every light that casts one
     /// Lights see a rougher surface where its normals differ between the pixels of a 2×2 quad, all on the plane of the
     /// triangle that the pixel's own ray hits: α² + min(½(|∂n/∂x|² + |∂n/∂y|²), 0.18). Differences within the
     /// pixel's row and column (Tokuyoshi and Kaplanyan 2019).
@@ -63,39 +77,63 @@ struct ReferenceForm {
     /// Textures: bilinear on level 0, whatever the sampler says; false: as samplers say, with mip maps but for alpha
     /// masks and decals.
     bool bilinear_level0 = true;
-    /// [phong] `specular=`: how a material's own exponent comes in. All but `stored` raise a sum
-    /// over the lights, and give specular light as luminance.
-    enum class Specular { stored, luv, fifth_channel, luminance, bent } specular = Specular::stored;
-    /// What materials with a shader of their own make of lights: all at once, as a light buffer sums them;
-    /// each by itself, as a forward draw of one light at a time; or, where a G-buffer knows no such shader,
-    /// metallic-roughness, with the shader for what needs no light.
-    enum class OwnShaders { sums, each_light, no_lights } own_shaders = OwnShaders::sums;
-    /// What surfaces with AlphaMode::blend are: opaque, or layers that let through 1 − α of what is behind them. Where
-    /// they are layers nothing but their own light knows of them; they occlude no ambient light. Where they are layers,
-    /// what light comes through (transmits()) shows the opaque picture behind it as docs/transmission.md has it, and
-    /// throws no shadow; else it is opaque too.
-    enum class Transparency { opaque, layers } transparency = Transparency::opaque;
+    /// [phong] How a material's own exponent comes in: the setting `specular` (docs/lighting-model.md). All but
+    /// `stored` raise a sum over the lights, and give specular light as luminance.
+    enum class Specular {
+        stored,        ///< in each light, from the stored exponent
+        luv,           ///< `specular=luv`
+        fifth_channel, ///< `specular=fifth-channel`
+        luminance,     ///< `specular=luminance`
+        bent,          ///< `specular=bent`
+    };
+    Specular specular = Specular::stored; ///< as Specular says
+    /// What materials with a shader of their own make of lights.
+    enum class OwnShaders {
+        sums,       ///< all at once, as a light buffer sums them
+        each_light, ///< each by itself, as a forward draw of one light at a time
+        no_lights,  ///< as a G-buffer that knows no such shader: metallic-roughness, the shader for what needs no light
+    };
+    OwnShaders own_shaders = OwnShaders::sums; ///< as OwnShaders says
+    /// What surfaces with AlphaMode::blend are.
+    enum class Transparency {
+        opaque, ///< opaque, and so is what light comes through (transmits())
+        /// Layers that let through 1 − α of what is behind them. Nothing but their own light knows of them; they
+        /// occlude no ambient light. What light comes through shows the opaque picture behind it as
+        /// docs/transmission.md has it, and throws no shadow.
+        layers,
+    };
+    Transparency transparency = Transparency::opaque; ///< as Transparency says
     /// [Transparency::layers, four samples] Samples 1 and 2 show the nearest layer that has an alpha of 1/16 or more
     /// there, as if it were opaque, all of it at each sample but for the light; the others show none. Then the layer of
     /// each is laid over the other sample of its half of the pixel, and both show that. Where something is
     /// transmissive, layers are as without.
     bool half_samples = false;
-    /// [Transparency::layers] Their shadows: as of what is opaque, or Π(1 − α) of the light comes through, or none.
-    enum class TransparentShadows { opaque, filtered, none } transparent_shadows = TransparentShadows::filtered;
+    /// [Transparency::layers] The layers' shadows.
+    enum class TransparentShadows {
+        opaque,   ///< as of what is opaque
+        filtered, ///< Π(1 − α) of the light comes through
+        none,     ///< none
+    };
+    TransparentShadows transparent_shadows = TransparentShadows::filtered; ///< as TransparentShadows says
     /// Inferred lighting (docs/inferred.md): lights are evaluated at this share of the picture's width and height, for
     /// what is opaque and for up to three layers, and pixels find them there by their surface. 0: at each pixel; else
     /// 1/8 … 1, with one sample a pixel and another Fresnel than `full`.
     double inferred_scale = 0;
-    ReferenceSamples samples{};
+    ReferenceSamples samples{}; ///< of a pixel
+    /// Member by member.
     bool operator==(const ReferenceForm&) const = default;
 };
 
 /// A blended surface in front of what a pixel's ray hits; the last one may be transmissive.
 struct ReferenceLayer {
-    uint32_t instance = 0, primitive = 0; ///< as of ReferencePicture
-    double depth = 0, alpha = 0;
-    glm::dvec3 position{0}, normal{0, 0, 1}, geometric_normal{0, 0, 1}; ///< as of ReferencePicture
-    uint64_t shadow_mask = 0;
+    uint32_t instance = 0;                ///< as ReferencePicture::instance
+    uint32_t primitive = 0;               ///< as ReferencePicture::primitive
+    double depth = 0;                     ///< as ReferencePicture::depth
+    double alpha = 0;                     ///< 0 … 1
+    glm::dvec3 position{0};               ///< as ReferencePicture::position
+    glm::dvec3 normal{0, 0, 1};           ///< as ReferencePicture::normal
+    glm::dvec3 geometric_normal{0, 0, 1}; ///< as ReferencePicture::geometric_normal
+    uint64_t shadow_mask = 0;             ///< as ReferencePicture::shadow_mask
 };
 
 /// What the reference knows of each pixel's first opaque hit, of sample 0 where there are several; with the pixels that

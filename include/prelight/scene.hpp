@@ -23,9 +23,9 @@ namespace prelight {
 
 /// 8-bit RGBA picture as decoded from the file, row by row from the top.
 struct TextureImage {
-    std::string name;
-    uint32_t width = 0;
-    uint32_t height = 0;
+    std::string name;          ///< for messages
+    uint32_t width = 0;        ///< pixels
+    uint32_t height = 0;       ///< pixels
     std::vector<uint8_t> rgba; ///< width × height × 4
 };
 
@@ -53,9 +53,9 @@ struct JointSet {
 /// What a morph target adds to each vertex at weight 1. Each list is empty (nothing) or as long as
 /// the primitive's positions.
 struct MorphTarget {
-    std::vector<glm::vec3> positions{};
-    std::vector<glm::vec3> normals{};
-    std::vector<glm::vec3> tangents{};
+    std::vector<glm::vec3> positions{}; ///< metres, object space
+    std::vector<glm::vec3> normals{};   ///< before they are made unit length again
+    std::vector<glm::vec3> tangents{};  ///< likewise; to their xyz
 };
 
 /// One draw: triangles with one material. Attributes are either empty or as long as `positions`.
@@ -81,20 +81,21 @@ struct Primitive {
     std::vector<glm::vec2> facing{};
 };
 
+/// What nodes show: triangles, a primitive for each material.
 struct Mesh {
-    std::string name;
-    std::vector<Primitive> primitives;
-    std::vector<float> weights{}; ///< of the morph targets; empty: all zero
+    std::string name;                  ///< of the file; may be empty
+    std::vector<Primitive> primitives; ///< drawn one by one
+    std::vector<float> weights{};      ///< of the morph targets; empty: all zero
 };
 
-/// Double precision: a scene 10 km from the origin keeps its millimetres.
+/// A place in a scene's tree, and what is there. Double precision: a scene 10 km from the origin keeps its millimetres.
 struct Node {
-    std::string name;
-    glm::dmat4 local{1};            ///< to the parent's space; last row 0 0 0 1, finite
-    std::vector<uint32_t> children; ///< a forest: each node has at most one parent, no cycle
-    std::optional<uint32_t> mesh;
-    std::optional<uint32_t> camera;
-    std::optional<uint32_t> light;
+    std::string name;                  ///< of the file; may be empty
+    glm::dmat4 local{1};               ///< to the parent's space; last row 0 0 0 1, finite
+    std::vector<uint32_t> children;    ///< a forest: each node has at most one parent, no cycle
+    std::optional<uint32_t> mesh;      ///< index into Scene::meshes
+    std::optional<uint32_t> camera;    ///< index into Scene::cameras
+    std::optional<uint32_t> light;     ///< index into Scene::lights
     std::vector<glm::dmat4> instances; ///< EXT_mesh_gpu_instancing; empty: one, identity
     /// What `local` is made of; absent when the file gives a matrix. Animation needs it.
     std::optional<Trs> trs{};
@@ -110,25 +111,27 @@ struct Node {
 
 /// One of the file's scenes: a name and its root nodes.
 struct SceneRoot {
-    std::string name;
-    std::vector<uint32_t> nodes;
+    std::string name;            ///< of the file; may be empty
+    std::vector<uint32_t> nodes; ///< indices into Scene::nodes
 };
 
+/// What a file holds, or a program fills itself (scene_building.hpp): resolve() makes a World of it. Parts name each
+/// other by their index.
 struct Scene {
-    std::string name; ///< file or built-in name, for messages
-    std::vector<TextureImage> images;
-    std::vector<Material> materials;
-    std::vector<Mesh> meshes;
-    std::vector<Light> lights;
-    std::vector<Camera> cameras;
-    std::vector<Node> nodes;
-    std::vector<SceneRoot> scenes; ///< at least one
-    uint32_t default_scene = 0;
-    std::vector<Animation> animations{};
-    std::vector<Skin> skins{};
-    std::vector<Decal> decals{};
-    std::vector<Emitter> emitters{};
-    glm::vec3 ambient{0}; ///< uniform environment radiance, linear RGB
+    std::string name;                    ///< file or built-in name, for messages
+    std::vector<TextureImage> images;    ///< for materials, and cookies of lights
+    std::vector<Material> materials;     ///< of primitives, decals and emitters
+    std::vector<Mesh> meshes;            ///< that nodes show
+    std::vector<Light> lights;           ///< that nodes carry
+    std::vector<Camera> cameras;         ///< that nodes carry
+    std::vector<Node> nodes;             ///< of all trees
+    std::vector<SceneRoot> scenes;       ///< at least one
+    uint32_t default_scene = 0;          ///< the tree that is shown when nobody says which: index into `scenes`
+    std::vector<Animation> animations{}; ///< that move nodes
+    std::vector<Skin> skins{};           ///< that nodes' meshes follow
+    std::vector<Decal> decals{};         ///< that nodes carry
+    std::vector<Emitter> emitters{};     ///< that nodes carry
+    glm::vec3 ambient{0};                ///< uniform environment radiance, linear RGB
     /// Light from all around, in place of `ambient`, which it makes unused; null: `ambient`.
     std::shared_ptr<const Environment> environment{};
     std::vector<std::string> warnings; ///< what the loader repaired or left out: "FILE: OBJECT: REASON", one line each
@@ -142,18 +145,20 @@ struct Deformation {
     std::vector<glm::mat4> joints{}; ///< by Skin::joints: mesh → the space of the deformed vertices; empty: no skin
     std::vector<float> weights{};    ///< one for each morph target
     std::vector<glm::mat4> previous_joints{}; ///< at the moment's previous state, into the same space; as many
-    std::vector<float> previous_weights{};
-    bool turned = false;       ///< the joints mirror: fronts of the mesh's triangles are clockwise
-    glm::vec3 low{0}, high{0}; ///< a box around all vertices, in the space of the deformed ones
+    std::vector<float> previous_weights{};    ///< likewise
+    bool turned = false;                      ///< the joints mirror: fronts of the mesh's triangles are clockwise
+    glm::vec3 low{0};                         ///< of a box around all vertices, in the space of the deformed ones
+    glm::vec3 high{0};                        ///< likewise
+    /// Member by member.
     bool operator==(const Deformation&) const = default;
 };
 
 /// One drawn object: a mesh at a place.
 struct Instance {
-    uint32_t mesh = 0;
+    uint32_t mesh = 0;       ///< index into Scene::meshes
     glm::dmat4 transform{1}; ///< object → world
     bool mirrored = false;   ///< negative determinant: front faces are clockwise
-    uint32_t node = 0;
+    uint32_t node = 0;       ///< index into Scene::nodes, which it comes from
     /// Index into World::deformed: morph targets or a skin move its vertices. See World::mesh_of.
     std::optional<uint32_t> deformed{};
     /// `transform` at the moment's previous state; absent: the same.
@@ -162,8 +167,9 @@ struct Instance {
     bool visible = true;         ///< false: not drawn, and casts no shadow. resolve() leaves hidden nodes out
 };
 
+/// A light at its place in the world.
 struct PlacedLight {
-    Light light;
+    Light light;                    ///< what shines there
     glm::dvec3 position{0};         ///< world, metres
     glm::dvec3 direction{0, 0, -1}; ///< world, unit: the way the light shines
     /// World: the node's +Y axis, which is up in its cookie. What of it lies along `direction` does not
@@ -174,18 +180,18 @@ struct PlacedLight {
 /// What one frame shows: the node tree resolved to world space, in the order of a depth-first walk.
 /// May be copied and moved.
 struct World {
-    const Scene* scene = nullptr; ///< meshes, materials, images; must outlive the World
-    std::vector<Instance> instances;
-    std::vector<Mesh> deformed{}; ///< meshes as morph targets and skins shape them at the moment, and particles
+    const Scene* scene = nullptr;    ///< meshes, materials, images; must outlive the World
+    std::vector<Instance> instances; ///< of the nodes, then of the emitters' particles
+    std::vector<Mesh> deformed{};    ///< meshes as morph targets and skins shape them at the moment, and particles
     std::vector<Deformation> deformations{}; ///< beside `deformed`
     std::vector<PlacedLight> lights;         ///< of the nodes, then of the emitters' particles
     std::vector<PlacedDecal> decals{};       ///< by Decal::order: later ones lie over earlier ones
-    std::vector<PlacedCamera> cameras;
-    bool framed = false;      ///< cameras[0] is resolve()'s own frame(): the scene has none
+    std::vector<PlacedCamera> cameras;       ///< of the nodes; at least one
+    bool framed = false;                     ///< cameras[0] is resolve()'s own frame(): the scene has none
     glm::vec3 ambient{0};     ///< uniform environment radiance; unused where the scene has an environment
-    glm::dvec3 bounds_min{0}; ///< of all triangles' vertices
-    glm::dvec3 bounds_max{0};
-    uint64_t triangles = 0;
+    glm::dvec3 bounds_min{0}; ///< of all triangles' vertices, metres
+    glm::dvec3 bounds_max{0}; ///< likewise
+    uint64_t triangles = 0;   ///< of all instances
 
     /// What the instance shows: its deformed mesh, or else the scene's.
     const Mesh& mesh_of(const Instance& instance) const {
@@ -207,6 +213,7 @@ struct WorldChanges {
     bool decals = false; ///< any of World::decals
     /// And these, which came later.
     PRELIGHT_API void add(const WorldChanges& more);
+    /// Whether nothing has changed.
     bool empty() const {
         return !all && instances.empty() && deformed.empty() && materials.empty() && !lights && !decals;
     }

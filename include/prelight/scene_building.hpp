@@ -14,7 +14,7 @@ PRELIGHT_API uint32_t add_material(Scene& scene, Material material);
 /// mesh with a node in the default tree, which is made with the first one. Positions are needed. Without indices they
 /// are 0, 1, 2 …; without normals each triangle gets its own, and each of its corners a vertex; without tangents they
 /// are made where the material has a normal map; what faces the viewer (Primitive::facing) gets (0, 0, 1) and (1, 0,
-/// 0). Gives the index of the node, which is also World::instances[]::node.
+/// 0). Gives the index of the node, which is also `World::instances[i].node`.
 PRELIGHT_API uint32_t add_object(Scene& scene, std::string name, Primitive primitive, uint32_t material,
                                  const glm::dmat4& transform = glm::dmat4(1));
 

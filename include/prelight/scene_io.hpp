@@ -9,6 +9,7 @@
 
 namespace prelight {
 
+/// How load_gltf() reads.
 struct LoadOptions {
     bool strict = false; ///< what would be a warning about the file is an Error with the same line
     /// Bytes that reading may plan with: a quarter for the pictures as they are when decoded (textures that do not fit
@@ -30,11 +31,12 @@ PRELIGHT_API void save_glb(const Scene& scene, const std::filesystem::path& path
 /// ending. Throws Error "FILE: REASON": not twice as wide as high, wider than 16,384, a value negative or not finite.
 PRELIGHT_API Environment load_environment(const std::filesystem::path& path);
 
+/// What there is to know of a built-in environment.
 struct BuiltinEnvironment {
-    std::string_view name;
-    std::string_view description;
+    std::string_view name;        ///< as make_environment() takes it
+    std::string_view description; ///< one line
 };
-/// studio.
+/// All of them: studio.
 PRELIGHT_API std::vector<BuiltinEnvironment> builtin_environments();
 
 /// A built-in environment, with soft_backdrop() behind it; the same name gives the same map. Throws UsageError for an
@@ -45,12 +47,13 @@ PRELIGHT_API Environment make_environment(std::string_view name);
 /// Environment::backdrop.
 PRELIGHT_API Image soft_backdrop();
 
+/// What there is to know of a built-in scene.
 struct BuiltinScene {
-    std::string_view name;
-    std::string_view description;
-    uint32_t default_lights;
+    std::string_view name;        ///< as make_scene() takes it
+    std::string_view description; ///< one line
+    uint32_t default_lights;      ///< how many lights it is meant to have, 1 … 65,536
 };
-/// city, spheres, lights, motion.
+/// All of them: city, spheres, lights, motion …
 PRELIGHT_API std::vector<BuiltinScene> builtin_scenes();
 
 /// Makes a procedural scene; the same name, count and seed give the same bytes everywhere.

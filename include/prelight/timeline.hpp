@@ -23,7 +23,9 @@ public:
                       const std::optional<Moment>& moment = {}, std::optional<uint32_t> animation = {},
                       bool host_vertices = true);
     ~Timeline();
+    /// The world stays where it is in memory.
     Timeline(Timeline&&) noexcept;
+    /// Likewise.
     Timeline& operator=(Timeline&&) noexcept;
 
     /// The same object as long as the timeline lives.
@@ -33,8 +35,9 @@ public:
     /// Cameras, bounds and ambient light change too, and nobody need be told. Throws Error; the world is as before
     /// then.
     WorldChanges move_to(const Moment& moment);
-    /// move_to() in two halves: the first may run in another thread while a renderer shows the world.
+    /// The first half of move_to(), which may run in another thread while a renderer shows the world. Throws Error.
     World at(const Moment& moment) const;
+    /// The second half: the world becomes what at() gave.
     WorldChanges take(World&& next);
 
 private:

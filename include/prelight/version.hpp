@@ -14,6 +14,7 @@
 /// For the preprocessor: #if PRELIGHT_VERSION >= PRELIGHT_MAKE_VERSION(0, 2, 0)
 #define PRELIGHT_VERSION PRELIGHT_MAKE_VERSION(PRELIGHT_VERSION_MAJOR, PRELIGHT_VERSION_MINOR, PRELIGHT_VERSION_PATCH)
 
+/// A renderer for scenes with very many lights. A Scene is resolved into a World, which a Renderer on a Device draws.
 namespace prelight {
 
 /// The version of the library that runs, "MAJOR.MINOR.PATCH". A shared one may be newer than these headers.

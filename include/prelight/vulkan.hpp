@@ -12,20 +12,20 @@
 #include <vector>
 #include <vulkan/vulkan_core.h>
 
-/// Prelight beside other Vulkan code of a program: on its device, into its images and windows, between its passes. The
-/// only public header with Vulkan types. Prelight calls Vulkan through the system's loader (libvulkan.so.1), and so
-/// must whoever made the handles: GLFW, SDL, volk and what is linked with -lvulkan all do.
 namespace prelight::gpu {
 class Presenter;
 }
+/// Prelight beside other Vulkan code of a program: on its device, into its images and windows, between its passes. The
+/// only public header with Vulkan types. Prelight calls Vulkan through the system's loader (libvulkan.so.1), and so
+/// must whoever made the handles: GLFW, SDL, volk and what is linked with -lvulkan all do.
 namespace prelight::vulkan {
 
 /// Features and extensions of a device, as vkCreateDevice takes them. A program adds its own to the members before it
 /// creates the device.
 struct DeviceFeatures {
-    VkPhysicalDeviceFeatures2 core{}; ///< core.features
-    VkPhysicalDeviceVulkan12Features vulkan12{};
-    VkPhysicalDeviceVulkan13Features vulkan13{};
+    VkPhysicalDeviceFeatures2 core{};            ///< core.features
+    VkPhysicalDeviceVulkan12Features vulkan12{}; ///< in the chain after `core`
+    VkPhysicalDeviceVulkan13Features vulkan13{}; ///< in the chain after `vulkan12`
     /// In the chain where VK_EXT_conditional_rendering is among the extensions.
     VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional_rendering{};
     std::vector<const char*> extensions{}; ///< of the device
@@ -42,16 +42,17 @@ PRELIGHT_API DeviceFeatures wanted_features(VkPhysicalDevice physical_device);
 
 /// A device that a program has made, and one queue of it.
 struct ExistingDevice {
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physical_device = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE; ///< for graphics and compute; Prelight submits to no other
-    uint32_t queue_family = 0;
+    VkInstance instance = VK_NULL_HANDLE;              ///< of version 1.3 or later
+    VkPhysicalDevice physical_device = VK_NULL_HANDLE; ///< that the device was made of
+    VkDevice device = VK_NULL_HANDLE;                  ///< made with `enabled`
+    VkQueue queue = VK_NULL_HANDLE;                    ///< for graphics and compute; Prelight submits to no other
+    uint32_t queue_family = 0;                         ///< that the queue is of
     DeviceFeatures enabled{}; ///< what the device was made with: wanted_features(), whole or in part, and anything else
     bool debug_utils = false; ///< the instance has VK_EXT_debug_utils: objects and passes get names
     /// Around each use of the queue, for programs that use it in several threads at once: usually lock() and unlock()
     /// of a mutex, which nobody holds while calling Prelight. Both or none.
-    std::function<void()> lock_queue{}, unlock_queue{};
+    std::function<void()> lock_queue{};
+    std::function<void()> unlock_queue{}; ///< see lock_queue
 };
 
 /// Device::adopt(const ExistingDevice&) is in device.hpp. This is the opposite: the handles of any Device, for as long
@@ -60,8 +61,8 @@ PRELIGHT_API ExistingDevice handles(const Device& device);
 
 /// A semaphore that a frame waits for, or signals.
 struct SemaphoreUse {
-    VkSemaphore semaphore = VK_NULL_HANDLE;
-    uint64_t value = 0; ///< of a timeline semaphore; ignored for a binary one
+    VkSemaphore semaphore = VK_NULL_HANDLE; ///< binary or timeline
+    uint64_t value = 0;                     ///< of a timeline semaphore; ignored for a binary one
     /// What waits, or what is waited for. To wait for a target image alone COLOR_ATTACHMENT_OUTPUT is enough.
     VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
 };
@@ -69,7 +70,7 @@ struct SemaphoreUse {
 /// An image of the program's that a picture goes into: 2D, one layer and level of it, one sample, with the usage
 /// COLOR_ATTACHMENT, made for the queue's family or for concurrent use.
 struct Target {
-    VkImage image = VK_NULL_HANDLE;
+    VkImage image = VK_NULL_HANDLE;    ///< that is written
     VkImageView view = VK_NULL_HANDLE; ///< of all of it, in `format`
     /// R8G8B8A8, B8G8R8A8 or A8B8G8R8 as UNORM or SRGB, A2B10G10R10 or A2R10G10B10 as UNORM, R16G16B16A16 or
     /// R32G32B32A32 as SFLOAT.
@@ -79,7 +80,8 @@ struct Target {
     VkImageLayout layout_before = VK_IMAGE_LAYOUT_UNDEFINED;
     /// What the frame leaves it in: PRESENT_SRC_KHR, SHADER_READ_ONLY_OPTIMAL …
     VkImageLayout layout_after = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    std::vector<SemaphoreUse> wait{}, signal{};
+    std::vector<SemaphoreUse> wait{};   ///< before the image is written
+    std::vector<SemaphoreUse> signal{}; ///< when it has been
     /// "final", or one of RenderOptions::views. Display-encoded pictures keep their encoded values in every format: an
     /// SRGB target holds the same bytes as a UNORM one, to within one code. "linear" is written as it is. Alpha is 1.
     std::string buffer = "final";
@@ -109,6 +111,7 @@ public:
     /// Error.
     bool show(const Renderer& renderer, VkExtent2D window,
               const std::function<void(VkCommandBuffer, VkExtent2D)>& overlay = {}, std::string_view buffer = "final");
+    /// Of the window's images.
     VkFormat format() const;
 
 private:
@@ -129,13 +132,14 @@ enum class Stage {
 
 /// The images of a pass, until prepare() is called anew.
 struct PassImages {
+    /// One of them.
     struct One {
-        std::string name;
+        std::string name;                                 ///< as Stage has it
         VkImageView view = VK_NULL_HANDLE;                ///< of the depth aspect alone where the image has stencil too
         VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< while the pass runs
-        VkFormat format = VK_FORMAT_UNDEFINED;
-        VkExtent2D extent{};
-        uint32_t samples = 1; ///< a pixel
+        VkFormat format = VK_FORMAT_UNDEFINED;            ///< of the image
+        VkExtent2D extent{};                              ///< pixels
+        uint32_t samples = 1;                             ///< a pixel
     };
     std::vector<One> reads;          ///< in the order of Pass::reads
     std::vector<One> writes;         ///< colour attachments, in the order of Pass::writes
@@ -144,8 +148,8 @@ struct PassImages {
 
 /// What a pass gets when a frame is recorded.
 struct PassFrame {
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    const PassImages& images;
+    VkCommandBuffer commands = VK_NULL_HANDLE; ///< to record into
+    const PassImages& images;                  ///< as prepare() got them
     glm::mat4 clip_from_world{1}; ///< from positions relative to `eye`; reversed depth: near 1, far 0; +Y downwards
     glm::dvec3 eye{0};            ///< the camera's position, world
     uint32_t slot = 0; ///< of two, in turn: what the program writes for this frame, the frame before last has read
@@ -153,10 +157,10 @@ struct PassFrame {
 
 /// A pass of the program's in a renderer's frame. Barriers and layouts follow from what it says.
 struct Pass {
-    std::string name; ///< in Stats::passes and debug labels
-    Stage stage = Stage::after_display;
-    std::vector<std::string> reads{};  ///< sampled or fetched in fragment and compute shaders
-    std::vector<std::string> writes{}; ///< drawn over what they hold, blending or not; none of `reads`
+    std::string name;                   ///< in Stats::passes and debug labels
+    Stage stage = Stage::after_display; ///< where it stands
+    std::vector<std::string> reads{};   ///< sampled or fetched in fragment and compute shaders
+    std::vector<std::string> writes{};  ///< drawn over what they hold, blending or not; none of `reads`
     bool depth_test =
         false; ///< "depth" is the depth attachment, tested and not written; of as many samples as `writes`
     /// Called when the frame graph has been built, with no frame in flight: to make pipelines and descriptor sets. May
