@@ -178,6 +178,9 @@ TEST(Completion, IsForThreeShells) {
         EXPECT_THAT(zsh, HasSubstr(row.long_name()));
         EXPECT_THAT(fish, HasSubstr(" -l " + row.long_name().substr(2) + " "));
     }
+    EXPECT_THAT(zsh, HasSubstr("'--renderer=[")) << "with its value after a space or =";
+    EXPECT_THAT(zsh, HasSubstr(": _alternative \"words\\:word\\:(none studio)\" \"files\\:file\\:_files\"'"));
+    EXPECT_THAT(zsh, Not(HasSubstr(":_alternative"))) << "_arguments would call it with options that it does not know";
     std::string quotes = zsh; // each closed, but for those of texts
     for (size_t at; (at = quotes.find("'\\''")) != quotes.npos;)
         quotes.erase(at, 4);

@@ -154,15 +154,16 @@ std::string zsh_escaped(std::string_view text) {
     return out;
 }
 
+/// What completes an argument. After a space _arguments calls it as it stands, else with options of its own, which
+/// _alternative does not know; and colons end the action unless they are escaped.
 std::string zsh_action(Takes takes, const std::vector<std::string>& words) {
-    if (takes == Takes::setting && !words.empty())
-        return fmt::format("_values -S= setting {}", zsh_escaped(fmt::format("{}", fmt::join(words, " "))));
     const std::string list = words.empty() ? "" : fmt::format("({})", fmt::join(words, " "));
     if (takes == Takes::folder)
         return "_files -/";
     if (!takes_files(takes))
         return list.empty() ? " " : list;
-    return words.empty() ? "_files" : fmt::format("_alternative \"words:word:{}\" \"files:file:_files\"", list);
+    return words.empty() ? "_files"
+                         : fmt::format(" _alternative \"words\\:word\\:{}\" \"files\\:file\\:_files\"", list);
 }
 
 std::string zsh_script() {
@@ -179,7 +180,8 @@ std::string zsh_script() {
         text += fmt::format("    {})\n        _arguments \\\n            '(- *)'{{-h,--help}}'[its options]'",
                             command.name);
         for (const OptionRow* row : rows_once(command)) {
-            const std::string once = row->repeatable ? "*" : "";
+            const std::string once = row->repeatable ? "*" : "",
+                              long_name = row->long_name() + (row->word.empty() ? "" : "=");
             std::string rest = fmt::format("[{}]", zsh_escaped(row->help));
             if (!row->word.empty()) {
                 std::vector<std::string> words = words_for(row->takes, row->words);
@@ -189,9 +191,9 @@ std::string zsh_script() {
                     rest += fmt::format(":{}:{}", zsh_escaped(row->word), zsh_action(row->takes, words));
             }
             text += row->short_name() == row->long_name()
-                        ? fmt::format(" \\\n            '{}{}{}'", once, row->long_name(), rest)
-                        : fmt::format(" \\\n            '({0} {1})'{{{0},{1}}}'{2}'", row->short_name(),
-                                      row->long_name(), rest);
+                        ? fmt::format(" \\\n            '{}{}{}'", once, long_name, rest)
+                        : fmt::format(" \\\n            '({0} {1})'{{{0},{2}}}'{3}'", row->short_name(),
+                                      row->long_name(), long_name, rest);
         }
         if (!command.positionals.empty())
             text += fmt::format(
