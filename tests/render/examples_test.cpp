@@ -87,5 +87,24 @@ protected:
 TEST_F(ExampleInAWindow, OnItsOwnDevice) { run_in_window("own_device", "12"); }
 TEST_F(ExampleInAWindow, WithAThousandLights) { run_in_window("window_lights", "12"); }
 
+TEST_F(ExampleInAWindow, WithAThousandLightsTakesThirtyLines) {
+    std::ifstream source(PRELIGHT_SOURCE_DIR "/examples/window_lights/main.cpp");
+    int lines = 0;
+    for (std::string line; std::getline(source, line); ++lines)
+        EXPECT_LE(line.size(), 120u);
+    EXPECT_GT(lines, 0);
+    EXPECT_LE(lines, 30);
+}
+
+TEST_F(ExampleInAWindow, NeedsADisplay) {
+    const std::string said = (folder() / "said").string();
+    const std::string command =
+        "env -u DISPLAY -u WAYLAND_DISPLAY '" + program("window_lights").string() + "' 1 >'" + said + "' 2>&1";
+    EXPECT_NE(std::system(command.c_str()), 0);
+    std::stringstream text;
+    text << std::ifstream(said).rdbuf();
+    EXPECT_NE(text.str().find("what():  GLFW: "), std::string::npos) << text.str();
+}
+
 } // namespace
 } // namespace prelight
