@@ -111,8 +111,8 @@ void find_shadow_views(const PlacedLight& light, const PlacedCamera& camera, dou
     const double wider = double(side) / std::max(side - 2 * guard, 1u);
     switch (shadow_kind(light.light)) {
     case SHADOW_SPOT:
-        out.push_back(
-            perspective(eye, spot_basis(light.direction), std::tan(double(light.light.outer_cone) + 1e-3) * wider, side));
+        out.push_back(perspective(eye, spot_basis(light.direction),
+                                  std::tan(double(light.light.outer_cone) + 1e-3) * wider, side));
         return;
     case SHADOW_FACES:
         for (const int axis : {0, 1, 2})
