@@ -1,19 +1,27 @@
 #pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <prelight/error.hpp>
 #include <prelight/vulkan.hpp>
 #include <string>
+#include <string_view>
 
-// GLFW declares what is Vulkan's only where Vulkan's own header came first, as it did above.
 #ifndef GLFW_INCLUDE_NONE
 #define GLFW_INCLUDE_NONE
 #endif
 #include <GLFW/glfw3.h>
 
+// GLFW declares it only where Vulkan's own header came first, and a program may have included GLFW before this one.
+extern "C" GLFWAPI VkResult glfwCreateWindowSurface(VkInstance, GLFWwindow*, const VkAllocationCallbacks*,
+                                                    VkSurfaceKHR*);
+
 /// Windows of GLFW 3.3 (glfw.org). A header alone: nothing else of Prelight's knows GLFW. The program links it, and
 /// calls all of this in its main thread.
 namespace prelight::glfw {
 
-/// A window with the device that draws for it. Keys, mouse and the rest are GLFW's, by handle().
+/// A window with the device that draws for it. Keys, mouse and the rest are GLFW's, by handle(). The first one starts
+/// GLFW and the last one ends it, with all windows that the program has made itself.
 class Window {
 public:
     /// Opens one, `width` × `height` screen coordinates large inside. Of the device `options` say the rest; their
@@ -56,7 +64,6 @@ public:
     GLFWwindow* handle() const { return window_.get(); }
 
 private:
-    /// The first window starts GLFW and the last one ends it.
     struct Close {
         void operator()(GLFWwindow* window) const {
             glfwDestroyWindow(window);
@@ -69,7 +76,10 @@ private:
     [[noreturn]] static void fail() {
         const char* reason = nullptr;
         glfwGetError(&reason);
-        throw Error(std::string("GLFW: ") + (reason ? reason : "no reason given"));
+        const std::string message = std::string("GLFW: ") + (reason ? reason : "no reason given");
+        if (count == 0)
+            glfwTerminate(); // nothing where it did not start
+        throw Error(message);
     }
     static GLFWwindow* open(const std::string& title, int width, int height) {
         if (!glfwInit())

@@ -16,8 +16,9 @@ namespace prelight::gpu {
 class Presenter;
 }
 /// Prelight beside other Vulkan code of a program: on its device, into its images and windows, between its passes. The
-/// only public header with Vulkan types. Prelight calls Vulkan through the system's loader (libvulkan.so.1), and so
-/// must whoever made the handles: GLFW, SDL, volk and what is linked with -lvulkan all do.
+/// only public header with Vulkan types, beside glfw.hpp, which is made of it. Prelight calls Vulkan through the
+/// system's loader (libvulkan.so.1), and so must whoever made the handles: GLFW, SDL, volk and what is linked with
+/// -lvulkan all do.
 namespace prelight::vulkan {
 
 /// Features and extensions of a device, as vkCreateDevice takes them. A program adds its own to the members before it
