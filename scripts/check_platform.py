@@ -21,16 +21,18 @@ STANDARD = set("""
     source_location span sstream stack stdexcept stop_token streambuf string string_view strstream syncstream system_error
     thread tuple type_traits typeindex typeinfo unordered_map unordered_set utility valarray variant vector version
     """.split())
-LIBRARIES = ("CLI", "GLFW", "Imf", "backends", "draco", "embree3", "fmt", "glm", "glslang", "half.h", "imgui.h", "jerror.h",
+LIBRARIES = ("CLI", "GLFW", "backends", "draco", "embree3", "fmt", "glm", "glslang", "half.h", "imgui.h", "imgui_impl_glfw.h", "jerror.h",
              "jpeglib.h", "libdeflate.h", "meshoptimizer.h", "nlohmann", "pybind11", "shaderc", "simdjson.h", "spirv-tools",
              "spng.h", "vulkan", "webp")
 OWN = ("prelight", "shared", *(path.name for path in (ROOT / "src").iterdir() if path.is_dir()))
 INCLUDE = re.compile(r"^\s*#\s*include\s*<([^>]+)>")
+QUOTED = re.compile(r'^\s*#\s*include\s*"((?:sys/)?(?:unistd|fcntl|dlfcn|pthread|poll|signal|termios|mman|stat|wait|types)\.h)"')
 # What the standard headers have besides the standard where the system is POSIX, and its paths and names.
-CALL = re.compile(r"\b(setenv|unsetenv|putenv|environ|mkstemp|mkdtemp|fileno|fdopen|popen|pclose|isatty|localtime_r|gmtime_r|"
+CALL = re.compile(r"\b(setenv|unsetenv|putenv|mkstemp|mkdtemp|fileno|fdopen|popen|pclose|isatty|localtime_r|gmtime_r|"
                   r"clock_gettime|strerror_r|strsignal|getpid|gettid)\s*\(")
+ENVIRONMENT = re.compile(r"\b(environ)\b")
 PATH = re.compile(r'"/(proc|dev|sys|tmp|etc|usr)/')
-SYSTEM = re.compile(r"^\s*#\s*(?:el)?if.*\b(__linux__|__unix__|__GLIBC__|__APPLE__|_WIN32|_WIN64|_MSC_VER|__ANDROID__)\b")
+SYSTEM = re.compile(r"^\s*#\s*(?:el)?if.*\b(__linux__|__gnu_linux__|__unix__|__GLIBC__|__APPLE__|_WIN32|_WIN64|_MSC_VER|__ANDROID__)\b")
 
 
 def is_portable(header):
@@ -47,7 +49,7 @@ def findings(text):
         if include and not is_portable(include[1]):
             yield number, f"includes <{include[1]}>"
         code = re.sub(r"(?<!:)//.*", "", line)
-        for pattern, what in ((CALL, "calls {}()"), (PATH, "names a path in /{}"), (SYSTEM, "asks for {}")):
+        for pattern, what in ((QUOTED, "includes {}"), (ENVIRONMENT, "names {}"), (CALL, "calls {}()"), (PATH, "names a path in /{}"), (SYSTEM, "asks for {}")):
             if found := pattern.search(code):
                 yield number, what.format(found[1])
 

@@ -9,7 +9,7 @@ int process_id();
 
 /// The file of the program that runs; empty when it cannot be told.
 std::filesystem::path program_file();
-/// Text that is another one for every other file or build of the program.
+/// Text that is another one for every other file or build of the program; "?" when it cannot be told.
 std::string program_identity();
 
 /// What programs and libraries that this process loads will find under `name`, unless it is there already. Not while

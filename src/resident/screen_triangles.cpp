@@ -5,7 +5,7 @@
 #include <cmath>
 
 // Eight at once where the processor can; it is asked once, when the program starts.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+#if defined(PRELIGHT_TARGET_CLONES) && !defined(__SANITIZE_ADDRESS__)
 #define PRELIGHT_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define PRELIGHT_WIDE
