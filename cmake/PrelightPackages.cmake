@@ -1,9 +1,9 @@
 # Who packages what Prelight is built with, and under which name; "-": nobody there, as far as is known. The names of
-# Debian 12 are those of scripts/packages.txt and tried; the others have been looked up.
+# Debian 12 are those of scripts/packages.txt and tried; the others are given as far as is known.
 #   NAME             Debian                  Fedora                  Arch              Homebrew         vcpkg
 set(prelight_packages
     "glm             libglm-dev              glm-devel               glm               glm              glm"
-    "vulkan          libvulkan-dev           vulkan-loader-devel     vulkan-icd-loader vulkan-loader    vulkan"
+    "vulkan          libvulkan-dev           vulkan-loader-devel     vulkan-devel      vulkan-loader    vulkan"
     "fmt             libfmt-dev              fmt-devel               fmt               fmt              fmt"
     "simdjson        libsimdjson-dev         simdjson-devel          simdjson          simdjson         simdjson"
     "draco           libdraco-dev            draco-devel             draco             draco            draco"
@@ -28,7 +28,7 @@ set(prelight_packages
     "glslangValidator glslang-tools          glslang                 glslang           glslang          glslang"
     "doxygen         doxygen                 doxygen                 doxygen           doxygen          -")
 
-# prelight_missing_line(NAME OUT): "Prelight: fmt is missing: libfmt-dev (Debian), fmt-devel (Fedora), …"
+# prelight_missing_line(NAME OUT): "Prelight: fmt is missing or too old: libfmt-dev (Debian), fmt-devel (Fedora), …"
 function(prelight_missing_line NAME OUT)
     set(names)
     foreach(row IN LISTS prelight_packages)
@@ -45,5 +45,5 @@ function(prelight_missing_line NAME OUT)
         endforeach()
     endforeach()
     list(JOIN names ", " names)
-    set(${OUT} "Prelight: ${NAME} is missing: ${names}" PARENT_SCOPE)
+    set(${OUT} "Prelight: ${NAME} is missing or too old: ${names}" PARENT_SCOPE)
 endfunction()

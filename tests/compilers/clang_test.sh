@@ -13,7 +13,7 @@ fail() {
 }
 cmake --preset clang-check >"$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "configuring"; }
 ninja -C build/clang-check prelight_app prelight_shared example_embed example_window_lights >"$folder/log" 2>&1 ||
-    { grep -A 8 -e '^FAILED' -e 'error:' "$folder/log" >&2; fail "building with $(clang++ --version | head -n 1)"; }
+    { grep -A 8 -e '^FAILED' -e 'error:' "$folder/log" >&2 || tail -n 30 "$folder/log" >&2; fail "building with $(clang++ --version | head -n 1)"; }
 grep -qa 'clang version' <(readelf -p .comment build/clang-check/prelight) || fail "the program is not clang's"
 
 same() { # FILE ARGUMENTS…: both programs, with the same arguments, write the same FILE
@@ -26,7 +26,7 @@ same() { # FILE ARGUMENTS…: both programs, with the same arguments, write the 
     echo "prelight ${*:2}"
 }
 # What comes from a seed, in an order that is not the compiler's to choose; then a device and the reference.
-for scene in city lights spheres motion shadows cookies materials decals glass round2 multipass bounce; do
+for scene in city lights spheres motion shadows cookies materials decals glass round2 multipass bounce city-sparks city-smoke city-glass; do
     same scene.glb make $scene --lights 16
 done
 same device.png render cookies --lights 64 --size 160x90 --set shadows=on

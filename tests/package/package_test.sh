@@ -111,7 +111,7 @@ mv "$prefix/lib/cmake/prelight/prelight-static.cmake" .
 refused "a form that is not installed" "the static form of Prelight is not installed" \
     cmake -S . -B refused "-DWANTED=COMPONENTS;static"
 mv prelight-static.cmake "$prefix/lib/cmake/prelight/"
-refused "the static form without libraries that it is made of" "Prelight: spng is missing: libspng-dev (Debian), libspng-devel (Fedora)" \
+refused "the static form without libraries that it is made of" "Prelight: spng is missing or too old: libspng-dev (Debian), libspng-devel (Fedora)" \
     env PKG_CONFIG_LIBDIR=/nowhere cmake -S . -B refused "-DWANTED=COMPONENTS;static"
 
 # 4. Debian packages, unpacked beside the system.
@@ -168,15 +168,15 @@ echo "eight pictures, the same bytes from every form"
 
 # 6. add_subdirectory.
 # What the build is made of, each thing hidden: a line each, with the package that scripts/packages.txt installs.
-hidden=(-DCMAKE_IGNORE_PATH="/usr/lib/x86_64-linux-gnu;/lib/x86_64-linux-gnu" -DPRELIGHT_WINDOW=ON)
+hidden=(-DCMAKE_IGNORE_PATH="/usr/lib/$(gcc -print-multiarch);/lib/$(gcc -print-multiarch)" -DPRELIGHT_WINDOW=ON)
 for name in glm Vulkan fmt simdjson draco meshoptimizer embree OpenEXR SPNG libdeflate JPEG WebP nlohmann_json CLI11 glfw3 \
     imgui GTest ZLIB unofficial-shaderc; do
     hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$name=ON")
 done
 refused "a build without all that it is made of" \
-    "draco is missing: libdraco-dev (Debian), draco-devel (Fedora), draco (Arch), draco (Homebrew), draco (vcpkg)" \
+    "draco is missing or too old: libdraco-dev (Debian), draco-devel (Fedora), draco (Arch), draco (Homebrew), draco (vcpkg)" \
     env PKG_CONFIG_LIBDIR=/nowhere cmake -S "$root" -B hidden "${hidden[@]}"
-sed -n 's/^ *Prelight: .* is missing: \([^ ]*\) (Debian).*/\1/p' "$log" >missing
+sed -n 's/^ *Prelight: .* is missing or too old: \([^ ]*\) (Debian).*/\1/p' "$log" >missing
 [ "$(wc -l <missing)" = 19 ] || fail "not a line for each"
 while read -r package; do
     grep -q "^$package\b" "$root/scripts/packages.txt" || fail "$package: is not in scripts/packages.txt"

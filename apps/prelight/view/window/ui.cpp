@@ -1,9 +1,13 @@
 #include "ui.hpp"
 
-#include <backends/imgui_impl_glfw.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <utility>
+#if __has_include(<backends/imgui_impl_glfw.h>) // as Debian has it
+#include <backends/imgui_impl_glfw.h>
+#else
+#include <imgui_impl_glfw.h>
+#endif
 
 namespace prelight::app::viewer {
 namespace {
