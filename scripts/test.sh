@@ -61,7 +61,7 @@ names=("${parts[@]}")
 # all of them.
 part_of() { # BINARY K N
     "$1" --gtest_list_tests | awk -v k="$2" -v n="$3" '
-        /^[^ ].*\./ { suite[++suites] = $1; next }
+        /^[^ ]+\.( |$)/ { suite[++suites] = $1; next }
         /^  / { ++tests[suites]; ++all }
         END {
             for (s = 1; s <= suites; ++s) {

@@ -154,6 +154,8 @@ INSTANTIATE_TEST_SUITE_P(
               "msaa-shadows"},
         Wrong{"SampleOfOne", "render spheres -o a.png --msaa 1 --view sample=0",
               "--view sample=0: needs --msaa 2 or 4, and it is 1"},
+        Wrong{"SampleOfHalfSamples", "render glass -o a.png --msaa 4 --set transparency=half-samples --view sample=0",
+              "--view sample=0: with transparency=half-samples"},
         Wrong{"SampleBeyond", "render spheres -o a.png --msaa 4 --view sample=4", "sample=0 … sample=3"},
         Wrong{"MsaaZero", "render city -o a.png --msaa 0", "--msaa 0"},
         Wrong{"RendererUnknown", "render city -o a.png --renderer magic", "light-prepass"},

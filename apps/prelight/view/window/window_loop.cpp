@@ -319,7 +319,7 @@ private:
         take_down();
         check_validation(*drawer_.device());
         if (lag_.measured() > 0)
-            fmt::print("{}: {} pictures; input was in one of the next {}\n", escaped(session_.scene_name()),
+            fmt::print("{}: {} pictures; input was on the screen after {} at most\n", escaped(session_.scene_name()),
                        lag_.pictures(), lag_.most());
     }
 
