@@ -108,7 +108,7 @@ void walk(LightList list, const int maps) {
     uint begin = 0u;
     do {
         Taken taken;
-        do { // past lights of the other kind
+        do { // past lights of other kinds
             uint index = begin + gl_SubgroupInvocationID;
             uint light = listed_light(list, index);
             taken = take(lights[index < list.count ? light : 0u], index < list.count, maps);
@@ -126,7 +126,7 @@ void walk_masked(MaskedList list, const int maps) {
         uint bits = subgroupShuffle(own_bits, 0u);
         do {
             Taken taken;
-            do { // past lights of the other kind
+            do { // past lights of other kinds
                 uint index = 0u, count = 0u; // of the lights that the invocations take
                 do {
                     bool found = bits != 0u;

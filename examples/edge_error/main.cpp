@@ -1,7 +1,7 @@
 // example_edge_error [--scenes FOLDER] [SCENE.glb …]: the table of docs/anti-aliasing.md. What each way to smooth edges
 // leaves of their error against 64 samples a pixel, in CPU time of a plain forward frame (F) and bytes of a pixel: of
 // built-in scenes, of two with leaves and wires that it makes itself, and of the files named, which get 64 lights where
-// they have none. With --scenes it only writes those two, leaves.glb and wires.glb.
+// they have fewer than two. With --scenes it only writes those two, leaves.glb and wires.glb.
 #include "thin_scenes.hpp"
 #include <algorithm>
 #include <cmath>

@@ -106,9 +106,11 @@ TextureImage leaf_image() {
                 texel[2] = static_cast<uint8_t>(50 * green), texel[3] = 255;
             }
     };
-    for (int i = 0; i < 26; ++i)
-        paint({uniform(random, 18, 110), uniform(random, 18, 110)}, uniform(random, 0, 6.28f), uniform(random, 9, 16),
-              uniform(random, 0.6f, 1.4f));
+    for (int i = 0; i < 26; ++i) { // in an order of their own: that of arguments is the compiler's business
+        const float green = uniform(random, 0.6f, 1.4f), length = uniform(random, 9, 16);
+        const float angle = uniform(random, 0, 6.28f), x = uniform(random, 18, 110), y = uniform(random, 18, 110);
+        paint({x, y}, angle, length, green);
+    }
     return image;
 }
 
@@ -133,7 +135,8 @@ Scene make_leaves() {
         const float z = -0.4f * std::abs(x);
         add_rod(trunk, {x, 0, z}, {x, 1.7f, z}, 0.12f);
         for (int i = 0; i < 90; ++i) {
-            glm::vec3 out(uniform(random, -1, 1), uniform(random, -0.8f, 1), uniform(random, -1, 1));
+            glm::vec3 out{0};
+            out.z = uniform(random, -1, 1), out.y = uniform(random, -0.8f, 1), out.x = uniform(random, -1, 1);
             out = glm::normalize(out + glm::vec3(0, 0, 0.01f)) * uniform(random, 0.3f, 0.85f);
             const glm::vec3 middle = glm::vec3(x, 1.9f, z) + out, n = glm::normalize(out + glm::vec3(0, 0.3f, 0));
             const glm::vec3 right = glm::normalize(glm::cross(n, glm::vec3(0.3f, 0.9f, 0.2f))) * 0.28f;

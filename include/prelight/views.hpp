@@ -42,8 +42,8 @@ inline std::optional<SampleView> sample_of_view(std::string_view view) {
     return {};
 }
 
-/// Whether a renderer has the buffer: one of its `views`, "layer=N" where "layers" is one of them, or one sample of one
-/// of them, where it knows several a pixel.
+/// Whether a renderer has the buffer: one of its `views`, "layer=N" where "layers" is one of them, or a single sample
+/// of one of them, where it takes several a pixel.
 inline bool has_view(const RendererInfo& info, std::string_view view) {
     const auto lists = [&](std::string_view name) {
         return std::find(info.views.begin(), info.views.end(), name) != info.views.end();

@@ -20,19 +20,19 @@ SHARED_BEGIN
 #define SHADOW_NEAR 0.002f
 
 // What lighting knows of one tile. A software device pays for each member that a lookup reads: spots and faces need
-// the first alone, for their axes follow from the light's, or from the face.
+// the first alone (with `contact` the size of the light, too), for their axes follow from the light's, or from the face.
 struct ShadowData {
     vec4 place;  // xy: the tile's corner in the atlas, texels; z: its side; w: spots and faces: texels for each metre
                  // across the axis, one metre along it
-    vec4 light;  // x: size of the light: metres, or metres per metre (cascades)
+    vec4 scale;  // z: size of the light: metres, or metres per metre (cascades); of cascades also x: metres that a texel
+                 // covers; y: metres from depth 0 to depth 1
     // Cascades; rows of a matrix over (x, y, z, 1), camera-relative world:
     vec4 across; // texels of the tile
     vec4 down;   // likewise
     vec4 away;   // depth
-    vec4 scale;  // x: metres that a texel covers; y: metres from depth 0 to depth 1
     vec4 ends;   // view depths where the light's cascades end
 };
-#define SHADOW_TEXELS 7 // members, as texels
+#define SHADOW_TEXELS 6 // members, as texels
 
 // How many texels on each edge of a tile lie outside of what it is asked for: the filter's disc, half a texel of
 // filtering, and what the bias moves a point by. `filtering`: SHADOW_FILTER_…; `side`: of the tile.

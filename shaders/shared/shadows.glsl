@@ -44,7 +44,7 @@ ShadowData shadow_tile(uint tile) {
     if (!lights_as_texels)
         return shadow_tiles[tile];
     return ShadowData(tile_member(tile, 0), tile_member(tile, 1), tile_member(tile, 2), tile_member(tile, 3),
-                      tile_member(tile, 4), tile_member(tile, 5), tile_member(tile, 6));
+                      tile_member(tile, 4), tile_member(tile, 5));
 }
 
 // A light's maps.
@@ -151,7 +151,7 @@ float penumbra(InTile p, float radius, vec2 turn, bool wanted) {
     if (found < 0.5)
         return least_radius;
     float blocker = sum / found;
-    float w = w_of(p), size = p.tile.light.x, nearest = SHADOW_NEAR / blocker;
+    float w = w_of(p), size = p.tile.scale.z, nearest = SHADOW_NEAR / blocker;
     float metres =
         p.cascade ? (blocker - place.z) * p.tile.scale.y * size : (w - nearest) * size / max(nearest, 1e-4);
     return clamp(metres / metres_a_texel(p), least_radius, max(radius, least_radius));

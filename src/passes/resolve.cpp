@@ -8,9 +8,10 @@ namespace {
 /// `curve`: of `target`, where that is the finished picture of a scene-linear one.
 graph::ImageId resolve(graph::FrameGraph& graph, const resident::View& view, graph::ImageId image,
                        graph::ImageId target, Display curve, Resolved which) {
-    const std::string name = which >= Resolved::first ? "view-sample"
-                             : curve                  ? "resolve final"
-                                                      : "resolve " + graph.name(target);
+    const std::string name = which >= Resolved::first
+                                 ? "view-sample=" + std::to_string(static_cast<uint32_t>(which) - RESOLVED_SAMPLE)
+                             : curve ? "resolve final"
+                                     : "resolve " + graph.name(target);
     graph::Pass& pass = graph.pass(name);
     pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, image);
     gpu::Constants constants = display_constants(curve, graph.desc(target).format);

@@ -4,11 +4,11 @@
 
 namespace prelight::passes {
 
-/// The maps that an atlas holds, by corner, and the image of transmittance beside it. Those of one graph: its images
-/// are new with it.
+/// The maps that an atlas holds, by corner, and the images beside it. Those of one graph: its images are new with it.
 struct HeldMaps {
     std::map<std::pair<uint32_t, uint32_t>, resident::ShadowMap> maps;
-    std::vector<resident::ShadowMap> drawn; ///< into the atlas by the last ShadowDraws::record(): they are new in both
+    std::vector<resident::ShadowMap>
+        drawn; ///< into the atlas by the last ShadowDraws::record(): they are new in all of them
 };
 
 /// Which image of the two that Shadows has.

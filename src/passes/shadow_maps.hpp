@@ -39,8 +39,8 @@ struct ShadowCounts {
 /// casters that its light may see. Both faces of every triangle cast, masked ones where they are not masked out.
 /// A tile that the image holds already is left as it is. Blended surfaces cast as TransparentShadows says; with
 /// `filtered`, and where there are any, a pass "transparent shadows" draws them into an image of their own. With
-/// ShadowOptions::reuse there is no such pass: see Shadows::reused. "shadow extremes" follows them. Nothing without
-/// shadows. `counts` lives as long as the graph.
+/// ShadowOptions::reuse there is no such pass: see Shadows::reused. With ShadowFilter::pcf "shadow extremes"
+/// follows them. Nothing without shadows. `counts` lives as long as the graph.
 Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, ShadowCounts& counts);
 
 /// Makes `pass` read the atlas; nothing without shadows.

@@ -152,7 +152,7 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
     const bool directional = light.kind == LightKind::directional;
     shared::ShadowData out{};
     out.place = glm::vec4(place.corner, place.side, directional ? 0 : 1 / view.texel_per_w);
-    out.light.x = directional ? static_cast<float>(sun_radius) : light.size;
+    out.scale.z = directional ? static_cast<float>(sun_radius) : light.size;
     if (!directional)
         return out;
     // From the camera's place to the world's centre, then clip space → texels.
@@ -165,7 +165,8 @@ shared::ShadowData ShadowPlan::record(const Light& light, const ShadowView& view
     out.across = glm::vec4(rows[0]);
     out.down = glm::vec4(rows[1]);
     out.away = glm::vec4(rows[2]);
-    out.scale = {view.texel, view.depth_range, 0, 0};
+    out.scale.x = static_cast<float>(view.texel);
+    out.scale.y = static_cast<float>(view.depth_range);
     out.ends = glm::vec4(cascade_ends(camera, world_));
     return out;
 }

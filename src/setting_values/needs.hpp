@@ -78,18 +78,23 @@ inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vect
 }
 
 /// Of transparency=half-samples. Throws UsageError for another number of samples a pixel than it needs, and for views
-/// of single layers.
+/// of single layers or samples.
 inline void check_half_samples(const RenderOptions& options) {
     if (options.msaa != 4)
         throw UsageError(fmt::format("--set transparency=half-samples: needs --msaa 4, and it is {}", options.msaa));
-    for (const std::string& view : options.views)
+    for (const std::string& view : options.views) {
         if (layer_of_view(view))
             throw UsageError(fmt::format("--view {}: transparency=half-samples draws one layer, as if it were opaque "
                                          "(with any other value all are shown)",
                                          view));
+        if (const auto one = sample_of_view(view); one && one->buffer == "final")
+            throw UsageError(fmt::format("--view {}: with transparency=half-samples no sample is a picture by itself "
+                                         "(with any other value each is)",
+                                         view));
+    }
 }
 
-/// Throws UsageError for views of samples that a pixel has not, or of its only one.
+/// Throws UsageError for views of samples that a pixel does not have, or of its only one.
 inline void check_sample_views(const RenderOptions& options) {
     for (const std::string& view : options.views)
         if (const auto one = sample_of_view(view); one && (options.msaa == 1 || one->sample >= options.msaa))

@@ -2,6 +2,7 @@
 #include "every_way.hpp"
 #include "garden.hpp"
 #include "shadow_measure.hpp"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <prelight/error.hpp>
@@ -101,17 +102,38 @@ TEST(Shadows, OneLightAfterTheOtherInTheSameMemory) {
 // light have none, and all comparisons are made.
 TEST(Shadows, ExtremesSayWhatComparisonsWould) {
     const ShadowGarden garden;
-    for (const PlacedLight& light : garden.world.lights) {
-        World world = garden.world;
-        world.lights = {light};
+    for (const PlacedLight& light : garden.world.lights)
+        for (const char* budget : {"67108864", "16"}) { // the second leaves tiles that are smaller than a cell
+            World world = garden.world;
+            world.lights = {light};
+            Shot shot = garden.shot();
+            shot.world = &world;
+            shot.settings["shadow-filter"] = "pcf";
+            shot.settings["shadow-detail"] = "1";
+            shot.settings["shadow-budget"] = budget;
+            shot.settings["light-culling"] = "volumes";
+            const Image asked = render_linear(test_device(), shot);
+            shot.settings["shadow-memory"] = "reuse";
+            EXPECT_EQ(asked.pixels, render_linear(test_device(), shot).pixels)
+                << "kind " << int(light.light.kind) << ", budget " << budget;
+        }
+}
+
+// Nobody makes extremes that no one asks for.
+TEST(Shadows, OnlyPcfHasExtremes) {
+    const ShadowGarden garden;
+    for (const auto& [filter, memory] :
+         {std::pair("pcf", "atlas"), {"hard", "atlas"}, {"contact", "atlas"}, {"pcf", "reuse"}}) {
         Shot shot = garden.shot();
-        shot.world = &world;
-        shot.settings["shadow-filter"] = "pcf";
-        shot.settings["shadow-detail"] = "1";
-        shot.settings["light-culling"] = "volumes";
-        const Image asked = render_linear(test_device(), shot);
-        shot.settings["shadow-memory"] = "reuse";
-        EXPECT_EQ(asked.pixels, render_linear(test_device(), shot).pixels) << "kind " << int(light.light.kind);
+        shot.settings["shadow-filter"] = filter;
+        shot.settings["shadow-memory"] = memory;
+        const auto renderer = create_renderer("light-prepass", &test_device(), options_of(shot));
+        renderer->set_world(garden.world);
+        renderer->render(garden.camera);
+        const Stats stats = renderer->stats();
+        const bool made = std::any_of(stats.passes.begin(), stats.passes.end(),
+                                      [](const auto& pass) { return pass.name == "shadow extremes"; });
+        EXPECT_EQ(made, std::string_view(filter) == "pcf" && std::string_view(memory) == "atlas") << filter << memory;
     }
 }
 

@@ -34,7 +34,8 @@ std::vector<SettingInfo> shadow_settings(bool light_by_light) {
         {"shadow-budget",
          {"1 … 268435456"},
          "16777216",
-         "texels of all shadow maps (4 bytes each), rounded down to a power of two; shared by size on the screen"},
+         "texels of all shadow maps (4 bytes each, 2 more with pcf), rounded down to a power of two; shared by size on "
+         "the screen"},
         {"shadow-detail", {"0.01 … 16"}, "2", "texels that a light asks for a pixel; the budget goes before"},
         {"shadow-cache", {"on", "off"}, "on", "off: maps are drawn every frame, for measuring"}};
     if (light_by_light)
