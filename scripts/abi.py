@@ -97,18 +97,19 @@ def main():
     why_not = fault(version, now, lists, released((asked.root / "CHANGELOG.md").read_text()))
     this = (version["VERSION_MAJOR"], version["VERSION_MINOR"])
     file = folder / f"{this[0]}.{this[1]}.txt"
+    soversion, listed = lists.get(this, (None, set()))
+    same = (soversion, listed) == (version["SOVERSION"], now)
+    if not same and (why_not or not asked.update):
+        for line in sorted(now - listed):
+            print("+", line)
+        for line in sorted(listed - now):
+            print("-", line)
     if why_not:
         sys.exit(f"{asked.library.name}: {why_not}")
     if asked.update:
         file.write_text("# The binary interface of this version: scripts/abi.py --update writes it.\n"
                         f"soversion {version['SOVERSION']}\n" + "\n".join(sorted(now)) + "\n")
-        return
-    soversion, listed = lists.get(this, (None, set()))
-    if (soversion, listed) != (version["SOVERSION"], now):
-        for line in sorted(now - listed):
-            print("+", line)
-        for line in sorted(listed - now):
-            print("-", line)
+    elif not same:
         sys.exit(f"{asked.library.name}: not the interface of {file.relative_to(asked.root)}; if it is meant to change, scripts/abi.py "
                  "--update writes it, or says what the version must say first")
 
