@@ -66,12 +66,15 @@ inline std::vector<SettingNeed> needs_of(const std::string& key, const std::vect
     for (SettingNeed need : needs_of(key)) {
         const auto of =
             std::find_if(settings.begin(), settings.end(), [&](const SettingInfo& one) { return one.key == need.key; });
-        if (of != settings.end())
+        if (of != settings.end()) {
             std::erase_if(need.values, [&](const std::string& value) {
                 return std::find(of->values.begin(), of->values.end(), value) == of->values.end();
             });
-        else if (!need.of_options())
+            if (need.values.size() == of->values.size())
+                continue; // whatever it is
+        } else if (!need.of_options()) {
             continue;
+        }
         found.push_back(std::move(need));
     }
     return found;
