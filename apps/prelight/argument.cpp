@@ -10,6 +10,7 @@
 #include <limits>
 #include <platform/program/standard_streams.hpp>
 #include <prelight/scene_io.hpp>
+#include <prelight/views.hpp>
 
 namespace prelight::app {
 namespace {
@@ -145,9 +146,9 @@ void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
         // The name of a single layer or sample holds a = itself: layer=N, layer=N=FILE.
         size_t equals = text.find('=');
-        for (const char* one : {"layer=", "sample=", "depth-sample=", "normal-sample="})
-            if (text.starts_with(one))
-                equals = text.find('=', equals + 1);
+        if (text.starts_with(layer_view_start) ||
+            std::ranges::any_of(sample_view_starts, [&](const auto& one) { return text.starts_with(one.first); }))
+            equals = text.find('=', equals + 1);
         if (equals != std::string::npos) {
             if (equals == 0 || equals + 1 == text.size())
                 refuse("--view", text, "not of the form BUFFER=FILE");

@@ -12,10 +12,16 @@ namespace prelight {
 /// The largest number of a layer that is shown by itself.
 inline constexpr uint32_t most_shown_layers = 256;
 
+/// How the names of views of single layers begin; a number follows.
+inline constexpr std::string_view layer_view_start = "layer=";
+/// How those of single samples begin, each with the buffer that it is of.
+inline constexpr std::pair<std::string_view, std::string_view> sample_view_starts[] = {
+    {"sample=", "final"}, {"depth-sample=", "depth"}, {"normal-sample=", "normal"}};
+
 /// Of a buffer named "layer=N", N: 1 for the blended surface of each pixel that is nearest, 2 for the next one … 256.
 /// The buffer shows it by its alpha over black, and black where a pixel has fewer. None for every other name.
 inline std::optional<uint32_t> layer_of_view(std::string_view view) {
-    constexpr std::string_view start = "layer=";
+    constexpr std::string_view start = layer_view_start;
     if (!view.starts_with(start) || view.substr(start.size()).starts_with('0'))
         return {};
     uint32_t number = 0;
@@ -34,9 +40,7 @@ struct SampleView {
 
 /// What "sample=N" (of the picture), "depth-sample=N" and "normal-sample=N" show, N: 0 … 3. None for every other name.
 inline std::optional<SampleView> sample_of_view(std::string_view view) {
-    constexpr std::pair<std::string_view, std::string_view> buffers[] = {
-        {"sample=", "final"}, {"depth-sample=", "depth"}, {"normal-sample=", "normal"}};
-    for (const auto& [start, buffer] : buffers)
+    for (const auto& [start, buffer] : sample_view_starts)
         if (view.starts_with(start) && view.size() == start.size() + 1 && view.back() >= '0' && view.back() <= '3')
             return SampleView{buffer, static_cast<uint32_t>(view.back() - '0')};
     return {};
@@ -61,9 +65,11 @@ inline std::string names_of_views(const RendererInfo& info) {
         names += (names.empty() ? "" : ", ") + view;
     if (has_view(info, "layer=1"))
         names += ", layer=1 … layer=" + std::to_string(most_shown_layers);
-    for (const std::string start : {"sample=", "depth-sample=", "normal-sample="})
+    for (const auto& one : sample_view_starts) {
+        const std::string start(one.first);
         if (has_view(info, start + "0"))
             names += ", " + start + "0 … " + start + "3";
+    }
     return names;
 }
 
