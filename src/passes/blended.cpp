@@ -8,15 +8,8 @@ namespace prelight::passes {
 
 SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs, bool lists, bool more) {
     const char* const fragment = lists ? "forward_grid.frag" : "forward.frag";
-    // Weighted Fresnel needs the sums of all lights, which materials with a shader of their own get.
-    const bool sums = inputs.model.fresnel == FresnelModel::weighted && inputs.model.shading == Shading::ggx;
-    if (sums)
-        inputs.model.fresnel = FresnelModel::full;
     inputs.decals = {}; // those are of what is opaque
-    SurfaceDraws::Desc desc = forward_desc(fragment, view, inputs, !more);
-    desc.own_fragment = desc.fragment;
-    if (sums)
-        desc.fragment = {fragment, desc.fragment.variants | gpu::Variant::own_material, "metallic_roughness"};
+    SurfaceDraws::Desc desc = summed_desc(fragment, view, inputs, !more);
     desc.depth = gpu::DepthTest::behind_or_at;
     desc.keeps_alpha_mask = false;
     desc.blend = more ? gpu::Blend::add_by_alpha : gpu::Blend::by_alpha;

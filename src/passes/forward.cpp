@@ -80,6 +80,17 @@ SurfaceDraws::Desc forward_desc(const char* fragment, const resident::View& view
     return desc;
 }
 
+SurfaceDraws::Desc summed_desc(const char* fragment, const resident::View& view, ForwardInputs inputs, bool with_base) {
+    const bool sums = inputs.model.fresnel == FresnelModel::weighted && inputs.model.shading == Shading::ggx;
+    if (sums)
+        inputs.model.fresnel = FresnelModel::full;
+    SurfaceDraws::Desc desc = forward_desc(fragment, view, inputs, with_base);
+    desc.own_fragment = desc.fragment;
+    if (sums)
+        desc.fragment = {fragment, desc.fragment.variants | gpu::Variant::own_material, "metallic_roughness"};
+    return desc;
+}
+
 void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs) {
     graph::Pass& pass = graph.pass(inputs.name);
     pass.colour(inputs.colour, inputs.load);

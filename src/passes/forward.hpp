@@ -17,7 +17,7 @@ struct ForwardInputs {
     std::string name;
     graph::ImageId depth;
     graph::ImageId colour; ///< picture_image(): scene-linear and exposed, or finished
-    Display display = {};  ///< forward_grid_pass(): how `colour` was made
+    Display display = {};  ///< forward_grid_pass(), forward_few_pass(): how `colour` was made
     graph::Load load = graph::Load::clear;
     /// Of lights: `equal`, exact because vertex_position() is invariant, or `behind_or_at`, LESS_OR_EQUAL.
     gpu::DepthTest lights_test = gpu::DepthTest::equal;
@@ -38,7 +38,14 @@ struct ForwardInputs {
 /// What draws with forward.frag or forward_grid.frag have in common; `with_base`: ambient and emissive light too.
 SurfaceDraws::Desc forward_desc(const char* fragment, const resident::View& view, const ForwardInputs& inputs,
                                 bool with_base);
+/// The same for weighted Fresnel, too, which takes the sums of all lights: every material gets them, as those with a
+/// shader of their own do.
+SurfaceDraws::Desc summed_desc(const char* fragment, const resident::View& view, ForwardInputs inputs, bool with_base);
 void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs);
+
+/// Every object once, with all lights that the camera may see, at most FORWARD_MOST_LIGHTS; replaces, depth test EQUAL.
+/// `kinds` and `plan` are not used.
+void forward_few_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs);
 
 /// Lists for the cells of a grid.
 LightLists grid_light_lists(graph::FrameGraph& graph, const resident::View& view, const std::string& name,

@@ -135,6 +135,7 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     check_lights(*world_->scene, lights);
     const uint32_t kinds = lights_->kinds();
     const bool none = lights_->placed().empty(), fits = lights_->holds(lights);
+    const bool as_many = draws_as_many(lights_->placed().size(), lights.size());
     if (fits) {
         lights_->replace(lights);
     } else {
@@ -145,7 +146,7 @@ void DeviceRenderer::set_lights(std::span<const PlacedLight> lights) {
     }
     changes_ms_ += thread_ms() - start;
     // Shaders leave out what none of the kinds needs that there were, and renderers passes where there was no light.
-    const bool known = (lights_->kinds() & ~kinds) == 0 && (!none || lights.empty());
+    const bool known = (lights_->kinds() & ~kinds) == 0 && (!none || lights.empty()) && as_many;
     if (fits && known && graph_ && light_sums_.holds(blended_adds(light_view())))
         return;
     drop_graph();

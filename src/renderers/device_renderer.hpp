@@ -55,6 +55,8 @@ protected:
     using Outputs = std::map<std::string, graph::ImageId, std::less<>>;
     /// The architecture: its passes, in order.
     virtual Outputs build(graph::FrameGraph& graph, const resident::View& view) = 0;
+    /// Whether the graph that is built with `before` lights is the one for `lights`, too.
+    virtual bool draws_as_many(size_t /*before*/, size_t /*lights*/) const { return true; }
     /// How often blending may add light to one pixel; 0: no half floats are blended.
     virtual uint32_t blended_adds(const resident::View&) const { return 0; }
     /// What that takes, for build().
@@ -106,6 +108,7 @@ protected:
     const gpu::Buffer& pair_counters() const { return pair_counters_->buffer(); }
     /// For an architecture that draws blended surfaces in half of the samples.
     BlendedSurfaces& blended() { return blended_; }
+    const BlendedSurfaces& blended() const { return blended_; }
 
     /// Samples of depth and normals by themselves, where that was asked for.
     void add_surface_samples(Outputs& outputs, graph::FrameGraph& graph, const resident::View& view,

@@ -16,12 +16,20 @@
 #include <gpu/context.hpp>
 #include <passes/decals.hpp>
 #include <passes/depth_only.hpp>
+#include <passes/forward.hpp>
 #include <passes/half_samples.hpp>
 #include <passes/view.hpp>
 #include <prelight/error.hpp>
 
 namespace prelight {
 namespace {
+
+enum class FewLights { light_buffer, forward };
+constexpr Choice<FewLights> few_lights_words[] = {{"light-buffer", FewLights::light_buffer},
+                                                  {"forward", FewLights::forward}};
+constexpr ChoiceSetting<FewLights> few_lights_setting{
+    "few-lights", few_lights_words, "light-buffer",
+    "up to eight lights: as more are, or forward: by materials, after depth alone, without a light buffer"};
 
 passes::SurfaceFormat surface_format(const Settings& settings) {
     return {.normals = passes::find_normal_encoding(settings.get("normals")).encoding,
@@ -61,6 +69,8 @@ private:
 
     LayerLight layer_light(graph::FrameGraph& graph, const resident::View& view) override {
         const passes::ScreenListOptions lists = screen_list_options(settings());
+        if (!has_light_buffer_)
+            return {.obstacle = "there is none of opaque surfaces"};
         if (!resident::builds_lists(view.culling()))
             return {.obstacle = "light-culling=" + settings().get("light-culling") + " lists no lights of a layer"};
         if (view.surface_raster().samples > 1)
@@ -77,12 +87,23 @@ private:
                                           .lists = lists}};
     }
 
-    /// Whether anything but the materials themselves asks what the surfaces are like.
+    /// Whether anything but lights and the materials themselves asks what the surfaces are like, or for a light buffer.
     bool needs_surfaces(const resident::View& view) const {
         const auto shows_surfaces = [](const std::string& name) { return name != "final" && name != "linear"; };
-        return own_passes().any_before_materials() || has_light(view) || model().fixed_point() || occludes() ||
-               view.scene().shows_through() || !view.scene().decals().empty() ||
+        return own_passes().any_before_materials() || model().fixed_point() || occludes() || reuses_shadows(view) ||
+               blended().in_half_samples() || !view.scene().decals().empty() ||
                settings().is("antialiasing", "edge-blur") || std::ranges::any_of(options().views, shows_surfaces);
+    }
+
+    static bool reuses_shadows(const resident::View& view) { return view.shadows() && view.shadows()->options().reuse; }
+
+    /// Whether materials walk so many lights themselves, where nothing needs surfaces.
+    bool walks_in_materials(size_t lights) const {
+        return settings().value(few_lights_setting) == FewLights::forward && lights <= FORWARD_MOST_LIGHTS;
+    }
+
+    bool draws_as_many(size_t before, size_t lights) const override {
+        return walks_in_materials(before) == walks_in_materials(lights);
     }
 
     /// Depth and materials: no light, no light buffer to fill, nobody to read normals. A picture of a file without
@@ -98,9 +119,37 @@ private:
         });
     }
 
+    /// Depth, and materials that walk all lights: for so few that filling a light buffer is the larger part of its
+    /// cost.
+    Outputs build_few_lights(graph::FrameGraph& graph, const resident::View& view) {
+        const passes::SurfaceBuffers drawn = passes::depth_only_surfaces(graph, view);
+        passes::ForwardInputs inputs{.name = "material and lights", .depth = drawn.depth, .model = model()};
+        inputs.model.specular_antialiasing = settings().is("specular-antialiasing", "on");
+        inputs.shadows = shadows(graph, view);
+        inputs.pair_counters = &pair_counters();
+        inputs.count_pairs = options().count_pairs;
+        inputs.sample_shading = material_shading(settings());
+        return picture_outputs(graph, view, drawn, [&](passes::Display display) {
+            inputs.colour = passes::picture_image(graph, view, view.surface_raster(), display);
+            inputs.display = display;
+            passes::forward_few_pass(graph, view, inputs);
+            return inputs.colour;
+        });
+    }
+
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
-        if (!needs_surfaces(view))
+        has_light_buffer_ = false;
+        const bool few = has_light(view) && walks_in_materials(view.lights().placed().size());
+        if (!needs_surfaces(view) && few)
+            return build_few_lights(graph, view);
+        if (!needs_surfaces(view) && !has_light(view))
             return build_unlit(graph, view);
+        if (few)
+            graph.note(
+                "few-lights=forward: with decals, ssao, edge-blur, half-samples, shadow-memory=reuse, other views "
+                "than final and linear, and passes of the program's own before materials, lights fill a light "
+                "buffer");
+        has_light_buffer_ = true;
         const auto drawn = passes::depth_normal_pass(graph, view, surface_format(settings()));
         const auto decals = passes::decal_pass(graph, view, drawn);
         passes::decal_normal_pass(graph, view, drawn, decals);
@@ -137,6 +186,8 @@ private:
             outputs["edges"] = passes::edges_view_pass(graph, view, surfaces);
         return outputs;
     }
+
+    bool has_light_buffer_ = false; ///< of the graph that is built, filled by lights
 };
 
 } // namespace
@@ -166,6 +217,7 @@ RendererInfo light_prepass_info() {
              msaa_shadows_setting(),
              msaa_material_setting(),
              light_of_layers_setting(),
+             few_lights_setting.info(),
              texture_filter_setting(),
              antialiasing_setting()},
         .views = {"final", "linear", "depth", "normal", "roughness", "diffuse-light", "specular-light", "diffuse-sum",

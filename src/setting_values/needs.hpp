@@ -24,6 +24,8 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"roughness", {"specular", {"stored"}}},
         {"light-scale", {"light-buffer", {"rgb10a2", "rgba8", "packed-rgba8"}}},
         {"light-scale", {"accumulation", {"rgba8"}}},
+        {"few-lights", {"light-buffer", {"rgba16f"}}},
+        {"few-lights", {"ambient", {"material"}}},
         {"tile-size", {"light-culling", {"tiles", "clusters"}}},
         {"list-shading", {"light-culling", {"tiles"}}},
         {"light-lists", {"light-culling", {"tiles"}}},
