@@ -17,9 +17,12 @@ constexpr uint32_t caster_positions = 0, caster_attributes = 1, caster_rows = 2;
 /// Beside the offset along the normal that lighting adds: for normals that are not the triangle's.
 constexpr float slope_bias = 1;
 
-bool overlap(const resident::ShadowTilePlace& a, const resident::ShadowTilePlace& b) {
-    return a.corner.x < b.corner.x + b.side && b.corner.x < a.corner.x + a.side && a.corner.y < b.corner.y + b.side &&
-           b.corner.y < a.corner.y + a.side;
+/// Tiles are runs along the atlas' curve: those that overlap this one follow one another.
+void forget_overlapped(std::map<uint64_t, HeldMaps::Map>& maps, const resident::ShadowTilePlace& place) {
+    auto first = maps.lower_bound(place.first);
+    if (first != maps.begin() && std::prev(first)->second.map.place.end() > place.first)
+        --first;
+    maps.erase(first, maps.lower_bound(place.end()));
 }
 
 } // namespace
@@ -66,13 +69,13 @@ public:
         }
     }
 
-    void bind_geometry(const graph::PassContext& pass) const {
+    void bind_geometry(const graph::PassContext& pass) {
         const resident::Geometry& geometry = view_.scene().geometry();
         const VkBuffer buffers[] = {geometry.positions.handle(), geometry.attributes.handle(),
                                     view_.scene().caster_rows()};
         const VkDeviceSize offsets[] = {0, 0, 0};
         vkCmdBindVertexBuffers(pass.commands, 0, 3, buffers, offsets);
-        vkCmdBindIndexBuffer(pass.commands, geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+        bind_indices(pass, false);
     }
 
     /// As without casters, all over the viewport: depth 0 is the far end. vkCmdClearAttachments makes a software device
@@ -82,8 +85,9 @@ public:
         vkCmdDraw(pass.commands, 3, 1, 0, 0);
     }
 
-    /// Neighbours of the same mesh are one call.
-    void draw(const graph::PassContext& pass, const ShadowMap& map) const {
+    /// Neighbours of the same mesh are one call, where they are drawn whole.
+    void draw(const graph::PassContext& pass, const ShadowMap& map,
+              std::span<const resident::TrimmedCaster> casters = {}) {
         const std::vector<Draw>& all = view_.scene().geometry().draws;
         const std::vector<uint32_t>& draws = map.casters;
         const shared::ShadowTileConstants tile{map.clip_from_centre, glm::uvec4(map.place.corner, 0, 0)};
@@ -91,7 +95,9 @@ public:
         uint32_t material = no_image;
         for (size_t i = 0; i < draws.size();) {
             const Draw& first = all[draws[i]];
-            if (!casts(first)) {
+            const resident::TrimmedCaster part =
+                casters.empty() ? resident::TrimmedCaster{first.first_index, first.index_count} : casters[i];
+            if (!casts(first) || part.index_count == 0) {
                 ++i;
                 continue;
             }
@@ -110,16 +116,18 @@ public:
                 material = first.material;
             }
             uint32_t count = 1;
-            while (i + count < draws.size() && draws[i + count] == draws[i] + count &&
-                   same_triangles(all[draws[i + count]], first))
+            while (!part.trimmed && i + count < draws.size() && draws[i + count] == draws[i] + count &&
+                   same_triangles(all[draws[i + count]], first) && (casters.empty() || !casters[i + count].trimmed))
                 ++count;
-            vkCmdDrawIndexed(pass.commands, first.index_count, count, first.first_index, first.vertex_offset, draws[i]);
+            if (part.trimmed != trimmed_bound_)
+                bind_indices(pass, part.trimmed);
+            vkCmdDrawIndexed(pass.commands, part.index_count, count, part.first_index, first.vertex_offset, draws[i]);
             i += count;
         }
     }
 
     /// Each pipeline once.
-    void warm_up(const graph::PassContext& pass) const {
+    void warm_up(const graph::PassContext& pass) {
         const std::vector<Draw>& all = view_.scene().geometry().draws;
         clear(pass);
         for (const auto& [features, pipeline] : pipelines_)
@@ -141,6 +149,11 @@ private:
         if (draw.blended() && blended_ != resident::TransparentShadows::opaque)
             alpha |= FEATURE_BLENDED;
         return alpha ? alpha | (draw.features & FEATURE_BASE_COLOUR_TEXTURE) : 0;
+    }
+    void bind_indices(const graph::PassContext& pass, bool trimmed) {
+        const VkBuffer buffer = trimmed ? view_.caster_indices().handle() : view_.scene().geometry().indices.handle();
+        vkCmdBindIndexBuffer(pass.commands, buffer, 0, VK_INDEX_TYPE_UINT32);
+        trimmed_bound_ = trimmed;
     }
     bool same_triangles(const Draw& a, const Draw& b) const {
         return key(a) == key(b) && a.material == b.material && a.first_index == b.first_index &&
@@ -167,6 +180,7 @@ private:
     ShadowTarget target_;
     gpu::GraphicsPipeline clear_;
     std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: without alpha
+    bool trimmed_bound_ = false;                          ///< as bind_indices() had it
 };
 
 ShadowDraws::ShadowDraws(const resident::View& view, VkDescriptorSetLayout inputs, const Shadows& shadows,
@@ -184,10 +198,56 @@ void ShadowDraws::record(const graph::PassContext& pass) {
             draw(pass, map);
         return;
     }
-    held_->drawn.clear();
+    ++held_->frame;
+    std::vector<const ShadowTile*> due;
     for (const ShadowTile& tile : view_.shadows()->tiles())
-        if (draw_anew(pass, tile.map))
+        if (!reuses(tile))
+            due.push_back(&tile);
+    const size_t turns = choose(due);
+    held_->drawn.clear();
+    for (size_t i = 0; i < due.size(); ++i) {
+        const ShadowTile& tile = *due[i];
+        if (i < turns) {
             held_->drawn.push_back(tile.map);
+            hold(tile, tile.map, held_->frame);
+            count(tile.map);
+        } else if (!earlier(tile)) { // nothing is in shadow until it is its turn
+            ShadowMap empty = tile.map;
+            empty.casters.clear();
+            empty.versions.clear();
+            held_->drawn.push_back(empty);
+            hold(tile, empty, 0);
+        }
+    }
+    draw_trimmed(pass, held_->drawn);
+}
+
+size_t ShadowDraws::choose(std::vector<const ShadowTile*>& due) const {
+    const size_t most = view_.shadows()->options().updates;
+    const auto others = std::ranges::stable_partition(due, [](const ShadowTile* tile) { return tile->cascade; });
+    const size_t cascades = due.size() - others.size();
+    if (others.size() <= most)
+        return due.size();
+    const auto last_drawn = [&](const ShadowTile* tile) {
+        const HeldMaps::Map* const before = earlier(*tile);
+        return before ? before->frame : 0;
+    };
+    std::ranges::stable_sort(others, {}, last_drawn);
+    return cascades + most;
+}
+
+void ShadowDraws::draw_trimmed(const graph::PassContext& pass, std::span<const ShadowMap> maps) {
+    const gpu::Buffer& indices = view_.caster_indices();
+    std::vector<resident::TrimmedCaster> casters;
+    if (view_.draw_options().trimming == resident::IndexTrimming::host)
+        casters = resident::trim_casters(view_.scene(), maps,
+                                         {indices.mapped<uint32_t>(), indices.size() / sizeof(uint32_t)});
+    size_t first = 0;
+    for (const ShadowMap& map : maps) {
+        const size_t count = casters.empty() ? 0 : map.casters.size();
+        draw(pass, map, std::span(casters).subspan(first, count));
+        first += count;
+    }
 }
 
 void ShadowDraws::begin(const graph::PassContext& pass) {
@@ -210,29 +270,40 @@ void ShadowDraws::record_light(const graph::PassContext& pass, uint32_t light) {
     pass.between([&] {
         casters_->bind_geometry(pass);
         for (auto tile = first; tile != tiles.end() && tile->light == light; ++tile)
-            draw_anew(pass, tile->map);
+            if (!reuses(*tile)) {
+                hold(*tile, tile->map, held_->frame);
+                count(tile->map);
+                draw(pass, tile->map);
+            }
     });
 }
 
-bool ShadowDraws::draw_anew(const graph::PassContext& pass, const ShadowMap& map) {
-    if (view_.shadows()->options().cached && held(map)) {
-        ++counts_.tiles_reused;
-        return false;
-    }
-    std::erase_if(held_->maps, [&](const auto& entry) { return overlap(entry.second.place, map.place); });
-    held_->maps[{map.place.corner.x, map.place.corner.y}] = map;
-    draw(pass, map);
+bool ShadowDraws::reuses(const ShadowTile& tile) {
+    const auto found = held_->maps.find(tile.map.place.first);
+    const bool held = view_.shadows()->options().cached && found != held_->maps.end() && found->second.map == tile.map;
+    counts_.tiles_reused += held;
+    return held;
+}
+
+const HeldMaps::Map* ShadowDraws::earlier(const ShadowTile& tile) const {
+    const auto found = held_->maps.find(tile.map.place.first);
+    const bool own = found != held_->maps.end() && found->second.map.place == tile.map.place &&
+                     found->second.light == tile.light && found->second.number == tile.number;
+    return own ? &found->second : nullptr;
+}
+
+void ShadowDraws::hold(const ShadowTile& tile, const ShadowMap& map, uint64_t frame) {
+    forget_overlapped(held_->maps, map.place);
+    held_->maps.emplace(map.place.first, HeldMaps::Map{map, tile.light, tile.number, frame});
+}
+
+void ShadowDraws::count(const ShadowMap& map) {
     ++counts_.tiles_drawn;
     counts_.casters_drawn += map.casters.size();
-    return true;
 }
 
-bool ShadowDraws::held(const ShadowMap& map) const {
-    const auto found = held_->maps.find({map.place.corner.x, map.place.corner.y});
-    return found != held_->maps.end() && found->second == map;
-}
-
-void ShadowDraws::draw(const graph::PassContext& pass, const ShadowMap& map) {
+void ShadowDraws::draw(const graph::PassContext& pass, const ShadowMap& map,
+                       std::span<const resident::TrimmedCaster> trimmed) {
     const auto x = static_cast<int32_t>(map.place.corner.x), y = static_cast<int32_t>(map.place.corner.y);
     const auto side = static_cast<float>(map.place.side);
     const VkViewport viewport{static_cast<float>(x), static_cast<float>(y), side, side, 0, 1};
@@ -240,7 +311,7 @@ void ShadowDraws::draw(const graph::PassContext& pass, const ShadowMap& map) {
     vkCmdSetViewport(pass.commands, 0, 1, &viewport);
     vkCmdSetScissor(pass.commands, 0, 1, &area);
     casters_->clear(pass);
-    casters_->draw(pass, map);
+    casters_->draw(pass, map, trimmed);
 }
 
 } // namespace prelight::passes

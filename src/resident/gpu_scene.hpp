@@ -60,6 +60,7 @@ public:
     /// Of every draw of the geometry: the rows of its matrix object → world relative to box()'s centre. A vertex
     /// buffer that steps once an instance, as casters of shadows are drawn: they do not move with the camera.
     VkBuffer caster_rows() const { return caster_rows_.handle(); }
+    std::array<glm::vec4, 3> caster_row(const Draw& draw) const;
 
 private:
     bool can_update(const WorldChanges& changes, std::span<const DecalBox> decals) const;
@@ -71,7 +72,6 @@ private:
     void set_shape(Draw& draw) const;
     void update_vertices(uint32_t deformed);
     void update_boxes(std::span<const uint32_t> instances);
-    std::array<glm::vec4, 3> caster_row(const Draw& draw) const;
     void upload_casters();
     const gpu::Context& context_;
     const World& world_;

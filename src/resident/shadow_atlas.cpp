@@ -73,7 +73,8 @@ void ShadowAtlas::give(uint64_t first, uint32_t level) {
 ShadowTilePlace ShadowAtlas::place_of(const Tile& tile) const {
     const uint64_t square = uint64_t(size_.y) * size_.y, inside = tile.first % square;
     return {{every_second(inside) + static_cast<uint32_t>(tile.first / square) * size_.y, every_second(inside >> 1)},
-            1u << tile.level};
+            1u << tile.level,
+            tile.first};
 }
 
 bool ShadowAtlas::place_missing(const std::vector<Wish>& wishes) {

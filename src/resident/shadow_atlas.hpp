@@ -12,6 +12,8 @@ namespace prelight::resident {
 struct ShadowTilePlace {
     glm::uvec2 corner{0}; ///< texels
     uint32_t side = 0;    ///< texels, a power of two
+    uint64_t first = 0;   ///< its first texel along the curve that ShadowAtlas numbers them by
+    uint64_t end() const { return first + uint64_t(side) * side; }
     bool operator==(const ShadowTilePlace&) const = default;
 };
 

@@ -187,7 +187,10 @@ void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span
     while (before != before_.end() && before->light < wish.light)
         ++before;
     for (size_t i = 0; i < views.size(); ++i) {
-        ShadowTile tile{.light = wish.light, .sight = {volume, glm::mat4(views[i].clip_from_centre)}};
+        ShadowTile tile{.light = wish.light,
+                        .number = static_cast<uint32_t>(i),
+                        .cascade = light.light.kind == LightKind::directional,
+                        .sight = {volume, glm::mat4(views[i].clip_from_centre)}};
         tile.map.place = places[i];
         tile.map.centre = world_.centre();
         tile.map.clip_from_centre = tile.sight.clip_from_centre;

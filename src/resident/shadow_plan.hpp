@@ -30,6 +30,7 @@ struct ShadowOptions {
     double detail = 2;          ///< texels of a map that a pixel asks for
     bool reuse = false;         ///< each light has the whole atlas, one after the other
     bool cached = true;         ///< tiles whose light and casters did not move are not drawn again
+    uint32_t updates = ~0u;     ///< that many tiles are drawn in a frame, beside cascades
 };
 
 /// All that a tile's map is drawn from: two that are equal hold the same texels. Who draws one is given nothing else,
@@ -52,7 +53,8 @@ struct ShadowSight {
 
 /// One tile to be drawn, unless the atlas holds its map already.
 struct ShadowTile {
-    uint32_t light = 0;
+    uint32_t light = 0, number = 0; ///< the light's first, second … tile
+    bool cascade = false;
     ShadowSight sight;
     ShadowMap map;
 };

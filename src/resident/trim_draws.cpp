@@ -10,12 +10,6 @@
 namespace prelight::resident {
 namespace {
 
-/// Indices that one thread takes at a time; fewer altogether are not worth a thread, which takes 50 µs to start.
-constexpr size_t chunk_indices = 3u << 16;
-
-/// What faces the viewer has its vertices elsewhere.
-bool is_trimmed(const Draw& draw) { return draw.primitive && !draw.facing(); }
-
 /// Draws that one thread takes at a time.
 struct Chunk {
     size_t first = 0, count = 0;
@@ -25,10 +19,10 @@ struct Chunk {
 std::vector<Chunk> chunks_of(std::span<const VisibleDraw> draws, std::span<const Draw> all, size_t room) {
     std::vector<Chunk> chunks;
     for (size_t d = 0; d < draws.size(); ++d) {
-        if (chunks.empty() || chunks.back().indices >= chunk_indices)
+        if (chunks.empty() || chunks.back().indices >= indices_of_a_thread)
             chunks.push_back({.first = d});
         ++chunks.back().count;
-        if (is_trimmed(all[draws[d].draw]) && draws[d].index_count <= room)
+        if (can_be_trimmed(all[draws[d].draw]) && draws[d].index_count <= room)
             chunks.back().indices += draws[d].index_count;
     }
     return chunks;
@@ -80,7 +74,7 @@ size_t trim_draws(std::span<VisibleDraw> draws, std::span<const shared::ObjectDa
         uint32_t* out = kept.get();
         for (size_t d = 0; d < mine.size(); ++d) {
             const Draw& draw = all[mine[d].draw];
-            if (!is_trimmed(draw) || mine[d].index_count > room.size())
+            if (!can_be_trimmed(draw) || mine[d].index_count > room.size())
                 continue;
             parts[d] = {out, trimmer.trim(draw, objects[chunks[c].first + d], out)};
             out += parts[d].second;

@@ -18,7 +18,8 @@ RowRange over_box(const glm::dvec4& row, const glm::dvec3& middle, const glm::dv
 
 } // namespace
 
-IndexTrimmer::IndexTrimmer(const TrimView& view) : view_(view) {
+void IndexTrimmer::look_from(const TrimView& view) {
+    view_ = view;
     // Half a step of the device's grid, and single precision at a few thousand pixels on both sides.
     test_.margin = std::exp2(-static_cast<float>(view.subpixel_bits)) + 1.0f / 128;
     test_.reach = view.samples > 1 ? 0.5f : 0.0f;
@@ -91,7 +92,7 @@ size_t IndexTrimmer::trim(const Draw& draw, const shared::ObjectData& object, ui
     const Primitive& primitive = *draw.primitive;
     // Fronts are counter-clockwise in the picture, and clockwise where the object is mirrored.
     const float front = draw.mirrored ? 1.0f : -1.0f;
-    test_.facing = draw.double_sided ? 0.0f : front;
+    test_.facing = draw.double_sided || view_.both_faces ? 0.0f : front;
     const size_t vertices = primitive.positions.size();
     if (x_.size() < vertices) {
         x_.resize(vertices);

@@ -13,14 +13,22 @@ struct TrimView {
     float width = 0, height = 0;  ///< pixels
     uint32_t subpixel_bits = 8;   ///< VkPhysicalDeviceLimits::subPixelPrecisionBits
     uint32_t samples = 1;         ///< one at the pixel's centre, or several anywhere within
+    bool both_faces = false;      ///< of every material: nothing faces away
 };
+
+/// Indices that one thread takes at a time; fewer altogether are not worth a thread, which takes 50 µs to start.
+constexpr size_t indices_of_a_thread = 3u << 16;
+
+/// Whether the host knows where its vertices are: it does not of what faces the viewer.
+inline bool can_be_trimmed(const Draw& draw) { return draw.primitive && !draw.facing(); }
 
 /// Leaves out triangles that cannot show, on the host: those that face away, those off screen, and those
 /// that cover no sample; whole objects first. A triangle that the device's own rounding might let show is kept, so a
 /// picture is the same byte for byte.
 class IndexTrimmer {
 public:
-    explicit IndexTrimmer(const TrimView& view);
+    explicit IndexTrimmer(const TrimView& view) { look_from(view); }
+    void look_from(const TrimView& view);
     /// Writes the indices of what may show of the draw's primitive to `out`, which has room for all of them; returns
     /// how many. `object`: where it stands.
     size_t trim(const Draw& draw, const shared::ObjectData& object, uint32_t* out);

@@ -19,6 +19,8 @@ namespace {
 constexpr float half_max = 65504;
 /// Trimmed indices of a frame, 64 MiB: beyond that objects are drawn whole.
 constexpr uint64_t most_trimmed = 16u << 20;
+/// Those of shadow casters, 32 MiB: all that is left of 80 million triangles of the scene `lights` with 1,024 lights.
+constexpr uint64_t most_trimmed_casters = 8u << 20;
 
 gpu::Buffer make_upload(const gpu::Context& context, const char* name, uint64_t count, uint64_t stride,
                         VkBufferUsageFlags usage) {
@@ -65,7 +67,11 @@ void View::make_draw_buffers() {
     const DrawOptions& options = settings_.draws;
     const VkBufferUsageFlags storage = options.trims_on_device() ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
     const uint64_t host_indices = options.trimming == IndexTrimming::host ? indices : std::min(facing, most_trimmed);
+    const bool casters = settings_.shadows.on && !settings_.shadows.reuse && options.trimming == IndexTrimming::host;
+    const uint64_t caster_indices = casters ? std::min(6 * lights_.capacity() * indices, most_trimmed_casters) : 0;
     for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot) {
+        caster_indices_[slot] =
+            make("caster indices", caster_indices * sizeof(uint32_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
         objects_[slot] =
             make("objects", draws * sizeof(shared::ObjectData), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | storage);
         slots_[slot].commands =

@@ -99,6 +99,8 @@ public:
     VkBuffer trimmed_indices() const { return trimmed_[slot_].handle(); }
     /// FrameConstants; the device may write them too with ViewSettings::measures_light.
     const gpu::PerFrame<gpu::Buffer>& constant_buffers() const { return constants_; }
+    /// Room for trim_casters() in the slot of the last update(): none where triangles are not trimmed on the host.
+    const gpu::Buffer& caster_indices() const { return caster_indices_[slot_]; }
     const gpu::PerFrame<gpu::Buffer>& object_buffers() const { return objects_; }
     const gpu::PerFrame<gpu::Buffer>& trimmed_buffers() const { return trimmed_; }
     /// With DrawOptions::counts_pixels and trims_on_device(); else null.
@@ -129,6 +131,7 @@ private:
     gpu::PerFrame<Slot> slots_;
     gpu::PerFrame<gpu::Buffer> constants_;
     gpu::PerFrame<gpu::Buffer> objects_, trimmed_; ///< what find_visible() writes too
+    gpu::PerFrame<gpu::Buffer> caster_indices_;
     std::optional<VisiblePixels> visible_pixels_;
     std::optional<DeviceTrimming> device_trimming_;
     uint32_t slot_ = 0; ///< of the last update()

@@ -39,6 +39,8 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"shadow-budget", {"shadows", {"on"}}},
         {"shadow-detail", {"shadows", {"on"}}},
         {"shadow-cache", {"shadows", {"on"}}},
+        {"shadow-updates", {"shadows", {"on"}}},
+        {"shadow-updates", {"shadow-memory", {"atlas"}}},
         {"shadow-memory", {"shadows", {"on"}}},
         {"ssao-radius", {"ssao", {"half", "full"}, "ambient-occlusion"}},
         {"ambient-occlusion-radius", {"ambient-occlusion", {"on"}, "ambient-occlusion"}},

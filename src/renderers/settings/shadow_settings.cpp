@@ -37,7 +37,11 @@ std::vector<SettingInfo> shadow_settings(bool light_by_light) {
          "texels of all shadow maps (4 bytes each, 2 more with pcf), rounded down to a power of two; shared by size on "
          "the screen"},
         {"shadow-detail", {"0.01 … 16"}, "2", "texels that a light asks for a pixel; the budget goes before"},
-        {"shadow-cache", {"on", "off"}, "on", "off: maps are drawn every frame, for measuring"}};
+        {"shadow-cache", {"on", "off"}, "on", "off: maps are drawn every frame, for measuring"},
+        {"shadow-updates",
+         {"all", "1 … 65536"},
+         "all",
+         "so many tiles of maps are drawn in a frame, beside a directional light's; the others wait for their turn"}};
     if (light_by_light)
         settings.push_back({"shadow-memory",
                             {"atlas", "reuse"},
@@ -72,7 +76,9 @@ resident::ShadowOptions shadow_options(const Settings& settings) {
             .budget = static_cast<uint64_t>(settings.number("shadow-budget")),
             .detail = settings.number("shadow-detail"),
             .reuse = settings.has("shadow-memory") && settings.is("shadow-memory", "reuse"),
-            .cached = settings.is("shadow-cache", "on")};
+            .cached = settings.is("shadow-cache", "on"),
+            .updates =
+                settings.is("shadow-updates", "all") ? ~0u : static_cast<uint32_t>(settings.number("shadow-updates"))};
 }
 
 } // namespace prelight
