@@ -22,13 +22,13 @@ void main() {
     ivec2 first = ivec2(gl_FragCoord.xy) * SHADOW_CELL - reach;
     const int side = SHADOW_CELL + 2 * reach;
     vec2 extremes = vec2(0.0, 1.0);
-    int i = 0;
-    do {
-        ivec2 texel = clamp(first + ivec2(i % side, i / side), corner, last); // as lookups stay in their tile
-        float depth = texelFetch(shadow_atlas, texel, 0).r, nearest = depth;
-        if (shadows_transmit) // its depths are half floats
-            nearest = max(nearest, texelFetch(shadow_transmittance, texel, 0).a * (1.0 + 1.0 / 512.0));
-        extremes = vec2(max(extremes.x, nearest), min(extremes.y, depth));
-    } while (++i < side * side);
+    for (int y = 0; y < side; ++y) // so short that a driver unrolls them
+        for (int x = 0; x < side; ++x) {
+            ivec2 texel = clamp(first + ivec2(x, y), corner, last); // as lookups stay in their tile
+            float depth = texelFetch(shadow_atlas, texel, 0).r, nearest = depth;
+            if (shadows_transmit) // its depths are half floats
+                nearest = max(nearest, texelFetch(shadow_transmittance, texel, 0).a * (1.0 + 1.0 / 512.0));
+            extremes = vec2(max(extremes.x, nearest), min(extremes.y, depth));
+        }
     out_extremes = extremes;
 }
