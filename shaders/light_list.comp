@@ -36,7 +36,7 @@ LightSource shuffled(LightSource mine, uint lane) {
                 subgroupShuffle(mine.shininess, lane), subgroupShuffle(mine.falloff, lane),
                 subgroupShuffle(mine.distribution, lane)
 #ifdef SHADOWS
-                , subgroupShuffle(mine.shadow, lane), subgroupShuffle(mine.shadow_kind, lane)
+                , subgroupShuffle(mine.shadow, lane), subgroupShuffle(mine.shadow_kind, lane), false
 #endif
     );
 }
@@ -65,6 +65,41 @@ LightSource narrowed(LightSource source, const int maps) {
                          : source.shadow_kind == SHADOW_FACES ? SHADOW_FACES
                                                               : SHADOW_SPOT;
     return source;
+}
+#endif
+
+#ifdef SHADOWS
+// What of a light comes past its maps to each row, LitPoint::unhidden. A software device compares for all lanes or for
+// none, and few pixels of a row need it: so each lane takes the next of its own rows that does, whichever that is.
+void find_shadows(LightSource source) {
+    Lookup lookups[rows];
+    uint asking = 0u;
+    for (int row = 0; row < rows; ++row) {
+        LitPoint p = pixels[row].point;
+        Reach r = reach(source, p);
+        ShadowPoint at = shadow_point(source, p, r);
+        bool wanted = r.contributes && !is_stored_sun(source, p);
+        lookups[row] = lookup(shadow_of(source), at.world, at.n, -at.reach.to_light, at.reach.nl, wanted);
+        pixels[row].point.unhidden = lookups[row].said;
+        asking |= lookups[row].asks ? 1u << row : 0u;
+    }
+    do {
+        int next = max(findLSB(asking), 0);
+        Lookup at = lookups[0];
+        vec2 turn = pixels[0].point.turn;
+        for (int row = 1; row < rows; ++row) { // one by one: it would keep arrays in memory
+            bool is = row == next;
+            at.tile = is ? lookups[row].tile : at.tile;
+            at.place = is ? lookups[row].place : at.place;
+            at.radius = is ? lookups[row].radius : at.radius;
+            turn = is ? pixels[row].point.turn : turn;
+        }
+        at.asks = asking != 0u;
+        float left = filtered(at, turn);
+        for (int row = 0; row < rows; ++row)
+            pixels[row].point.unhidden = at.asks && row == next ? left : pixels[row].point.unhidden;
+        asking &= asking - 1u;
+    } while (asking != 0u);
 }
 #endif
 
@@ -98,6 +133,10 @@ void add_lights(Taken taken, const int maps) {
         LightSource source = shuffled(taken.mine, lane);
 #ifdef SHADOWS
         source = narrowed(source, maps);
+        if (lookups_apart && maps != without_maps) {
+            find_shadows(source);
+            source.shadow_known = true;
+        }
 #endif
         for (int row = 0; row < rows; ++row)
             contributing[row] += add_light(sums[row], pixels[row], source) && real ? 1u : 0u;

@@ -32,6 +32,7 @@ struct LitPoint {
     vec2 turn;        // of the disc that shadows are filtered with
     uint sun;         // the shadow (as in LightSource) that needs no maps, for it is known here; 0: there is none
     float sunlit;     // what comes past it
+    float unhidden;   // [LightSource::shadow_known] what comes past the maps of the light at hand
 #ifdef SHADOWS_ELSEWHERE
     vec3 shadow_world, shadow_n; // [shadows_at_pixel] where shadows are looked up, as world and n
 #endif
@@ -51,7 +52,7 @@ LitPoint lit_point(bool surface, vec3 world, vec3 n, vec3 v, float roughness, ve
 #ifdef SHADOWS
     p.turn = disc_turn(pixel);
     p.sun = 0u;
-    p.sunlit = 1.0;
+    p.sunlit = p.unhidden = 1.0;
 #ifdef SHADOWS_ELSEWHERE
     p.shadow_world = p.shadow_n = vec3(0.0);
 #endif
@@ -80,6 +81,7 @@ struct LightSource {
 #ifdef SHADOWS
     uint shadow;           // as in LightData
     uint shadow_kind;      // SHADOW_…, of it
+    bool shadow_known;     // it was looked up: LitPoint::unhidden
 #endif
 };
 
@@ -89,7 +91,7 @@ LightSource light_source(LightData light) {
                 light.inverse_range * light.inverse_range, light.axis, light.cone, light.shininess,
                 light.kind & LIGHT_FALLOFF_MASK, light.kind >> LIGHT_DISTRIBUTION_SHIFT
 #ifdef SHADOWS
-                , light.shadow, light.shadow % SHADOW_KINDS
+                , light.shadow, light.shadow % SHADOW_KINDS, false
 #endif
     );
 }
@@ -120,24 +122,58 @@ float schlick_weight(float cosine) {
     return m2 * m2 * m;
 }
 
+// How a light gets to a point.
+struct Reach {
+    vec3 to_light;
+    float inverse;    // 1 / distance
+    vec3 l;           // unit vector
+    float attenuation;
+    float nl;         // N·L, at least 0
+    bool contributes; // attenuation and N·L are above zero
+};
+
+Reach reach(LightSource source, LitPoint p) {
+    Reach r;
+    r.to_light = source.position.xyz - p.world * (may_be(LIGHT_KIND_DIRECTIONAL) ? source.position.w : 1.0);
+    float d2 = dot(r.to_light, r.to_light);
+    r.inverse = inversesqrt(max(d2, 1e-12));
+    r.l = r.to_light * r.inverse;
+    r.attenuation = attenuation(source, d2, r.inverse, r.l);
+    r.nl = clamp(dot(p.n, r.l), 0.0, 1.0);
+    r.contributes = r.attenuation > 0.0 && r.nl > 0.0;
+    return r;
+}
+
 #ifdef SHADOWS
-// What of the light comes past its shadow casters; `to_light`, `nl`: of the point.
-float unhidden(LightSource source, LitPoint p, vec3 to_light, float nl, bool wanted) {
-    vec3 world = p.world, n = p.n;
+// Where shadows of a light are looked up for a point, and how it gets there.
+struct ShadowPoint {
+    vec3 world, n;
+    Reach reach;
+};
+
+ShadowPoint shadow_point(LightSource source, LitPoint p, Reach r) {
+    ShadowPoint at = ShadowPoint(p.world, p.n, r);
 #ifdef SHADOWS_ELSEWHERE
     if (shadows_at_pixel) { // but for lights that do not get there, whose maps have nothing to say of it
-        vec3 to = source.position.xyz - p.shadow_world * (may_be(LIGHT_KIND_DIRECTIONAL) ? source.position.w : 1.0);
-        float d2 = dot(to, to), inverse = inversesqrt(max(d2, 1e-12));
-        float facing = dot(p.shadow_n, to) * inverse;
-        bool there = facing > 0.0 && attenuation(source, d2, inverse, to * inverse) > 0.0;
-        world = there ? p.shadow_world : world;
-        n = there ? p.shadow_n : n;
-        to_light = there ? to : to_light;
-        nl = there ? min(facing, 1.0) : nl;
+        p.world = p.shadow_world;
+        p.n = p.shadow_n;
+        Reach there = reach(source, p);
+        at.world = there.contributes ? p.world : at.world;
+        at.n = there.contributes ? p.n : at.n;
+        at.reach.to_light = there.contributes ? there.to_light : r.to_light;
+        at.reach.nl = there.contributes ? there.nl : r.nl;
     }
 #endif
-    LightShadow shadow = LightShadow(source.shadow, source.shadow_kind, source.axis);
-    return unshadowed(shadow, world, n, -to_light, nl, p.turn, wanted);
+    return at;
+}
+
+LightShadow shadow_of(LightSource source) { return LightShadow(source.shadow, source.shadow_kind, source.axis); }
+bool is_stored_sun(LightSource source, LitPoint p) { return p.sun > 0u && source.shadow == p.sun; }
+
+// What of the light comes past its shadow casters.
+float unhidden(LightSource source, LitPoint p, Reach r, bool wanted) {
+    ShadowPoint at = shadow_point(source, p, r);
+    return unshadowed(shadow_of(source), at.world, at.n, -at.reach.to_light, at.reach.nl, p.turn, wanted);
 }
 #endif
 
@@ -153,22 +189,19 @@ struct LightTerms {
 // V·H = |L + V| / 2. That saves a software device a third of the loop. `source` comes out with the colour that it sends to
 // this point.
 LightTerms light_terms(inout LightSource source, LitPoint p) {
-    vec3 to_light = source.position.xyz - p.world * (may_be(LIGHT_KIND_DIRECTIONAL) ? source.position.w : 1.0);
-    float d2 = dot(to_light, to_light);
-    float inverse = inversesqrt(max(d2, 1e-12));
-    vec3 l = to_light * inverse;
-    float att = attenuation(source, d2, inverse, l);
-    float nl = clamp(dot(p.n, l), 0.0, 1.0);
-    bool contributes = att > 0.0 && nl > 0.0;
+    Reach r = reach(source, p);
+    vec3 l = r.l;
+    float att = r.attenuation, nl = r.nl;
+    bool contributes = r.contributes;
     if (may_be(LIGHT_KIND_DISTRIBUTION)) {
         for (bool once = contributes && source.distribution > 0u; once; once = false)
-            source.colour *= light_distribution(source.distribution, -l, pixel_on_surface(p.world, p.nv) * inverse);
+            source.colour *= light_distribution(source.distribution, -l, pixel_on_surface(p.world, p.nv) * r.inverse);
         source.luminance = luminance(source.colour);
     }
 #ifdef SHADOWS
-    bool known = p.sun > 0u && source.shadow == p.sun;
-    float comes = unhidden(source, p, to_light, nl, contributes && !known);
-    att *= known ? p.sunlit : comes;
+    bool sun = is_stored_sun(source, p);
+    float comes = source.shadow_known ? p.unhidden : unhidden(source, p, r, contributes && !sun);
+    att *= sun ? p.sunlit : comes;
 #endif
     float lv = dot(l, p.v);
     float half2 = max(2.0 + 2.0 * lv, 1e-12);  // |L + V|²

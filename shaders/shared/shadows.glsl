@@ -157,6 +157,54 @@ float penumbra(InTile p, float radius, vec2 turn, bool wanted) {
     return clamp(metres / metres_a_texel(p), least_radius, max(radius, least_radius));
 }
 
+// Where a point is looked up, [pcf].
+struct Lookup {
+    vec3 tile;    // ShadowData::place: corner and side
+    vec3 place;   // in the tile, and depth
+    float radius; // of the disc, texels
+    float said;   // all_say()
+    bool asks;    // comparisons have to be made
+};
+
+Lookup lookup_of(InTile p, float radius, bool wanted) {
+    Lookup found;
+    found.tile = p.tile.place.xyz;
+    found.place = moved_place(p, radius);
+    found.radius = radius;
+    found.said = all_say(p.tile, found.place);
+    found.asks = wanted && found.said < 0.0;
+    return found;
+}
+
+// The mean of all comparisons; of a lane that does not ask, something.
+float filtered(Lookup at, vec2 turn) {
+    vec2 of_atlas = 1.0 / vec2(textureSize(shadow_atlas, 0));
+    float sum = 0.0;
+    int i = 0, taps = at.asks ? shadow_taps : 1;
+    do { // a software device would run the body once more with the condition in front
+        vec2 spot = at.place.xy + turn * (at.radius * sqrt((float(i) + 0.5) / float(shadow_taps)));
+        spot = at.tile.xy + clamp(spot, vec2(0.5), vec2(at.tile.z - 0.5));
+        spot = at.asks ? spot : vec2(0.5);
+        float left = textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * of_atlas, at.place.z), 0.0);
+        if (shadows_transmit)
+            left *= transmittance(spot, at.place.z);
+        sum += left;
+        turn = next_turn(turn);
+    } while (++i < taps);
+    return sum / float(shadow_taps);
+}
+
+// Where shadows are filtered by comparisons alone: lookups may be made apart from what they are for.
+const bool lookups_apart = shadow_filter == SHADOW_FILTER_PCF;
+
+Lookup lookup(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float nl, bool wanted) {
+    wanted = wanted && shadow.number > 0u;
+    InTile p = in_tile(shadow, world, n, from_light, nl, wanted);
+    Lookup found = lookup_of(p, min(least_radius, shadow_radius(uint(shadow_filter), uint(p.tile.place.z))), wanted);
+    found.said = wanted ? found.said : 1.0;
+    return found;
+}
+
 // 1: nothing between the light and the point. `from_light`: from the light to the point; `nl`: N·L; where not `wanted`
 // nothing is looked up.
 float unshadowed(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec2 turn, bool wanted) {
@@ -168,8 +216,8 @@ float unshadowed(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float 
         radius = shadow_filter == SHADOW_FILTER_CONTACT ? penumbra(p, largest, turn, wanted) : least_radius;
         radius = min(radius, largest);
     }
-    vec3 place = moved_place(p, radius);
     if (shadow_filter == SHADOW_FILTER_HARD) {
+        vec3 place = moved_place(p, radius);
         vec2 texel = atlas_texel(p.tile, place.xy);
         float left = texelFetch(shadow_atlas, ivec2(texel), 0).r > place.z ? 0.0 : 1.0;
         if (shadows_transmit)
@@ -177,20 +225,8 @@ float unshadowed(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float 
         return wanted ? left : 1.0;
     }
     // A software device looks up for all lanes or for none: those that know look where it costs least.
-    float said = all_say(p.tile, place);
-    bool asks = wanted && said < 0.0;
-    vec2 of_atlas = 1.0 / vec2(textureSize(shadow_atlas, 0));
-    float sum = 0.0;
-    int i = 0, taps = asks ? shadow_taps : 1;
-    do { // a software device would run the body once more with the condition in front
-        vec2 spot = atlas_texel(p.tile, place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(shadow_taps))));
-        spot = asks ? spot : vec2(0.5);
-        float left = textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * of_atlas, place.z), 0.0);
-        if (shadows_transmit)
-            left *= transmittance(spot, place.z);
-        sum += left;
-        turn = next_turn(turn);
-    } while (++i < taps);
-    return asks ? sum / float(shadow_taps) : wanted ? said : 1.0;
+    Lookup at = lookup_of(p, radius, wanted);
+    float left = filtered(at, turn);
+    return at.asks ? left : wanted ? at.said : 1.0;
 }
 #endif
