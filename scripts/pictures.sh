@@ -219,22 +219,21 @@ keep ssao
 
 "$prelight" sequence city-sparks --frames-at 80 --size 480x270 -o "$out/moving-sparks.png"
 
-# Every scene that others made, as it shows without an option; what burns out at EV 0, metered.
+# Every scene that others made, as it shows without an option.
 shared=${PRELIGHT_SHARED_SCENES:-../shared/scenes}
 if [ -d "$shared" ]; then
     tiles=()
     for file in "$shared"/*.glb; do
         name=$(basename "$file" .glb)
-        "$prelight" render "$file" --size 480x270 -o "$work/$name.png" 2> "$work/said"
-        label=$name
-        if grep -q 'burnt out' "$work/said"; then
-            exposure=$("$prelight" render "$file" --size 480x270 --exposure auto -o "$work/$name.png" 2> /dev/null | sed -n 's/^exposure: auto is --exposure //p')
-            label="$name, EV $exposure"
-        fi
+        "$prelight" render "$file" --size 480x270 -o "$work/$name.png" 2> /dev/null > "$work/said"
+        label=$name$(sed -n 's/^exposure: auto is --exposure /, EV /p; s/^environment: studio.*/, studio/p' "$work/said" | tr -d '\n')
         tiles+=(-label "$label" "$work/$name.png")
     done
     "$prelight" sequence "$shared/CesiumMan.glb" --lights 256 --environment studio --exposure -1 --frames-at 20 --size 480x270 \
         -o "$out/moving-walk.png"
+    "$prelight" render "$shared/LightsPunctualLamp.glb" -o "$work/whole-lamp.png"
+    convert "$work/whole-lamp.png" -gravity center -crop 480x640+0+0 +repage "$work/lamp.png"
+    keep lamp
     hall=$(dirname "$prelight")/examples/example_shadowed_hall
     "$hall" "$shared/sponza-512.glb" "$work/sponza-shadows.png"
     "$hall" "$shared/sponza-512.glb" "$work/sponza-shadows-reference.png" reference

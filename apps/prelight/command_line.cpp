@@ -96,7 +96,7 @@ CompareCommand parse_compare(const Given& given, int argc, const char* const* ar
     command.options.msaa = parse_count("--msaa", given.text("--msaa", "1"), 1);
     if (given.has("--shading"))
         command.options.shading = parse_shading(given.text("--shading"));
-    take_exposure(given, command.options, command.auto_exposure);
+    command.exposure = take_exposure(given, command.options);
     command.frames = parse_count("--frames", given.text("--frames", "5"), 1);
     command.moment = parse_moment(given.text("--time"), command.animation);
     command.seed = parse_seed("--seed", given.text("--seed", "1"));

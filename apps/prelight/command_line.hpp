@@ -1,5 +1,5 @@
 #pragma once
-#include "environment_choice.hpp"
+#include "first_sight.hpp"
 #include "sequence/sequence_command.hpp"
 #include "variant.hpp"
 #include "view_choice.hpp"
@@ -46,9 +46,9 @@ struct RenderCommand {
     std::vector<std::pair<std::string, std::filesystem::path>> materials;
     EnvironmentChoice environment;
     SceneReading reading;
-    std::optional<Framing> framing; ///< absent: the scene's camera
-    bool auto_exposure = false;     ///< options.exposure comes from the picture
-    bool smooth_edges = false;      ///< nothing was said of samples or anti-aliasing: see open_session()
+    std::optional<Framing> framing;                 ///< absent: the scene's camera
+    ExposureChoice exposure = ExposureChoice::open; ///< whether options.exposure holds
+    bool smooth_edges = false; ///< nothing was said of samples or anti-aliasing: see open_session()
 };
 
 /// `prelight sequence`: what `render` makes of each of many moments.
@@ -86,8 +86,8 @@ struct CompareCommand {
     std::optional<double> budget;       ///< seconds; absent: as long as it takes
     EnvironmentChoice environment;
     SceneReading reading;
-    std::optional<Framing> framing; ///< absent: the scene's camera
-    bool auto_exposure = false;     ///< options.exposure comes from the picture
+    std::optional<Framing> framing;                 ///< absent: the scene's camera
+    ExposureChoice exposure = ExposureChoice::open; ///< whether options.exposure holds
 };
 
 /// `prelight make`

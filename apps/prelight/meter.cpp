@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <prelight/exposure.hpp>
 
 namespace prelight::app {
 namespace {
 
 constexpr uint32_t longest_side = 256;
-/// Of a picture. Behind most scenes with lights of their own it is black.
-constexpr double too_burnt = 0.25, too_black = 0.9;
 
 /// The command's settings that say what light there is, as far as this renderer has them.
 std::map<std::string, std::string> settings_of_light(const RendererInfo& info, const RenderOptions& options) {
@@ -25,55 +22,86 @@ std::map<std::string, std::string> settings_of_light(const RendererInfo& info, c
     return settings;
 }
 
+const char* architecture(const Device* device) { return device ? "light-prepass" : "reference"; }
+
 } // namespace
 
-double meter_exposure(Device* device, const World& world, const PlacedCamera& camera, const RenderOptions& options) {
-    const std::string name = device ? "light-prepass" : "reference";
+Meter::Meter(Device* device, const PlacedCamera& camera, const RenderOptions& options)
+    : device_(device), camera_(camera) {
     const double scale = std::min(1.0, double(longest_side) / std::max(options.width, options.height));
     const auto side = [&](uint32_t pixels) { return std::max(uint32_t(std::lround(pixels * scale)), 1u); };
-    RenderOptions small{.width = side(options.width),
-                        .height = side(options.height),
-                        .shading = options.shading,
-                        .preset = {},
-                        .settings = settings_of_light(find_renderer(name), options),
-                        .views = {"depth", "linear"}};
+    small_ = {.width = side(options.width),
+              .height = side(options.height),
+              .shading = options.shading,
+              .tonemap = options.tonemap,
+              .preset = {},
+              .settings = settings_of_light(find_renderer(architecture(device)), options),
+              .views = {"depth", "linear"}};
+}
+
+void Meter::draw(double ev) {
+    if (!renderer_ || small_.exposure != ev) {
+        small_.exposure = ev;
+        renderer_.reset();
+        renderer_ = create_renderer(architecture(device_), device_, small_);
+    }
+    renderer_->set_world(*world_);
+    renderer_->render(camera_);
+    linear_ = renderer_->read("linear");
+    surface_.clear();
+    for (const glm::vec3& p : renderer_->read("depth").pixels)
+        surface_.push_back(p.r > 0);
+}
+
+void Meter::look(const World& world) {
+    world_ = &world;
+    exposure_.reset();
+    draw(0);
+}
+
+double Meter::exposure() {
+    if (exposure_)
+        return *exposure_;
     // A half float holds forty stops: what is far off is metered again, nearer to its middle, and what is black once
     // more with more light.
+    double ev = small_.exposure;
     bool lit = false;
     for (int tries = 0; tries < 4; ++tries) {
-        const auto renderer = create_renderer(name, device, small);
-        renderer->set_world(world);
-        renderer->render(camera);
-        const Image depth = renderer->read("depth");
-        std::vector<bool> surface;
-        for (const glm::vec3& p : depth.pixels)
-            surface.push_back(p.r > 0);
-        const std::optional<double> more = auto_exposure(renderer->read("linear"), surface);
+        if (tries > 0)
+            draw(ev);
+        const std::optional<double> more = auto_exposure(linear_, surface_);
         lit |= more.has_value();
-        small.exposure = std::clamp(small.exposure + more.value_or(24), -64.0, 64.0);
+        ev = std::clamp(ev + more.value_or(24), -64.0, 64.0);
         if (more && std::abs(*more) < 8)
             break;
-        if (!lit && tries == 1)
-            return 0; // nothing shines
+        if (!lit && tries == 1) { // nothing shines
+            ev = 0;
+            break;
+        }
     }
-    return small.exposure;
+    exposure_ = ev;
+    return ev;
 }
 
-void print_exposure(double ev) { tell(fmt::format("exposure: auto is --exposure {:.1f}", ev)); }
-
-void warn_of_extremes(const Log& log, const Image& display, const std::string& file, const World& world,
-                      bool auto_exposure) {
-    if (world.triangles == 0)
-        return;
-    const Extremes extremes = find_extremes(display);
-    const auto percent = [](double share) { return std::lround(100 * share); };
-    if (extremes.burnt > too_burnt)
-        log.warning(fmt::format("{}: {} % of the pixels are burnt out: {}", file, percent(extremes.burnt),
-                                auto_exposure ? "try a lower --exposure than auto's" : "try --exposure auto"));
-    else if (extremes.black > too_black)
-        log.warning(fmt::format("{}: {} % of the pixels are black: {}{}", file, percent(extremes.black),
-                                world.scene->environment ? "try --background backdrop" : "try --environment studio",
-                                auto_exposure ? "" : ", or --exposure auto"));
+Image Meter::linear_at(double ev) const {
+    Image linear = linear_;
+    const auto factor = static_cast<float>(std::exp2(ev - small_.exposure));
+    for (glm::vec3& p : linear.pixels)
+        p *= factor;
+    return linear;
 }
+
+double Meter::over_white() const {
+    const Image linear = linear_at(0);
+    double surfaces = 0, over = 0;
+    for (size_t i = 0; i < surface_.size(); ++i) {
+        const glm::vec3& p = linear.pixels[i];
+        surfaces += surface_[i];
+        over += surface_[i] && std::max({p.r, p.g, p.b}) > 1;
+    }
+    return over / std::max(surfaces, 1.0);
+}
+
+double Meter::black(double ev) const { return find_extremes(tonemap(linear_at(ev), small_.tonemap)).black; }
 
 } // namespace prelight::app

@@ -6,11 +6,14 @@
 
 namespace prelight::app {
 
-void take_exposure(const Given& given, RenderOptions& options, bool& auto_exposure) {
-    const std::string text = given.text("--exposure", "0");
-    auto_exposure = text == "auto";
-    if (!auto_exposure)
-        options.exposure = parse_number("--exposure", text, -64, 64);
+ExposureChoice take_exposure(const Given& given, RenderOptions& options) {
+    if (!given.has("--exposure"))
+        return ExposureChoice::open;
+    const std::string text = given.text("--exposure");
+    if (text == "auto")
+        return ExposureChoice::automatic;
+    options.exposure = parse_number("--exposure", text, -64, 64);
+    return ExposureChoice::given;
 }
 
 void take_settings(const Given& given, const RendererInfo* info, std::map<std::string, std::string>& settings) {
@@ -39,7 +42,7 @@ RenderCommand parse_picture(const Given& given) {
     options.tonemap =
         parse_word<Tonemap>("--tonemap", given.text("--tonemap", "pbr-neutral"),
                             {{"pbr-neutral", Tonemap::pbr_neutral}, {"aces", Tonemap::aces}, {"none", Tonemap::none}});
-    take_exposure(given, options, command.auto_exposure);
+    command.exposure = take_exposure(given, options);
     if (given.has("--msaa"))
         options.msaa = parse_count("--msaa", given.text("--msaa"), 1);
     options.count_pairs = given.has("--count-pairs");

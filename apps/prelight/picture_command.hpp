@@ -5,8 +5,8 @@ namespace prelight::app {
 
 class Given;
 
-/// `--exposure`, into a command with `options` and `auto_exposure`. Throws UsageError.
-void take_exposure(const Given& given, RenderOptions& options, bool& auto_exposure);
+/// `--exposure`: a number goes into the options. Throws UsageError.
+ExposureChoice take_exposure(const Given& given, RenderOptions& options);
 /// "--set KEY=VALUE" as often as it was given, into `settings`. With a renderer each is checked, in the order in which
 /// they were typed. Throws UsageError.
 void take_settings(const Given& given, const RendererInfo* info, std::map<std::string, std::string>& settings);

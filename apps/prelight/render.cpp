@@ -40,12 +40,12 @@ void lay_behind(Picture& picture, const Session& session, const RenderCommand& c
     picture.coverage = std::move(coverage);
 }
 
-void render_once(Session& session, RenderCommand& command, LoadedScene& loaded, StartUp& start_up) {
+void render_once(Session& session, const RenderCommand& given, LoadedScene& loaded, StartUp& start_up) {
+    RenderCommand command = given; // of a changed file other things may be decided
     Stopwatch watch;
     const PlacedCamera& camera =
         command.camera.empty() ? loaded.world.cameras.at(0) : find_camera(loaded.world, command.camera);
-    if (command.auto_exposure)
-        meter(session, command, loaded.world, camera);
+    take_first_sight(session, command, loaded.world, camera, [&](const SceneEdit& edit) { edit(loaded.scene); });
     if (session.device && type_of(*session.device) == "software")
         check_memory_for(loaded.scene);
     session.renderer->set_world(loaded.world);

@@ -2,7 +2,6 @@
 
 #include "argument.hpp"
 #include "memory_check.hpp"
-#include "meter.hpp"
 #include "scene_files.hpp"
 #include "scene_source.hpp"
 
@@ -72,6 +71,7 @@ Session open_session(RenderCommand& command, const RendererInfo& info) {
         throw UsageError(fmt::format("{}: renderer {} uses no Vulkan device",
                                      command.validate ? "--validate" : "--device", info.name));
     Session session;
+    session.exposure = command.options.exposure;
     if (info.needs_device)
         session.device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
                                      command.options.height, command.options.msaa);
@@ -81,9 +81,29 @@ Session open_session(RenderCommand& command, const RendererInfo& info) {
     return session;
 }
 
-void meter(Session& session, RenderCommand& command, const World& world, const PlacedCamera& camera) {
-    command.options.exposure = meter_exposure(session.device.get(), world, camera, command.options);
-    print_exposure(command.options.exposure);
+Exposure first_sight(Device* device, const RenderCommand& command, const World& world, const PlacedCamera& camera,
+                     std::function<void(const SceneEdit&)> edit) {
+    const bool display = command.view == "final" && lower_extension(command.output) != ".exr"; // which loses nothing
+    return take_first_sight({.device = device,
+                             .world = world,
+                             .camera = camera,
+                             .options = command.options,
+                             .exposure = command.exposure,
+                             .environment = command.environment,
+                             .lit_file = names_file(command.scene) && !command.lights,
+                             .display = display,
+                             .edit = std::move(edit)});
+}
+
+void take_first_sight(Session& session, RenderCommand& command, const World& world, const PlacedCamera& camera,
+                      std::function<void(const SceneEdit&)> edit) {
+    const Exposure exposure = first_sight(session.device.get(), command, world, camera, std::move(edit));
+    if (exposure.automatic)
+        command.exposure = ExposureChoice::automatic;
+    command.options.exposure = exposure.ev;
+    if (exposure.ev == session.exposure)
+        return;
+    session.exposure = exposure.ev;
     session.renderer.reset(); // before another is there: it holds memory
     session.renderer = create_renderer(command.renderer, session.device.get(), command.options);
 }
@@ -143,7 +163,7 @@ void warn_of_picture(const RenderCommand& command, const Picture& picture, const
     const bool linear = lower_extension(picture.file) == ".exr";
     const Image shown = linear ? tonemap(picture.image, command.options.tonemap) : Image();
     warn_of_extremes(Log(command.reading.log_level), linear ? shown : picture.image, picture.file.string(), world,
-                     command.auto_exposure);
+                     command.exposure == ExposureChoice::automatic);
 }
 
 } // namespace prelight::app

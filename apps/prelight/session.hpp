@@ -10,6 +10,7 @@ namespace prelight::app {
 struct Session {
     std::unique_ptr<Device> device; ///< null for a renderer that needs none
     std::unique_ptr<Renderer> renderer;
+    double exposure = 0; ///< of the renderer
 };
 
 /// The device and the renderer that the command asks for. With `smooth_edges` options.msaa becomes 4 if the device has
@@ -17,8 +18,12 @@ struct Session {
 /// options.settings["antialiasing"] becomes smaa, where the renderer has it. Throws UsageError, Error.
 Session open_session(RenderCommand& command, const RendererInfo& info);
 
-/// Makes the renderer anew with the exposure that suits this picture: `--exposure auto`. Prints it.
-void meter(Session& session, RenderCommand& command, const World& world, const PlacedCamera& camera);
+/// What the picture itself decides of the command (take_first_sight()). `edit` does that to the world's scene.
+Exposure first_sight(Device* device, const RenderCommand& command, const World& world, const PlacedCamera& camera,
+                     std::function<void(const SceneEdit&)> edit);
+/// The same, into the command; the renderer is made anew where it has another exposure.
+void take_first_sight(Session& session, RenderCommand& command, const World& world, const PlacedCamera& camera,
+                      std::function<void(const SceneEdit&)> edit);
 
 /// The files that the command reads by name: --watch looks at these.
 std::vector<std::filesystem::path> files_of(const RenderCommand& command);

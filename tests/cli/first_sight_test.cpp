@@ -204,12 +204,82 @@ TEST_F(FirstSight, AutoExposureIsPrintedAndCanBeGiven) {
     EXPECT_GT(nlohmann::json::parse(bytes_of(folder.path / "a.json")).at("exposure").get<double>(), 20);
 }
 
+TEST_F(FirstSight, AFileThatItsLightsBurnOutIsExposedByItself) {
+    Scene scene = box_scene();
+    add_light(scene, lamp(4000), {31, 5, -4});
+    save(scene);
+    const Result found = render({});
+    const std::string bytes = bytes_of(folder.path / "a.png");
+    EXPECT_THAT(found.out, testing::ContainsRegex("^exposure: auto is --exposure -[0-9]+\\.[0-9]\n"));
+    EXPECT_THAT(found.out, Not(HasSubstr("environment:")));
+    EXPECT_THAT(found.err, Not(HasSubstr("try --exposure auto")));
+    EXPECT_THAT(render({"--exposure", "auto"}).out, testing::StartsWith(found.out.substr(0, found.out.find('\n'))));
+    EXPECT_EQ(bytes, bytes_of(folder.path / "a.png"));
+    const Result asked = render({"--exposure", "0"});
+    EXPECT_THAT(asked.out, Not(HasSubstr("exposure:")));
+    EXPECT_THAT(asked.err, HasSubstr("burnt out: try --exposure auto"));
+    EXPECT_THAT(render({"--lights", "1"}).out, Not(HasSubstr("exposure:"))) << "not only the file's";
+    EXPECT_THAT(render({"--view", "depth"}).out, Not(HasSubstr("exposure:")));
+    const Result linear = run({"render", "s.glb", "--size", "96x54", "--msaa", "1", "-o", "a.exr"}, folder.path);
+    EXPECT_THAT(linear.out, Not(HasSubstr("exposure:"))) << "light as it is";
+}
+
+TEST_F(FirstSight, AFileThatItsLightsLeaveBlackStandsInTheStudio) {
+    Scene scene = box_scene();
+    add_light(scene, lamp(0.001f), {31, 5, -4});
+    save(scene);
+    const Result found = render({});
+    const std::string bytes = bytes_of(folder.path / "a.png");
+    EXPECT_THAT(found.out, testing::ContainsRegex("^environment: studio, since the file's lights leave [0-9]+ % of the "
+                                                  "picture black \\(--environment none keeps it so\\)\n"));
+    EXPECT_THAT(found.out, Not(HasSubstr("exposure:")));
+    EXPECT_EQ(found.err, "");
+    EXPECT_EQ(bytes, picture({"--environment", "studio"}));
+    EXPECT_EQ(bytes, picture({"--exposure", "0"})) << "of the environment nothing was said";
+    EXPECT_THAT(render({"--exposure", "16"}).out, Not(HasSubstr("environment:"))) << "bright enough so";
+    EXPECT_THAT(render({"--exposure", "auto"}).out, Not(HasSubstr("environment:")));
+    EXPECT_NE(bytes, picture({"--environment", "none"}));
+    render({"--background", "transparent"});
+    const Image cut_out = image();
+    render({"--background", "transparent", "--environment", "studio"});
+    EXPECT_EQ(cut_out.pixels, image().pixels);
+}
+
+TEST_F(FirstSight, ManyPicturesHaveWhatTheFirstOneHas) {
+    Scene scene = box_scene({0.1f, 0.1f, 0.1f});
+    add_camera(scene, {.name = "far", .yfov = 0.3}, {30, 0, 0}, {30, 2, -7}); // little of the picture, and too bright
+    add_light(scene, lamp(4000), {31, 5, -4});
+    save(scene);
+    const Result one = render({});
+    const std::string lines = one.out.substr(0, one.out.find("a.png"));
+    EXPECT_THAT(lines, HasSubstr("environment: studio"));
+    EXPECT_THAT(lines, HasSubstr("exposure: auto is"));
+    const std::string bytes = bytes_of(folder.path / "a.png");
+    const Result many =
+        run({"sequence", "s.glb", "-o", "f#.png", "--fps", "1", "--frames-at", "0,1", "--size", "96x54", "--msaa", "1"},
+            folder.path);
+    EXPECT_TRUE(succeeded(many));
+    EXPECT_THAT(many.out, testing::StartsWith(lines));
+    EXPECT_EQ(bytes_of(folder.path / "f1.png"), bytes);
+    const Result compared = run({"compare", "s.glb", "-o", "report", "--size", "96x54", "--frames", "1",
+                                 "--light-counts", "none", "--renderers", "light-prepass"},
+                                folder.path);
+    EXPECT_THAT(compared.out, testing::StartsWith(lines));
+    const Image shown = load_png(folder.path / "report/pictures/light-prepass-final.png"), alone = image();
+    for (size_t i = 0; i < alone.pixels.size(); ++i)
+        ASSERT_LE(glm::length(shown.pixels[i] - alone.pixels[i]), 2.0f / 255);
+    write(folder.path / "r.txt", "prelight view 1\nsize 96x54\n1 drop s.glb\n");
+    const Result played = run({"view", "s.glb", "--play", "r.txt", "-o", "p.png"}, folder.path);
+    EXPECT_THAT(played.out, testing::StartsWith(lines));
+    EXPECT_EQ(bytes_of(folder.path / "p.png"), bytes) << "also when it is read again";
+}
+
 TEST_F(FirstSight, ABurntOutOrBlackPictureSaysSo) {
     Scene scene = box_scene();
     add_light(scene, lamp(0.001f), {31, 5, -4}); // far too little
     save(scene);
     const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
-    const Result dark = render({});
+    const Result dark = render({"--environment", "none"});
     EXPECT_THAT(
         dark.err,
         testing::ContainsRegex(

@@ -2,7 +2,6 @@
 #include "commands.hpp"
 #include "device_type.hpp"
 #include "memory_check.hpp"
-#include "meter.hpp"
 #include "output.hpp"
 #include "page.hpp"
 #include "pictures.hpp"
@@ -60,11 +59,19 @@ std::string key_of(const Report& report) {
     return key;
 }
 
-/// One exposure for all, found by looking at the scene.
-void take_exposure(Report& report, Device& device, const World& world) {
+/// One exposure and one environment for all, found by looking at the scene.
+void take_sight(Report& report, Device& device, const World& world, SceneSeries& scenes) {
+    const CompareCommand& command = report.command;
     RenderOptions& options = report.command.options;
-    options.exposure = meter_exposure(&device, world, camera_of(world, report.command.camera), options);
-    print_exposure(options.exposure);
+    options.exposure = take_first_sight({.device = &device,
+                                         .world = world,
+                                         .camera = camera_of(world, command.camera),
+                                         .options = options,
+                                         .exposure = command.exposure,
+                                         .environment = command.environment,
+                                         .lit_file = names_file(command.scene) && scenes.added() == 0,
+                                         .edit = [&](const SceneEdit& edit) { scenes.edit(edit); }})
+                           .ev;
     for (RunReport& run : report.runs)
         run.options.exposure = options.exposure;
 }
@@ -115,10 +122,9 @@ KeptSteps make_report(Report& report, ReportFolder& folder) {
     report.device = device->name();
     report.driver = device->driver();
     report.device_type = type_of(*device);
-    const SceneSeries scenes(command.scene, command.lights, command.seed,
-                             {command.moment, command.animation, command.reading},
-                             environment_edit(command.environment),
-                             {double(command.options.width) / command.options.height, command.framing});
+    SceneSeries scenes(command.scene, command.lights, command.seed,
+                       {command.moment, command.animation, command.reading}, environment_edit(command.environment),
+                       {double(command.options.width) / command.options.height, command.framing});
     KeptSteps kept(key_of(report));
     {
         Progress progress;
@@ -126,8 +132,7 @@ KeptSteps make_report(Report& report, ReportFolder& folder) {
         report.lights = scene->world.lights.size();
         report.lights_added = scenes.added();
         report.triangles = scene->world.triangles;
-        if (command.auto_exposure)
-            take_exposure(report, *device, scene->world);
+        take_sight(report, *device, scene->world, scenes);
         take_all_pictures(report, *device, scene->world, folder, kept, progress);
         check_any(report);
         take_times(report, *device, scenes, scene->world, kept, progress, share_of_pictures);

@@ -14,6 +14,9 @@ public:
 
     static constexpr uint32_t default_lights = 256;
 
+    /// Changes a file's environment, also in what make() has given already.
+    void edit(const SceneEdit& edit) { edit(file_->scene); }
+
     /// The scene with the number of lights that the command asks for. Must not outlive this object.
     /// Throws Error.
     std::unique_ptr<LoadedScene> make() const;

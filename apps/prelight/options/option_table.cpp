@@ -68,7 +68,8 @@ constexpr std::array table{
     OptionRow{"--tonemap", "CURVE", picture, pictures, "pbr-neutral (default), aces or none", Takes::words,
               "pbr-neutral aces none"},
     OptionRow{"--exposure", "EV|auto", picture, pictures | compare,
-              "Multiplies light by 2^EV (default 0); auto: what suits the picture"},
+              "Multiplies light by 2^EV; auto: what suits the picture (default 0; auto for a file with far too bright "
+              "lights)"},
 
     // Who draws it.
     OptionRow{"--renderer", "NAME", OptionGroup::renderer, pictures, "Architecture (default light-prepass)",

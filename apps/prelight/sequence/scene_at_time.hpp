@@ -20,6 +20,8 @@ public:
     const Scene& scene() const { return loaded_->scene; }
     /// At time 0.
     const World& start() const { return loaded_->world; }
+    /// Changes the scene's environment, before the first show().
+    void edit(const SceneEdit& edit) { edit(loaded_->scene); }
     /// False: every moment is the same.
     bool moves() const { return timeline_ || !scene().animations.empty() || !scene().emitters.empty(); }
     /// Seconds from the animations' start to the last keyframe of those that play; absent: none plays.

@@ -115,9 +115,9 @@ void run(const SequenceCommand& given) {
 
     FrameDrawer drawer(command, files, session, *scene);
     if (!plan.to_draw.empty()) {
-        // Metered at time 0, whichever frames are drawn: all tasks get the same.
-        if (render.auto_exposure)
-            meter(session, render, scene->start(), drawer.camera());
+        // At time 0, whichever frames are drawn: all tasks get the same.
+        take_first_sight(session, render, scene->start(), drawer.camera(),
+                         [&](const SceneEdit& change) { scene->edit(change); });
         if (session.device && type_of(*session.device) == "software")
             check_memory_for(scene->scene());
         draw_all(command, plan, video ? &*video : nullptr, drawer, session);

@@ -1,8 +1,8 @@
 #include "player.hpp"
 
 #include "../argument.hpp"
-#include "../meter.hpp"
 #include "../output.hpp"
+#include "../session.hpp"
 #include "../validation.hpp"
 #include "drawer.hpp"
 #include "recording.hpp"
@@ -35,11 +35,10 @@ void play(const ViewCommand& command) {
 
     Drawer drawer(render, {});
     Session session(render, recording.width, recording.height);
-    if (render.auto_exposure) {
-        const double ev = meter_exposure(drawer.device(), session.stage().world(), session.camera(), render.options);
-        print_exposure(ev);
-        session.apply({0, "exposure", {fmt::format("{}", ev)}});
-    }
+    const Exposure exposure = first_sight(drawer.device(), render, session.stage().world(), session.camera(),
+                                          [&](const SceneEdit& edit) { session.keep_edit(edit); });
+    if (exposure.automatic)
+        session.apply({0, "exposure", {fmt::format("{}", exposure.ev)}});
     if (command.scale)
         session.apply({0, "scale", {fmt::format("{}", *command.scale)}});
     drawer.follow(session); // a start that cannot be is a failure

@@ -61,6 +61,11 @@ void Session::load(const std::string& scene) {
         pose();
 }
 
+void Session::keep_edit(const SceneEdit& edit) {
+    reader_.keep_edit(edit);
+    stage_->edit(edit);
+}
+
 void Session::forget_earlier() { earlier_.clear(); }
 
 bool Session::go_back(std::string_view reason) {

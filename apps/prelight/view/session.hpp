@@ -32,6 +32,10 @@ public:
     /// Reads the scene. Throws Error.
     Session(const RenderCommand& command, uint32_t width, uint32_t height);
 
+    /// Changes the environment of the scene that the command names, before anybody looks at it and when it is read
+    /// again.
+    void keep_edit(const SceneEdit& edit);
+
     /// Takes an event. What cannot be done is told in messages() and changes nothing.
     void apply(const Event& event);
     /// A step of the clock.

@@ -33,6 +33,8 @@ std::unique_ptr<LoadedScene> SceneReader::read(const std::string& scene, double 
         if (own)
             materials_.assign(made);
         environment(made);
+        if (own && kept_edit_ && !made.environment)
+            kept_edit_(made);
     };
     return load_scene(scene, lights, command_.seed, most_lights, time, edit,
                       {aspect, own ? command_.framing : std::nullopt});

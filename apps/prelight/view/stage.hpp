@@ -22,6 +22,8 @@ public:
     bool frames(const std::string& scene) const { return scene == command_.scene && command_.framing; }
     /// The environment file takes the place of the command's. Throws Error when it is none.
     void take_environment(const std::filesystem::path& file);
+    /// Does this to the command's own scene where it has no environment, whenever it is read.
+    void keep_edit(SceneEdit edit) { kept_edit_ = std::move(edit); }
     /// Materials with a mistake stay as they were; the mistakes come back.
     std::vector<std::string> take_changes() { return materials_.take_changes(); }
     /// Lights that `--lights` adds to a scene's own.
@@ -32,6 +34,7 @@ public:
 private:
     RenderCommand command_;
     OwnMaterials materials_;
+    SceneEdit kept_edit_;
 };
 
 /// A scene at a moment, with what has been done to it.
@@ -46,6 +49,8 @@ public:
     const std::vector<PlacedLight>& own_lights() const { return world_->lights; }
     std::vector<LightEdits::Listed> lights() const { return light_edits.applied(world_->lights); }
     std::optional<PlacedLight> light(uint32_t number) const { return light_edits.one(world_->lights, number); }
+    /// Changes the scene's environment, before a renderer looks at it.
+    void edit(const SceneEdit& edit) { edit(loaded_->scene); }
     /// What the world is like then, where it stands: what changes waits for take_changes(). Throws Error.
     void pose(const std::optional<Moment>& moment, std::optional<uint32_t> animation);
     /// Objects of the node, or all, take the next material; false: there is none.

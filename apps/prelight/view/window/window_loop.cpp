@@ -1,6 +1,6 @@
 // The window: input to events, events to the session, the session's picture to the screen.
-#include "../../meter.hpp"
 #include "../../output.hpp"
+#include "../../session.hpp"
 #include "../../validation.hpp"
 #include "../../watch.hpp"
 #include "../drawer.hpp"
@@ -52,8 +52,7 @@ public:
         drawer_.on_loss([this] { take_down(); }, [this] { set_up(); });
         if (command.scale && *command.scale != 1)
             take({0, "scale", {fmt::format("{}", *command.scale)}});
-        if (command.render.auto_exposure)
-            take_exposure();
+        take_sight();
     }
 
     void run() {
@@ -106,11 +105,12 @@ private:
         presenter_.reset();
     }
 
-    void take_exposure() {
-        const double ev =
-            meter_exposure(drawer_.device(), session_.stage().world(), session_.camera(), command_.render.options);
-        print_exposure(ev);
-        take({0, "exposure", {fmt::format("{}", ev)}});
+    void take_sight() {
+        const Exposure exposure =
+            first_sight(drawer_.device(), command_.render, session_.stage().world(), session_.camera(),
+                        [&](const SceneEdit& edit) { session_.keep_edit(edit); });
+        if (exposure.automatic)
+            take({0, "exposure", {fmt::format("{}", exposure.ev)}});
     }
 
     static bool is_good(const Event& event) {
