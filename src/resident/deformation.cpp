@@ -70,6 +70,8 @@ uint32_t vec4s(size_t floats) { return static_cast<uint32_t>((floats + 3) / 4); 
 
 std::vector<glm::vec4> state_of(const Deformation& shape) {
     std::vector<glm::vec4> out;
+    out.reserve(3 * (shape.joints.size() + shape.previous_joints.size()) + vec4s(shape.weights.size()) +
+                vec4s(shape.previous_weights.size()));
     for (const auto* joints : {&shape.joints, &shape.previous_joints})
         for (const glm::mat4& joint : *joints) {
             const glm::mat4 rows = glm::transpose(joint);

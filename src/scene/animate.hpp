@@ -2,7 +2,7 @@
 #include <array>
 #include <prelight/animation.hpp>
 #include <prelight/scene.hpp>
-#include <unordered_map>
+#include <vector>
 
 namespace prelight {
 
@@ -25,11 +25,23 @@ public:
     std::vector<double> weights(uint32_t node) const;
 
 private:
+    /// What a channel has changed of a node.
+    struct Moved {
+        Trs trs;
+        std::vector<double> weights;
+        std::array<bool, 4> taken{}; ///< by AnimationPath
+        bool is_placed() const {
+            return taken[size_t(AnimationPath::translation)] || taken[size_t(AnimationPath::rotation)] ||
+                   taken[size_t(AnimationPath::scale)];
+        }
+    };
+    static constexpr uint32_t still = 0xffffffffu;
     void apply(uint32_t animation, double time);
+    Moved& moved_at(uint32_t node);
+    const Moved* find(uint32_t node) const;
     const Scene& scene_;
-    std::unordered_map<uint32_t, Trs> placed_;
-    std::unordered_map<uint32_t, std::vector<double>> weights_;
-    std::unordered_map<uint32_t, std::array<bool, 4>> taken_; ///< by AnimationPath
+    std::vector<uint32_t> at_; ///< by node: where in `moved_`, or `still`; empty: nothing moves
+    std::vector<Moved> moved_;
 };
 
 /// Morph targets of a mesh: those of its first primitive.

@@ -7,15 +7,19 @@ namespace {
 
 /// Around the corners of a box, transformed.
 void add_box(Bounds& out, const Bounds& box, const glm::dmat4& transform) {
-    for (int i = 0; i < 8 && !box.empty(); ++i) {
-        const glm::dvec3 corner(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                                i & 4 ? box.max.z : box.min.z);
-        out.add(glm::dvec3(transform * glm::dvec4(corner, 1)));
-    }
+    if (box.empty())
+        return;
+    const auto column = [&](int i) { return glm::dvec3(transform[i]); };
+    const glm::dvec3 x[] = {column(0) * box.min.x, column(0) * box.max.x},
+                     y[] = {column(1) * box.min.y, column(1) * box.max.y},
+                     z[] = {column(2) * box.min.z + column(3), column(2) * box.max.z + column(3)};
+    for (int i = 0; i < 8; ++i)
+        out.add(x[i & 1] + y[i >> 1 & 1] + z[i >> 2]);
 }
 
 std::vector<glm::mat4> relative(std::span<const glm::dmat4> joints, const glm::dvec3& origin) {
     std::vector<glm::mat4> out;
+    out.reserve(joints.size());
     for (glm::dmat4 joint : joints) {
         joint[3] -= glm::dvec4(origin, 0);
         out.emplace_back(joint);
@@ -66,8 +70,10 @@ Bounds box_around(const MeshFacts& facts, const Shape& shape) {
     return out;
 }
 
-Deformation describe(const Mesh& mesh, uint32_t index, const MeshFacts& facts, const Shape& shape,
-                     const Shape& previous, const glm::dvec3& origin) {
+std::pair<Deformation, glm::dvec3> describe(const Mesh& mesh, uint32_t index, const MeshFacts& facts,
+                                            const Shape& shape, const Shape& previous) {
+    const Bounds box = box_around(facts, shape);
+    const glm::dvec3 origin = shape.joints.empty() ? glm::dvec3(0) : 0.5 * box.min + 0.5 * box.max;
     const size_t targets = facts.targets.size();
     Deformation out{.mesh = index,
                     .joints = relative(shape.joints, origin),
@@ -75,11 +81,10 @@ Deformation describe(const Mesh& mesh, uint32_t index, const MeshFacts& facts, c
                     .previous_joints = relative(previous.joints, origin),
                     .previous_weights = weights_of(previous, targets),
                     .turned = !shape.joints.empty() && is_turned(mesh, shape.joints)};
-    const Bounds box = box_around(facts, shape);
     const glm::dvec3 room = 1e-5 * (box.max - box.min); // floats are rounded
     out.low = glm::vec3(box.min - origin - room);
     out.high = glm::vec3(box.max - origin + room);
-    return out;
+    return {std::move(out), origin};
 }
 
 } // namespace prelight

@@ -1,6 +1,7 @@
 #pragma once
 #include <scene/deform.hpp>
 #include <scene/mesh_facts.hpp>
+#include <utility>
 
 namespace prelight {
 
@@ -8,8 +9,8 @@ namespace prelight {
 /// with a skin, else object space.
 Bounds box_around(const MeshFacts& facts, const Shape& shape);
 
-/// The shape, and the one before it, with vertices relative to `origin` (0 without a skin).
-Deformation describe(const Mesh& mesh, uint32_t index, const MeshFacts& facts, const Shape& shape,
-                     const Shape& previous, const glm::dvec3& origin);
+/// The shape, and the one before it, with vertices relative to a place: the middle of box_around() with a skin, else 0.
+std::pair<Deformation, glm::dvec3> describe(const Mesh& mesh, uint32_t index, const MeshFacts& facts,
+                                            const Shape& shape, const Shape& previous);
 
 } // namespace prelight

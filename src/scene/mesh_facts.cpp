@@ -5,6 +5,16 @@ namespace prelight {
 
 namespace {
 
+size_t joints_followed(const Primitive& primitive) {
+    size_t joints = 0;
+    for (const JointSet& set : primitive.joint_sets)
+        for (size_t v = 0; v < set.joints.size(); ++v)
+            for (int i = 0; i < 4; ++i)
+                if (set.weights[v][i] != 0)
+                    joints = std::max<size_t>(joints, set.joints[v][i] + 1);
+    return joints;
+}
+
 /// Whose vertices a joint or a target moves.
 void add_movers(const Primitive& primitive, const std::vector<bool>& seen, MeshFacts& facts) {
     for (uint32_t v = 0; v < seen.size(); ++v) {
@@ -51,6 +61,7 @@ MeshFacts facts_of(const Mesh& mesh) {
                 used.push_back(i);
         }
         add_movers(primitive, seen, facts);
+        facts.joints = std::max(facts.joints, joints_followed(primitive));
     }
     return facts;
 }

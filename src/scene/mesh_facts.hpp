@@ -40,7 +40,8 @@ struct MeshFacts {
     Bounds box;                              ///< object space
     std::map<uint16_t, Bounds> joint_boxes;  ///< by joint: of the vertices that it moves
     Bounds weightless;                       ///< of those that no joint moves
-    std::vector<Bounds> targets;             ///< by morph target: what it adds, 0 included
+    size_t joints = 0;           ///< that its skin has to have: one more than the last that a vertex follows
+    std::vector<Bounds> targets; ///< by morph target: what it adds, 0 included
 };
 
 MeshFacts facts_of(const Mesh& mesh);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <prelight/error.hpp>
 #include <scene/finite.hpp>
@@ -8,6 +9,7 @@ namespace prelight {
 
 NodeTree::NodeTree(const Scene& scene, uint32_t root, Pose pose)
     : scene_(scene), pose_(std::move(pose)), world_(scene.nodes.size(), glm::dmat4(1)), joints_(scene.skins.size()) {
+    const std::vector<uint32_t>& own = scene.scenes[root].nodes;
     if (!scene.skins.empty()) { // joints may stand in another tree
         std::vector<bool> is_child(scene.nodes.size());
         for (const Node& node : scene.nodes)
@@ -18,8 +20,10 @@ NodeTree::NodeTree(const Scene& scene, uint32_t root, Pose pose)
             if (!is_child[i])
                 roots.push_back(i);
         place(roots);
+        if (std::none_of(own.begin(), own.end(), [&](uint32_t node) { return is_child[node]; }))
+            return; // the scene's are among them
     }
-    place(scene.scenes[root].nodes);
+    place(own);
 }
 
 void NodeTree::place(const std::vector<uint32_t>& roots) {
@@ -54,6 +58,7 @@ const std::vector<glm::dmat4>& NodeTree::joints(uint32_t index) {
     if (!skin.inverse_bind.empty() && skin.inverse_bind.size() < skin.joints.size())
         fail("has fewer inverse bind matrices than joints");
     std::vector<glm::dmat4> matrices;
+    matrices.reserve(skin.joints.size());
     for (size_t i = 0; i < skin.joints.size(); ++i) {
         if (skin.joints[i] >= scene_.nodes.size())
             fail(fmt::format("joint {} is not there", i));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <future>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
@@ -58,14 +59,31 @@ bool finite_shape(const Deformation& made) {
            std::all_of(made.previous_joints.begin(), made.previous_joints.end(), finite);
 }
 
+/// Fewer nodes are placed before another thread has begun.
+constexpr size_t few_nodes = 512;
+
+/// All nodes as they are at the moment, and as they were at its previous state; many of them at the same time.
+struct PlacedNodes {
+    PlacedNodes(const Scene& scene, uint32_t root, const std::optional<Moment>& moment,
+                std::optional<uint32_t> animation) {
+        const auto at = [&](double time) { return NodeTree(scene, root, Pose(scene, time, animation)); };
+        std::future<NodeTree> earlier;
+        if (moment && moment->interval != 0)
+            earlier = std::async(scene.nodes.size() > few_nodes ? std::launch::async : std::launch::deferred, at,
+                                 moment->time - moment->interval);
+        now.emplace(moment ? at(moment->time) : NodeTree(scene, root, Pose(scene)));
+        if (earlier.valid())
+            before.emplace(earlier.get());
+    }
+    std::optional<NodeTree> now, before;
+};
+
 class Resolver {
 public:
     Resolver(const Scene& scene, const std::vector<MeshFacts>& facts, uint32_t scene_index,
-             const std::optional<Moment>& moment, std::optional<uint32_t> animation, bool host_vertices)
+             const std::optional<Moment>& moment, PlacedNodes nodes, bool host_vertices)
         : scene_(scene), scene_index_(scene_index), host_vertices_(host_vertices), facts_(facts),
-          now_(scene, scene_index, moment ? Pose(scene, moment->time, animation) : Pose(scene)) {
-        if (moment && moment->interval != 0)
-            before_.emplace(scene, scene_index, Pose(scene, moment->time - moment->interval, animation));
+          now_(std::move(*nodes.now)), before_(std::move(nodes.before)) {
         if (moment) {
             time_ = moment->time;
             interval_ = moment->interval;
@@ -188,27 +206,24 @@ private:
         if (!is_new)
             return found->second;
         const Mesh& mesh = scene_.meshes[*node.mesh];
-        const std::string object = fmt::format("{}: node {}", scene_.name, index);
-        if (skin) {
-            check_joints(mesh, shape.joints.size(), object);
-            check_joints(mesh, previous.joints.size(), object);
-        }
+        const auto object = [&] { return fmt::format("{}: node {}", scene_.name, index); };
         const MeshFacts& facts = facts_[*node.mesh];
-        const Bounds box = box_around(facts, shape);
-        const glm::dvec3 origin = skin ? 0.5 * box.min + 0.5 * box.max : glm::dvec3(0);
-        const Deformation& made =
-            world_.deformations.emplace_back(describe(mesh, *node.mesh, facts, shape, previous, origin));
+        if (skin && facts.joints > std::min(shape.joints.size(), previous.joints.size()))
+            check_joints(mesh, std::min(shape.joints.size(), previous.joints.size()), object());
+        auto [described, origin] = describe(mesh, *node.mesh, facts, shape, previous);
+        const Deformation& made = world_.deformations.emplace_back(std::move(described));
         if (!host_vertices_ && !finite_shape(made)) // else each vertex is looked at
-            throw Error(fmt::format("{}: it is deformed to a place that is not finite", object));
+            throw Error(fmt::format("{}: it is deformed to a place that is not finite", object()));
         const uint64_t vertices = vertex_count(mesh), work = host_vertices_ ? deform_work(mesh) * (before_ ? 2 : 1) : 0;
         if (vertices > max_deformed_vertices - deformed_vertices_ || work > max_deform_work - deform_work_)
             throw Error(fmt::format("{}: the scene's skins and morph targets move more vertices than "
                                     "can be deformed ({} million, {} million steps)",
-                                    object, max_deformed_vertices >> 20, max_deform_work >> 20));
+                                    object(), max_deformed_vertices >> 20, max_deform_work >> 20));
         deformed_vertices_ += vertices;
         deform_work_ += work;
         if (host_vertices_) {
-            world_.deformed.push_back(deform(mesh, shape, before_ ? &previous : nullptr, origin, made.turned, object));
+            world_.deformed.push_back(
+                deform(mesh, shape, before_ ? &previous : nullptr, origin, made.turned, object()));
             deformed_boxes_.push_back(facts_of(world_.deformed.back()).box);
         } else {
             world_.deformed.push_back({.name = mesh.name, .primitives = {}});
@@ -312,7 +327,7 @@ private:
     std::map<std::tuple<uint32_t, std::optional<uint32_t>, std::vector<double>, std::vector<double>>,
              std::pair<uint32_t, glm::dvec3>>
         made_;
-    double time_ = 0, interval_ = 0; ///< of the moment, seconds
+    double time_ = 0, interval_ = 0;                      ///< of the moment, seconds
     std::vector<PlacedLight> particle_lights_;
     std::vector<Bounds> deformed_boxes_; ///< beside World::deformed, object space
     World world_;
@@ -327,7 +342,7 @@ World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, std::opti
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
         throw Error(fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
-    return Resolver(scene, facts, index, moment, animation, host_vertices).run();
+    return Resolver(scene, facts, index, moment, {scene, index, moment, animation}, host_vertices).run();
 }
 
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
