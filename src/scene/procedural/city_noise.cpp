@@ -1,3 +1,4 @@
+// Compiled with -O3 (src/CMakeLists.txt): most of a picture are loops over the texels of a row.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -56,32 +57,75 @@ float TileNoise::operator()(glm::vec2 uv) const {
     return sum;
 }
 
-Cellular tile_cells(glm::vec2 uv, uint32_t period, uint32_t seed) {
-    const glm::vec2 p = uv * static_cast<float>(period);
-    const auto n = static_cast<int>(period);
-    const auto cx = static_cast<int>(std::floor(p.x)), cy = static_cast<int>(std::floor(p.y));
-    Cellular result{9, 9, 0};
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-            const auto x = static_cast<uint32_t>(((cx + dx) % n + n) % n);
-            const auto y = static_cast<uint32_t>(((cy + dy) % n + n) % n);
-            const glm::vec2 point(static_cast<float>(cx + dx) + hash_unit(x, y, seed),
-                                  static_cast<float>(cy + dy) + hash_unit(x, y, seed + 1));
-            const float distance = glm::length(point - p);
-            if (distance < result.nearest) {
-                result.second = result.nearest;
-                result.nearest = distance;
-                result.cell = y * period + x;
-            } else {
-                result.second = std::min(result.second, distance);
-            }
+NoiseRows::NoiseRows(const TileNoise& noise, uint32_t width) {
+    for (const TileNoise::Octave& octave : noise.octaves_) {
+        const uint32_t n = octave.period;
+        std::vector<uint32_t> left(width), right(width);
+        std::vector<float> share(width);
+        for (uint32_t x = 0; x < width; ++x) {
+            const float p = (static_cast<float>(x) + 0.5f) / static_cast<float>(width) * static_cast<float>(n);
+            const auto c = static_cast<uint32_t>(p);
+            share[x] = fade(p - static_cast<float>(c));
+            left[x] = c < n ? c : 0;
+            right[x] = left[x] + 1 < n ? left[x] + 1 : 0;
         }
-    return result;
+        Octave& made = octaves_.emplace_back(Octave{n, octave.weight, std::vector<float>(size_t{n} * width)});
+        for (uint32_t y = 0; y < n; ++y) {
+            const float* const lattice = &octave.lattice[size_t{y} * n];
+            float* const out = &made.columns[size_t{y} * width];
+            for (uint32_t x = 0; x < width; ++x)
+                out[x] = lattice[left[x]] + share[x] * (lattice[right[x]] - lattice[left[x]]);
+        }
+    }
 }
 
-float ramp(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
-    return t * t * (3 - 2 * t);
+void NoiseRows::row(float v, std::span<float> out) const {
+    const size_t width = out.size();
+    std::fill(out.begin(), out.end(), 0.0f);
+    for (const Octave& octave : octaves_) {
+        const uint32_t n = octave.period;
+        const float p = v * static_cast<float>(n);
+        const auto c = static_cast<uint32_t>(p);
+        const float share = fade(p - static_cast<float>(c)), weight = octave.weight;
+        const uint32_t upper = c < n ? c : 0, lower = upper + 1 < n ? upper + 1 : 0;
+        const float* const a = &octave.columns[upper * width];
+        const float* const b = &octave.columns[lower * width];
+        float* __restrict sum = out.data();
+        for (size_t x = 0; x < width; ++x)
+            sum[x] += weight * (a[x] + share * (b[x] - a[x]));
+    }
+}
+
+TileCells::TileCells(uint32_t period, uint32_t seed) : period_(period) {
+    for (uint32_t y = 0; y < period + 2; ++y)
+        for (uint32_t x = 0; x < period + 2; ++x) {
+            const uint32_t column = (x + period - 1) % period, line = (y + period - 1) % period;
+            points_.emplace_back(hash_unit(column, line, seed), hash_unit(column, line, seed + 1));
+        }
+}
+
+Cellular TileCells::operator()(glm::vec2 uv) const {
+    const glm::vec2 p = uv * static_cast<float>(period_);
+    const auto n = static_cast<int>(period_);
+    const auto cx = static_cast<int>(std::floor(p.x)), cy = static_cast<int>(std::floor(p.y));
+    const auto column = static_cast<uint32_t>((cx % n + n) % n), line = static_cast<uint32_t>((cy % n + n) % n);
+    uint32_t nearest = 0; // of the nine around: 3 · row + column
+    Cellular result{9, 9, 0};
+    for (uint32_t i = 0; i < 9; ++i) {
+        const int dx = static_cast<int>(i % 3) - 1, dy = static_cast<int>(i / 3) - 1;
+        const glm::vec2 corner(static_cast<float>(cx + dx), static_cast<float>(cy + dy));
+        const float distance = glm::length(corner + points_[(line + i / 3) * (period_ + 2) + column + i % 3] - p);
+        if (distance < result.nearest) {
+            result.second = result.nearest;
+            result.nearest = distance;
+            nearest = i;
+        } else {
+            result.second = std::min(result.second, distance);
+        }
+    }
+    const auto wrapped = [&](uint32_t at) { return (at + period_ - 1) % period_; };
+    result.cell = wrapped(line + nearest / 3) * period_ + wrapped(column + nearest % 3);
+    return result;
 }
 
 TextureImage paint_rows(std::string name, uint32_t width, uint32_t height,
@@ -117,13 +161,14 @@ TextureImage normal_map(std::string name, const Field& height, uint32_t side, fl
     const float texel = metres / static_cast<float>(side);
     parallel_for(side, [&](uint32_t y) {
         uint8_t* out = &image.rgba[size_t{4} * side * y];
+        const float* const row = &height[size_t{y} * side];
+        const float* const above = &height[size_t{(y + side - 1) % side} * side];
+        const float* const below = &height[size_t{(y + 1) % side} * side];
         for (uint32_t x = 0; x < side; ++x) {
-            const auto at = [&](uint32_t column, uint32_t row) {
-                return height[size_t{row % side} * side + column % side];
-            };
-            const float dx = (at(x + 1, y) - at(x + side - 1, y)) / (2 * texel);
+            const uint32_t right = x + 1 < side ? x + 1 : 0, left = x > 0 ? x - 1 : side - 1;
+            const float dx = (row[right] - row[left]) / (2 * texel);
             // Rows run down the picture, the tangent space's Y up.
-            const float dy = (at(x, y + side - 1) - at(x, y + 1)) / (2 * texel);
+            const float dy = (above[x] - below[x]) / (2 * texel);
             const glm::vec3 n = glm::normalize(glm::vec3(-dx, -dy, 1));
             for (int i = 0; i < 3; ++i)
                 *out++ = to_byte(n[i] * 0.5f + 0.5f);

@@ -14,12 +14,12 @@ TextureImage marking_picture() {
     const TileNoise wear(8, 301, 5), grain(128, 310), dirt(16, 320, 3);
     return paint(
         "marking", 512, 512,
-        [&](glm::vec2 uv) {
-            const float left = ramp(0.34f, 0.42f, wear(uv) + 0.22f * (grain(uv) - 0.5f));
-            const float grey = 0.50f + 0.18f * dirt(uv);
+        [](glm::vec2, float worn, float grains, float dirty) {
+            const float left = ramp(0.34f, 0.42f, worn + 0.22f * (grains - 0.5f));
+            const float grey = 0.50f + 0.18f * dirty;
             return glm::vec4(grey, grey, grey * 0.96f, left);
         },
-        true);
+        true, wear, grain, dirt);
 }
 
 TextureImage wood_picture() {
@@ -27,13 +27,13 @@ TextureImage wood_picture() {
     const TileNoise fibres(64, 401), growth(2, 402, 3);
     return paint(
         "wood", 256, 256,
-        [&](glm::vec2 uv) {
+        [&](glm::vec2 uv, float ring) {
             const float grain = fibres({uv.x, std::abs(uv.y - 0.5f) * 0.125f});
-            const float rings = 0.5f + 0.5f * std::sin(6.2831853f * (uv.x * 6 + growth(uv)));
+            const float rings = 0.5f + 0.5f * std::sin(6.2831853f * (uv.x * 6 + ring));
             const float v = 0.30f + 0.24f * grain + 0.18f * rings;
             return glm::vec4(v, v * 0.52f, v * 0.28f, 1);
         },
-        true);
+        true, growth);
 }
 
 /// Awnings: broad stripes, white for the vertex colour and pale.
@@ -41,12 +41,12 @@ TextureImage fabric_picture() {
     const TileNoise fade(32, 501);
     return paint(
         "fabric", 128, 128,
-        [&](glm::vec2 uv) {
+        [](glm::vec2 uv, float faded) {
             const float stripe = std::abs(uv.x - 0.5f) < 0.25f ? 1.0f : 0.0f;
             const glm::vec3 c = glm::mix(glm::vec3(0.75f, 0.7f, 0.62f), glm::vec3(0.45f, 0.06f, 0.06f), stripe);
-            return glm::vec4(c * (0.85f + 0.15f * fade(uv)), 1);
+            return glm::vec4(c * (0.85f + 0.15f * faded), 1);
         },
-        true);
+        true, fade);
 }
 
 /// A spray of pointed leaves on twigs from the middle, gaps between them.
@@ -92,13 +92,15 @@ glm::vec4 palette_texel(glm::vec2 uv) {
 }
 
 /// Night sky over a town: a glow at the horizon (v = 1), cloud lit from below, a few stars.
-glm::vec4 sky_texel(glm::vec2 uv, const TileNoise& clouds) {
+glm::vec4 sky_texel(glm::vec2 uv, float clouds, const TileCells& stars) {
     const float up = 1 - uv.y;
     const float glow = std::exp(-up * 7);
-    const float cloud = ramp(0.42f, 0.72f, clouds(uv)) * (1 - 0.6f * up);
+    const float cloud = ramp(0.42f, 0.72f, clouds) * (1 - 0.6f * up);
     glm::vec3 c = glm::mix(glm::vec3(0.0035f, 0.006f, 0.017f), glm::vec3(0.045f, 0.032f, 0.040f), glow);
     c += cloud * (glm::vec3(0.010f, 0.011f, 0.020f) + glow * glm::vec3(0.05f, 0.03f, 0.025f));
-    const Cellular star = tile_cells(uv, 110, 702);
+    const Cellular star = stars(uv);
+    if (star.nearest >= 0.09f)
+        return {c, 1};
     const float bright = hash_unit(star.cell, 2, 703);
     c += (1 - cloud) * ramp(0.09f, 0.04f, star.nearest) * ramp(0.6f, 1.0f, bright) * ramp(0.1f, 0.5f, up) *
          glm::vec3(0.30f, 0.33f, 0.4f);
@@ -134,8 +136,9 @@ void add_small_pictures(std::vector<TextureImage>& images) {
     images.push_back(leaves_picture());
     images.push_back(paint("palette", glow_count * 8, 8, palette_texel, true));
     const TileNoise clouds(4, 701, 6);
+    const TileCells stars(110, 702);
     images.push_back(paint(
-        "sky", 1024, 512, [&](glm::vec2 uv) { return sky_texel(uv, clouds); }, true));
+        "sky", 1024, 512, [&](glm::vec2 uv, float cloud) { return sky_texel(uv, cloud, stars); }, true, clouds));
 }
 
 std::vector<TextureImage> make_pictures() {

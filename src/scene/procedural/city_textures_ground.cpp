@@ -16,27 +16,21 @@ struct Asphalt {
     float wet;    ///< 0 … 1, film of water
 };
 
-class AsphaltField {
-public:
-    Asphalt operator()(glm::vec2 uv) const {
-        Asphalt a{};
-        a.water = ramp(0.59f, 0.655f, dents(uv) + 0.05f * (shore(uv) - 0.5f));
-        a.wet = film(uv);
-        // Cracks: where a broad noise crosses its middle, in some places only.
-        const float line = std::abs(course(uv) - 0.5f);
-        a.crack = ramp(0.008f, 0.003f, line) * ramp(0.5f, 0.6f, broken(uv));
-        a.stone = grains(uv);
-        const float rough = 0.0030f * (a.stone - 0.5f) + 0.0014f * (gravel(uv) - 0.5f);
-        // Water hides the stones; the wind leaves low ripples on it.
-        const float still = 0.0016f * ripples(uv);
-        a.height = std::lerp(rough + 0.02f * swell(uv) - 0.006f * a.crack, still, a.water);
-        return a;
-    }
-
-private:
-    TileNoise dents{5, 11, 4}, shore{48, 17}, film{9, 23, 3}, course{6, 31, 4}, broken{7, 37}, grains{460, 41},
-        gravel{230, 43}, swell{12, 47, 3}, ripples{60, 53};
-};
+Asphalt asphalt_at(glm::vec2, float dents, float shore, float film, float course, float broken, float grains,
+                   float gravel, float swell, float ripples) {
+    Asphalt a{};
+    a.water = ramp(0.59f, 0.655f, dents + 0.05f * (shore - 0.5f));
+    a.wet = film;
+    // Cracks: where a broad noise crosses its middle, in some places only.
+    const float line = std::abs(course - 0.5f);
+    a.crack = ramp(0.008f, 0.003f, line) * ramp(0.5f, 0.6f, broken);
+    a.stone = grains;
+    const float rough = 0.0030f * (a.stone - 0.5f) + 0.0014f * (gravel - 0.5f);
+    // Water hides the stones; the wind leaves low ripples on it.
+    const float still = 0.0016f * ripples;
+    a.height = std::lerp(rough + 0.02f * swell - 0.006f * a.crack, still, a.water);
+    return a;
+}
 
 constexpr uint32_t asphalt_side = 1024;
 constexpr uint32_t paving_side = 512;
@@ -46,7 +40,7 @@ struct Slab {
     float height, joint, tone, water;
 };
 
-Slab slab_at(glm::vec2 uv, const TileNoise& damp, const TileNoise& grain) {
+Slab slab_at(glm::vec2 uv, float damp, float grain) {
     const float row = std::floor(uv.y * 4);
     const float shift = static_cast<int>(row) % 2 == 0 ? 0.0f : 0.5f;
     const float x = uv.x * 3 + shift, y = uv.y * 4;
@@ -57,8 +51,8 @@ Slab slab_at(glm::vec2 uv, const TileNoise& damp, const TileNoise& grain) {
     const auto column = static_cast<uint32_t>(std::floor(x)) % 3;
     const auto line = static_cast<uint32_t>(row);
     s.tone = hash_unit(column, line, 71);
-    s.water = ramp(0.55f, 0.68f, damp(uv));
-    s.height = -0.005f * s.joint + 0.0012f * (grain(uv) - 0.5f) * (1 - s.water) + 0.004f * (s.tone - 0.5f) * fx;
+    s.water = ramp(0.55f, 0.68f, damp);
+    s.height = -0.005f * s.joint + 0.0012f * (grain - 0.5f) * (1 - s.water) + 0.004f * (s.tone - 0.5f) * fx;
     return s;
 }
 
@@ -66,8 +60,9 @@ Slab slab_at(glm::vec2 uv, const TileNoise& damp, const TileNoise& grain) {
 
 void add_ground_pictures(std::vector<TextureImage>& images) {
     // One pass over the tile, three pictures from it.
-    const AsphaltField field;
-    const std::vector<Asphalt> asphalt = sample_field(asphalt_side, field);
+    const std::vector<Asphalt> asphalt = sample_field(
+        asphalt_side, asphalt_at, TileNoise(5, 11, 4), TileNoise(48, 17), TileNoise(9, 23, 3), TileNoise(6, 31, 4),
+        TileNoise(7, 37), TileNoise(460, 41), TileNoise(230, 43), TileNoise(12, 47, 3), TileNoise(60, 53));
     images.push_back(paint(
         "asphalt colour", asphalt_side, asphalt_side,
         [&](glm::vec2, size_t i) {
@@ -88,17 +83,16 @@ void add_ground_pictures(std::vector<TextureImage>& images) {
     images.push_back(normal_map("asphalt normal", heights_of(asphalt), asphalt_side, tile_metres(Surface::asphalt)));
 
     const TileNoise damp(3, 73, 4), grain(170, 79), stains(6, 83, 3);
-    const std::vector<Slab> slabs = sample_field(paving_side, [&](glm::vec2 uv) { return slab_at(uv, damp, grain); });
+    const std::vector<Slab> slabs = sample_field(paving_side, slab_at, damp, grain);
     images.push_back(paint(
         "paving colour", paving_side, paving_side,
-        [&](glm::vec2 uv, size_t i) {
+        [&](glm::vec2, size_t i, float stain) {
             const Slab& s = slabs[i];
-            const float stain = stains(uv);
             const float stone = 0.13f + 0.07f * s.tone + 0.10f * (stain - 0.5f);
             const float v = std::lerp(stone * (1 - 0.35f * s.water), 0.05f, s.joint);
             return glm::vec4(v, v * 0.97f, v * 0.92f, 1);
         },
-        true));
+        true, stains));
     images.push_back(paint(
         "paving surface", paving_side, paving_side,
         [&](glm::vec2, size_t i) {

@@ -14,18 +14,18 @@ struct Brick {
     float height, mortar, tone;
 };
 
-Brick brick_at(glm::vec2 uv, const TileNoise& edges, const TileNoise& grain) {
+Brick brick_at(glm::vec2 uv, float edges, float grain) {
     const float row = std::floor(uv.y * 32);
     const float shift = static_cast<int>(row) % 2 == 0 ? 0.0f : 0.5f;
     const float x = uv.x * 10 + shift;
     const float fx = x - std::floor(x), fy = uv.y * 32 - row;
     const float edge = std::min(std::min(fx, 1 - fx) * 0.24f, std::min(fy, 1 - fy) * 0.075f);
-    const float ragged = edge + 0.004f * (edges(uv) - 0.5f);
+    const float ragged = edge + 0.004f * (edges - 0.5f);
     Brick b{};
     b.mortar = ramp(0.0085f, 0.0035f, ragged);
     const auto column = static_cast<uint32_t>(std::floor(x)) % 10;
     b.tone = hash_unit(column, static_cast<uint32_t>(row), 101);
-    b.height = -0.007f * b.mortar + 0.002f * (grain(uv) - 0.5f) + 0.003f * b.tone;
+    b.height = -0.007f * b.mortar + 0.002f * (grain - 0.5f) + 0.003f * b.tone;
     return b;
 }
 
@@ -33,20 +33,21 @@ Brick brick_at(glm::vec2 uv, const TileNoise& edges, const TileNoise& grain) {
 
 void add_wall_pictures(std::vector<TextureImage>& images) {
     const TileNoise edges(128, 107), grain(64, 103, 3), soot_noise(3, 109, 4), plaster_noise(12, 131, 5);
-    const std::vector<Brick> bricks = sample_field(side, [&](glm::vec2 uv) { return brick_at(uv, edges, grain); });
+    const std::vector<Brick> bricks = sample_field(side, brick_at, edges, grain);
     images.push_back(paint(
         "brick colour", side, side,
-        [&](glm::vec2 uv, size_t i) {
+        [&](glm::vec2, size_t i, float grime) {
             const Brick& b = bricks[i];
-            const float soot = 0.75f + 0.5f * (soot_noise(uv) - 0.25f);
+            const float soot = 0.75f + 0.5f * (grime - 0.25f);
             // Neutral enough for the vertex colour to make it red, ochre or grey.
             const glm::vec3 brick = glm::vec3(0.62f, 0.56f, 0.52f) * (0.65f + 0.5f * b.tone);
             return glm::vec4(glm::mix(brick, glm::vec3(0.45f, 0.43f, 0.40f), b.mortar) * soot, 1);
         },
-        true));
+        true, soot_noise));
     images.push_back(normal_map("brick normal", heights_of(bricks), side, tile_metres(Surface::brick)));
 
-    const Field plaster = sample_field(side, [&](glm::vec2 uv) { return 0.016f * plaster_noise(uv); });
+    const Field plaster = sample_field(
+        side, [](glm::vec2, float noise) { return 0.016f * noise; }, plaster_noise);
     images.push_back(normal_map("plaster normal", plaster, side, tile_metres(Surface::plaster)));
 }
 

@@ -19,8 +19,10 @@ TexRect cell_rect(glm::uvec2 cell, glm::uvec2 cells, glm::vec2 texels) {
 
 /// 1 inside the ellipse, soft at its edge.
 float blob(glm::vec2 p, glm::vec2 centre, glm::vec2 radii) {
-    const float r = glm::length((p - centre) / radii);
-    return ramp(1.06f, 0.94f, r);
+    const glm::vec2 q = (p - centre) / radii;
+    if (glm::dot(q, q) > 1.13f) // most of the picture: without the root
+        return 0;
+    return ramp(1.06f, 0.94f, glm::length(q));
 }
 
 /// A person from the waist up, `x` across, feet below the window.
@@ -29,12 +31,22 @@ float figure(glm::vec2 p, float x, float size) {
     return std::max(blob(q, {0, 0.62f}, {0.085f, 0.11f}), blob(q, {0, 0.18f}, {0.20f, 0.36f}));
 }
 
+/// What all texels of a room share.
+struct Room {
+    explicit Room(uint32_t number)
+        : cell(number), lit(cell < lit_windows), pick(hash_unit(cell, 0, 201)), light(window_light(cell)),
+          lamp(0.3f + 0.4f * hash_unit(cell, 1, 202), 0.78f), curtain(0.10f + 0.17f * hash_unit(cell, 3, 203)) {}
+    uint32_t cell;
+    bool lit;
+    float pick; ///< one of a kind, 0 … 1
+    glm::vec3 light;
+    glm::vec2 lamp;
+    float curtain; ///< width at either side
+};
+
 /// A room behind a window; p from the lower left corner, 0 … 1.
-glm::vec3 room(uint32_t cell, glm::vec2 p, const TileNoise& foliage) {
-    const bool lit = cell < lit_windows;
-    const float pick = hash_unit(cell, 0, 201);
-    glm::vec3 light = window_light(cell);
-    const glm::vec2 lamp(0.3f + 0.4f * hash_unit(cell, 1, 202), 0.78f);
+glm::vec3 room_texel(const Room& room, glm::vec2 p, const TileNoise& foliage) {
+    const auto [cell, lit, pick, light, lamp, width] = room;
     const float falloff = 1 / (1 + 3.5f * glm::dot(p - lamp, p - lamp));
     glm::vec3 c = light * (0.25f + 0.95f * falloff);
     if (p.y < 0.2f + 0.1f * pick && lit)
@@ -49,18 +61,32 @@ glm::vec3 room(uint32_t cell, glm::vec2 p, const TileNoise& foliage) {
     if (lit && cell % 3 == 0)
         c += light * 2.0f * blob(p, lamp, {0.07f, 0.05f});
     // Curtains to both sides, lit from behind, with folds.
-    const float width = 0.10f + 0.17f * hash_unit(cell, 3, 203);
-    const float side_distance = std::min(p.x, 1 - p.x) - 0.03f * std::sin(p.y * 5);
-    if (side_distance < width && cell % 4 != 3) {
+    const float side = std::min(p.x, 1 - p.x);
+    if (cell % 4 != 3 && side < width + 0.031f && side - 0.03f * std::sin(p.y * 5) < width) {
         const float folds = 0.62f + 0.38f * std::sin(p.x * 75 + 2 * pick);
         c = glm::mix(c, light * glm::vec3(0.62f, 0.5f, 0.42f) * folds, 0.8f);
     }
     return c;
 }
 
-/// A shop_front behind its window: shelves with goods, or a bar with people.
-glm::vec3 shop_front(uint32_t cell, glm::vec2 p) {
-    const glm::vec3 light = shop_light(cell);
+/// What all texels of a shop share.
+struct Shop {
+    explicit Shop(uint32_t number) : cell(number), light(shop_light(cell)) {
+        for (uint32_t i = 0; i < 3; ++i)
+            people[i] = {0.15f + 0.33f * static_cast<float>(i) + 0.12f * hash_unit(cell, i, 217),
+                         0.62f + 0.1f * hash_unit(cell, i, 218)};
+    }
+    uint32_t cell;
+    glm::vec3 light;
+    struct {
+        float x, size;
+    } people[3]; ///< mannequins or guests
+};
+
+/// Behind a shop's window: shelves with goods, or a bar with people.
+glm::vec3 shop_texel(const Shop& shop, glm::vec2 p) {
+    const uint32_t cell = shop.cell;
+    const glm::vec3 light = shop.light;
     const float spots = 0.6f + 0.4f * std::cos(p.x * 6.2831853f * 3);
     glm::vec3 c = light * light * (0.10f + 0.32f * p.y * spots);
     const bool bar = cell % 4 == 1;
@@ -85,13 +111,10 @@ glm::vec3 shop_front(uint32_t cell, glm::vec2 p) {
         if (fy > 0.94f)
             c *= 0.2f; // the board
     }
-    for (uint32_t i = 0; i < 3; ++i) { // mannequins or guests
-        const float x = 0.15f + 0.33f * static_cast<float>(i) + 0.12f * hash_unit(cell, i, 217);
-        const float there = figure(p, x, 0.62f + 0.1f * hash_unit(cell, i, 218));
-        const float tone = cell % 2 == 0 ? 0.35f : 0.06f;
-        if (cell % 4 != 2)
-            c = glm::mix(c, light * tone * glm::vec3(0.8f, 0.6f, 0.55f), there);
-    }
+    const float tone = cell % 2 == 0 ? 0.35f : 0.06f;
+    if (cell % 4 != 2)
+        for (const auto& [x, size] : shop.people)
+            c = glm::mix(c, light * tone * glm::vec3(0.8f, 0.6f, 0.55f), figure(p, x, size));
     return c;
 }
 
@@ -136,15 +159,25 @@ void add_window_pictures(std::vector<TextureImage>& images) {
         return glm::vec4(inside(static_cast<uint32_t>(cell.y) * cells.x + static_cast<uint32_t>(cell.x), p), 1);
     };
     const TileNoise foliage(17, 204);
+    std::vector<Room> rooms;
+    for (uint32_t cell = 0; cell < window_cells * window_cells; ++cell)
+        rooms.emplace_back(cell);
+    std::vector<Shop> shops;
+    for (uint32_t cell = 0; cell < shop_cells.x * shop_cells.y; ++cell)
+        shops.emplace_back(cell);
     images.push_back(paint(
         "windows", 1024, 1024,
         [&](glm::vec2 uv) {
             return atlas(uv, glm::uvec2(window_cells),
-                         [&](uint32_t cell, glm::vec2 p) { return room(cell, p, foliage); });
+                         [&](uint32_t cell, glm::vec2 p) { return room_texel(rooms[cell], p, foliage); });
         },
         true));
     images.push_back(paint(
-        "shops", 1024, 512, [&](glm::vec2 uv) { return atlas(uv, shop_cells, shop_front); }, true));
+        "shops", 1024, 512,
+        [&](glm::vec2 uv) {
+            return atlas(uv, shop_cells, [&](uint32_t cell, glm::vec2 p) { return shop_texel(shops[cell], p); });
+        },
+        true));
 }
 
 } // namespace prelight::city

@@ -24,7 +24,8 @@ double noise(double u, double v, uint32_t seed) {
 /// 1 in a crack, 0 beside it: the borders between cells of a bent lattice, wider in the middle.
 double crack(double u, double v) {
     const double bend = 0.08 * (noise(u, v, 1) - 0.5);
-    const city::Cellular cells = city::tile_cells(glm::vec2(u + bend, v - bend), 4, 7);
+    static const city::TileCells lattice(4, 7);
+    const city::Cellular cells = lattice(glm::vec2(u + bend, v - bend));
     const double width = 0.11 * (1 - smooth(0.25, 0.95, from_middle(u, v) + 0.3 * (noise(u, v, 0) - 0.5)));
     return width > 0 ? 1 - smooth(0.3 * width, width, static_cast<double>(cells.second - cells.nearest)) : 0;
 }
