@@ -47,7 +47,9 @@ void place(PlacedLight& target, const PlacedLight& from) {
 } // namespace
 
 LightSet::LightSet(const GpuScene& scene, std::span<const PlacedLight> lights, size_t capacity)
-    : scene_(&scene), placed_(lights.begin(), lights.end()), kinds_(kinds_of(lights)), capacity_(capacity) {}
+    : scene_(&scene), placed_(lights.begin(), lights.end()), kinds_(kinds_of(lights)), capacity_(capacity) {
+    spheres_.assign(placed_);
+}
 
 LightSet::LightSet(const GpuScene& scene) : LightSet(scene, scene.world().lights, scene.world().lights.size()) {
     check_lights(*scene.world().scene, placed_);
@@ -58,6 +60,7 @@ LightSet LightSet::with(std::span<const PlacedLight> lights) const {
     const size_t most = scene_->context().limits().maxStorageBufferRange / sizeof(shared::LightData);
     const size_t roomy = std::min(capacity_ + capacity_ / 4 + 16, most);
     LightSet next(*scene_, lights, lights.size() <= capacity_ ? capacity_ : std::max(lights.size(), roomy));
+    next.version_ = version_ + 1;
     if (has_maps_of(lights)) {
         next.maps_ = maps_;
         next.uploaded_ = uploaded_;
@@ -108,6 +111,8 @@ void LightSet::replace(std::span<const PlacedLight> lights) {
     for (size_t i = 0; i < lights.size(); ++i)
         place(placed_[i], lights[i]);
     kinds_ = kinds_of(placed_);
+    spheres_.assign(placed_);
+    ++version_;
 }
 
 } // namespace prelight::resident

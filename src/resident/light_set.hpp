@@ -25,6 +25,9 @@ public:
 
     /// By the index that shaders know them by.
     std::span<const PlacedLight> placed() const { return placed_; }
+    const LightSpheres& spheres() const { return spheres_; }
+    /// Another one, and never 0, whenever the lights are others.
+    uint64_t version() const { return version_; }
     /// LIGHT_KIND_… bits of the lights there are: shaders leave out what only the others need.
     uint32_t kinds() const { return kinds_; }
     /// How many lights a view's buffers have room for.
@@ -44,6 +47,8 @@ private:
 
     const GpuScene* scene_;
     std::vector<PlacedLight> placed_;
+    LightSpheres spheres_; ///< of `placed_`
+    uint64_t version_ = 1;
     uint32_t kinds_ = 0; ///< found when lights come: every frame may bring 65,536
     size_t capacity_ = 0;
     /// Of the lights and of the scene's, which may come in later. Sets with the same maps share them.

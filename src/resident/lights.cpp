@@ -2,6 +2,7 @@
 #include "light_bounds.hpp"
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <prelight/light_distribution.hpp>
 
 namespace prelight::resident {
@@ -9,39 +10,26 @@ namespace {
 
 constexpr double widest_cone = 80.0 / 180.0 * 3.14159265358979323846;
 
-/// A range so large that its inverse is no normal float is none.
-constexpr float longest_range = 1e18f;
-
-bool has_volume(const Light& light) { return light.kind != LightKind::directional && light.range < longest_range; }
-
-bool is_dark(const Light& light) {
-    return light.intensity <= 0 || (light.colour.x <= 0 && light.colour.y <= 0 && light.colour.z <= 0);
-}
-
 /// What of a view the test of each light needs, made once a frame. World space relative to the camera.
 class LightView {
 public:
     LightView(const PlacedCamera& camera, const shared::FrameConstants& constants)
-        : camera_(camera.camera), forward_(constants.forward),
-          corner_(glm::length(glm::dvec3(constants.ray_right) + glm::dvec3(constants.ray_up) + forward_)),
-          across_(glm::length(glm::dvec3(constants.ray_right)) * glm::length(glm::dvec3(constants.ray_up))) {
+        : camera_(camera.camera), corner_(glm::length(glm::dvec3(constants.ray_right) + glm::dvec3(constants.ray_up) +
+                                                      glm::dvec3(constants.forward))) {
+        spheres_.forward = constants.forward;
+        spheres_.perspective = camera_.kind == ProjectionKind::perspective;
+        spheres_.across = glm::length(glm::dvec3(constants.ray_right)) * glm::length(glm::dvec3(constants.ray_up));
         const glm::dmat4 clip(constants.clip_from_world);
         const auto row = [&](int r) { return glm::dvec4(clip[0][r], clip[1][r], clip[2][r], clip[3][r]); };
         const glm::dvec4 w = row(3);
         // Reversed depth: the near plane is clip.z = w, the far plane clip.z = 0.
         for (const glm::dvec4& plane : {w + row(0), w - row(0), w + row(1), w - row(1), w - row(2), row(2)})
             if (const double length = glm::length(glm::dvec3(plane)); length > 0)
-                planes_[count_++] = plane / length;
+                spheres_.planes[spheres_.plane_count++] = plane / length;
     }
 
-    /// The sphere lies wholly behind one of the view's planes.
-    bool misses(glm::dvec3 centre, double radius) const {
-        for (size_t p = 0; p < count_; ++p)
-            if (glm::dot(glm::dvec3(planes_[p]), centre) + planes_[p].w < -radius)
-                return true;
-        return false;
-    }
-    double along(glm::dvec3 point) const { return glm::dot(point, forward_); }
+    const SphereView& spheres() const { return spheres_; }
+    double along(glm::dvec3 point) const { return glm::dot(point, spheres_.forward); }
 
     bool may_touch_near_plane(glm::dvec3 centre, double radius) const {
         const double depth = along(centre);
@@ -52,25 +40,10 @@ public:
         return glm::length(centre) <= radius + camera_.znear * corner_;
     }
 
-    /// The share of the picture that a sphere covers, roughly; 1 when the camera is in it.
-    double share(glm::dvec3 centre, double radius) const {
-        double distance2 = 1;
-        if (camera_.kind == ProjectionKind::perspective) {
-            const double depth = along(centre);
-            if (depth <= radius)
-                return 1;
-            distance2 = depth * depth - radius * radius;
-        }
-        return std::min(0.785 * radius * radius / (across_ * distance2), 1.0);
-    }
-
 private:
     Camera camera_;
-    glm::dvec3 forward_{0};
     double corner_; ///< distance to the near plane's corner, in near distances
-    double across_; ///< a quarter of the picture's area at distance 1
-    std::array<glm::dvec4, 6> planes_{};
-    size_t count_ = 0;
+    SphereView spheres_;
 };
 
 LightGroup group_of(const PlacedLight& light, const LightView& view, glm::dvec3 centre, double radius) {
@@ -131,40 +104,48 @@ shared::LightData light_data(const PlacedLight& placed, glm::dvec3 camera, doubl
     return data;
 }
 
-LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
+LightGroups group_lights(std::span<const PlacedLight> lights, const LightSpheres& spheres, const PlacedCamera& camera,
                          const shared::FrameConstants& constants, double aspect, VkExtent2D extent,
                          LightCulling culling, bool depth_clamp, bool spot_boxes) {
     const bool rectangles = culling == LightCulling::rectangles, lists = builds_lists(culling);
+    const bool culls = culling != LightCulling::fullscreen;
     const ScreenBoundsOf screen_bounds(camera, aspect);
     std::vector<shared::LightScreenBounds> bounds(rectangles ? lights.size() : 0);
     std::array<std::vector<uint32_t>, light_group_count> members;
     LightGroups groups;
     const LightView view(camera, constants);
-    for (uint32_t i = 0; i < lights.size(); ++i) {
+    const auto group_of_volume = [&](uint32_t i) -> std::optional<LightGroup> {
         const PlacedLight& light = lights[i];
-        if (is_dark(light.light))
-            continue;
-        LightGroup group = LightGroup::fullscreen;
-        if (culling != LightCulling::fullscreen && has_volume(light.light)) {
-            const glm::dvec3 centre = light.position - camera.position;
-            if (view.misses(centre, light.light.range))
-                continue;
-            if (rectangles) {
-                const ScreenBounds screen = screen_bounds(light);
-                if (screen.empty())
-                    continue;
-                bounds[i] = light_bounds(screen, constants, extent);
-            }
-            if (lists) {
-                group = LightGroup::listed;
-                groups.listed_pictures += view.share(centre, light.light.range);
-            } else {
-                const double radius = light.light.range * volume_reach(light.light, spot_boxes);
-                if (depth_clamp || rectangles || view.along(centre) + radius < camera.camera.zfar)
-                    group = group_of(light, view, centre, radius);
-            }
+        if (rectangles) {
+            const ScreenBounds screen = screen_bounds(light);
+            if (screen.empty())
+                return {};
+            bounds[i] = light_bounds(screen, constants, extent);
         }
-        members[static_cast<size_t>(group)].push_back(i);
+        const glm::dvec3 centre = light.position - camera.position;
+        const double radius = light.light.range * volume_reach(light.light, spot_boxes);
+        if (depth_clamp || rectangles || view.along(centre) + radius < camera.camera.zfar)
+            return group_of(light, view, centre, radius);
+        return LightGroup::fullscreen;
+    };
+    SphereBatch batch;
+    for (size_t first = 0; first < lights.size(); first += sphere_batch) {
+        const size_t count = std::min(sphere_batch, lights.size() - first);
+        if (culls)
+            test_spheres(spheres, first, count, camera.position, view.spheres(), batch);
+        for (size_t at = 0; at < count; ++at) {
+            const auto i = static_cast<uint32_t>(first + at);
+            const double radius = spheres.radius[i];
+            if (radius == -LightSpheres::endless || (culls && !batch.shows[at]))
+                continue;
+            std::optional<LightGroup> group = LightGroup::fullscreen;
+            if (culls && radius != LightSpheres::endless)
+                group = lists ? LightGroup::listed : group_of_volume(i);
+            if (group == LightGroup::listed)
+                groups.listed_pictures += batch.share[at];
+            if (group)
+                members[static_cast<size_t>(*group)].push_back(i);
+        }
     }
     size_t total = 0;
     for (const std::vector<uint32_t>& group : members)

@@ -1,4 +1,5 @@
 #pragma once
+#include "light_spheres.hpp"
 #include <array>
 #include <prelight/scene.hpp>
 #include <shared/frame.h>
@@ -47,11 +48,11 @@ struct LightGroups {
 /// The device's record of a light without shadow and distribution; `exposure` multiplies its colour.
 shared::LightData light_data(const PlacedLight& light, glm::dvec3 camera, double exposure);
 
-/// Leaves out what is dark or outside the view, and sorts the rest. A light is drawn "inside" (back
-/// faces, reversed depth test) as soon as its volume may touch the near plane.
-/// `aspect`: width ÷ height of what the camera sees; `extent`: of the picture, whose pixels screen bounds are padded
-/// by. Without `depth_clamp`, a volume that the far plane would cut is drawn full screen.
-LightGroups group_lights(std::span<const PlacedLight> lights, const PlacedCamera& camera,
+/// `spheres`: those of `lights`. Leaves out what is dark or outside the view, and sorts the rest. A light is drawn
+/// "inside" (back faces, reversed depth test) as soon as its volume may touch the near plane. `aspect`: width ÷ height
+/// of what the camera sees; `extent`: of the picture, whose pixels screen bounds are padded by. Without `depth_clamp`,
+/// a volume that the far plane would cut is drawn full screen.
+LightGroups group_lights(std::span<const PlacedLight> lights, const LightSpheres& spheres, const PlacedCamera& camera,
                          const shared::FrameConstants& constants, double aspect, VkExtent2D extent,
                          LightCulling culling, bool depth_clamp, bool spot_boxes = false);
 

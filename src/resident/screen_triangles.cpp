@@ -2,14 +2,8 @@
 // several vertices or triangles at once. Branches would be guessed wrong for every other triangle, which costs more
 // than all the arithmetic.
 #include "screen_triangles.hpp"
+#include "wide.hpp"
 #include <cmath>
-
-// Eight at once where the processor can; it is asked once, when the program starts.
-#if defined(PRELIGHT_TARGET_CLONES) && !defined(__SANITIZE_ADDRESS__)
-#define PRELIGHT_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define PRELIGHT_WIDE
-#endif
 
 namespace prelight::resident {
 namespace {

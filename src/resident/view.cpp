@@ -2,6 +2,7 @@
 #include "projection.hpp"
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -158,6 +159,7 @@ void View::make_light_buffers(const LightSet& lights) {
         slots_[s].shadows = std::move(made[s].shadows);
         slots_[s].shadow_texels = std::move(made[s].shadow_texels);
         slots_[s].distributions = std::move(made[s].distributions);
+        slots_[s].written = {};
     }
 }
 
@@ -186,7 +188,7 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
     if (device_trimming_)
         device_trimming_->update(slot, visible_, scene_.geometry());
     const double objects_end = thread_ms();
-    groups_ = group_lights(lights_.placed(), camera, next, aspect(), extent, settings_.culling,
+    groups_ = group_lights(lights_.placed(), lights_.spheres(), camera, next, aspect(), extent, settings_.culling,
                            context().features().depth_clamp, settings_.volumes.spot_boxes);
     if (settings_.layers)
         find_layer_slots(layers_, scene_.geometry(), world, next, eye_, extent);
@@ -200,9 +202,8 @@ void View::update(const PlacedCamera& camera, uint32_t slot) {
                         finds_blended_lights_ ? ObjectLights::world_order : ObjectLights::none);
     *constants_[slot].mapped<shared::FrameConstants>() = next;
     const double culling_end = thread_ms();
-    write_lights();
-    written_ = sizeof next + lights_.placed().size() * sizeof(shared::LightData) +
-               groups_.order.size() * sizeof(uint32_t) + groups_.bounds.size() * sizeof(shared::LightScreenBounds) +
+    written_ = sizeof next + write_lights() + groups_.order.size() * sizeof(uint32_t) +
+               groups_.bounds.size() * sizeof(shared::LightScreenBounds) +
                visible_.draws.size() * sizeof(shared::ObjectData) +
                visible_.batches.size() * sizeof(VkDrawIndexedIndirectCommand) + visible_.trimmed * sizeof(uint32_t);
     if (shadows_)
@@ -220,13 +221,36 @@ void View::update_shadows(const PlacedCamera& camera, shared::FrameConstants& co
     std::copy(records.begin(), records.end(), slots_[slot_].shadows.mapped<shared::ShadowData>());
 }
 
-/// Each record once, front to back: the memory may be write-combined.
-void View::write_lights() {
+/// What the slot holds already is not written again: 65,536 lights are 4 MB. Returns the bytes.
+uint64_t View::write_lights() {
+    Slot& slot = slots_[slot_];
     const std::span<const PlacedLight> lights = lights_.placed();
-    shared::LightData* const records = slots_[slot_].lights.mapped<shared::LightData>();
+    shared::LightData* const records = slot.lights.mapped<shared::LightData>();
+    const bool same_lights = slot.written.lights == lights_.version(), same_eye = slot.written.eye == eye_;
+    uint64_t bytes = 0;
+    if (!same_lights) {
+        bytes = write_records(records);
+    } else {
+        if (!same_eye)
+            bytes = write_positions(records);
+        for (const uint32_t light : slot.written.shadowed)
+            records[light].shadow = 0;
+    }
+    slot.written.lights = lights_.version();
+    slot.written.eye = eye_;
+    slot.written.shadowed.clear();
+    for (const ShadowedLight& one : shadows_ ? std::span(shadows_->lights()) : std::span<const ShadowedLight>()) {
+        records[one.light].shadow = one.number();
+        slot.written.shadowed.push_back(one.light);
+    }
+    return bytes + slot.written.shadowed.size() * sizeof(uint32_t);
+}
+
+/// Each record once, front to back: the memory may be write-combined.
+uint64_t View::write_records(shared::LightData* records) {
+    const std::span<const PlacedLight> lights = lights_.placed();
     shared::DistributionData* const distributions =
         lights_.distribution_picture() ? slots_[slot_].distributions.mapped<shared::DistributionData>() : nullptr;
-    auto shadowed = shadows_ ? std::span(shadows_->lights()) : std::span<const ShadowedLight>();
     uint32_t distributed = 0;
     for (uint32_t i = 0; i < lights.size(); ++i) {
         shared::LightData record = light_data(lights[i], eye_, settings_.exposure);
@@ -234,12 +258,19 @@ void View::write_lights() {
             distributions[distributed] = lights_.distribution(lights[i]);
             record.kind |= ++distributed << LIGHT_DISTRIBUTION_SHIFT;
         }
-        if (!shadowed.empty() && shadowed.front().light == i) {
-            record.shadow = shadowed.front().number();
-            shadowed = shadowed.subspan(1);
-        }
         records[i] = record;
     }
+    return lights.size() * sizeof(shared::LightData) + distributed * sizeof(shared::DistributionData);
+}
+
+/// All that of the records depends on the eye.
+uint64_t View::write_positions(shared::LightData* records) const {
+    const std::span<const PlacedLight> lights = lights_.placed();
+    const LightSpheres& spheres = lights_.spheres();
+    for (uint32_t i = 0; i < lights.size(); ++i)
+        if (std::abs(spheres.radius[i]) != LightSpheres::endless || lights[i].light.kind != LightKind::directional)
+            records[i].position = glm::dvec3(spheres.x[i], spheres.y[i], spheres.z[i]) - eye_;
+    return lights.size() * sizeof(glm::vec3);
 }
 
 } // namespace prelight::resident

@@ -115,7 +115,9 @@ public:
 private:
     void make_draw_buffers();
     void update_shadows(const PlacedCamera& camera, shared::FrameConstants& constants);
-    void write_lights();
+    uint64_t write_lights();
+    uint64_t write_records(shared::LightData* records);
+    uint64_t write_positions(shared::LightData* records) const;
     VkExtent2D frame() const { return settings_.frame.width > 0 ? settings_.frame : settings_.raster.extent; }
     double aspect() const { return double(frame().width) / frame().height; }
     const GpuScene& scene_;
@@ -127,6 +129,11 @@ private:
         gpu::Buffer lights, order, bounds, shadows, distributions;
         gpu::UniqueBufferView light_texels, shadow_texels; ///< of `lights` and `shadows`
         gpu::Buffer commands;                              ///< what find_visible() writes
+        struct {
+            uint64_t lights = 0; ///< LightSet::version(); 0: nothing
+            glm::dvec3 eye{0};
+            std::vector<uint32_t> shadowed;
+        } written; ///< what the records are of
     };
     gpu::PerFrame<Slot> slots_;
     gpu::PerFrame<gpu::Buffer> constants_;

@@ -13,6 +13,7 @@ Stats frame_of(uint32_t lights, uint32_t width, uint32_t height) {
     const auto renderer = create_renderer("light-prepass", &test_device(), options);
     renderer->set_world(world);
     renderer->render(world.cameras.at(0)); // lists find out how much room they need
+    renderer->set_lights(world.lights);    // all records are written again
     renderer->render(world.cameras.at(0));
     return renderer->stats();
 }

@@ -120,6 +120,32 @@ TEST(MovingWorlds, ASteadyMoveMakesNothingAndUploadsWhatMoved) {
     expect_validation_clean(test_device());
 }
 
+TEST(MovingWorlds, LightsThatStayAreNotWrittenAgain) {
+    Crowd crowd(3);
+    for (int i = 0; i < 99; ++i) {
+        crowd.world.lights.push_back(crowd.world.lights[0]);
+        crowd.world.lights.back().position.x += 0.01 * i;
+    }
+    const auto renderer = create_renderer("light-prepass", &test_device(), {.width = 64, .height = 36});
+    renderer->set_world(crowd.world);
+    PlacedCamera camera = crowd.camera();
+    const auto bytes = [&] {
+        renderer->render(camera);
+        return renderer->stats().frame_bytes;
+    };
+    for (int warm = 0; warm < 3; ++warm)
+        bytes();
+    const uint64_t still = bytes();
+    EXPECT_EQ(bytes(), still);
+    camera.position.y += 0.001;
+    EXPECT_EQ(bytes(), still + 100 * 12) << "positions are relative to the camera";
+    EXPECT_EQ(bytes(), still + 100 * 12) << "in the other frame's records too";
+    EXPECT_EQ(bytes(), still);
+    renderer->update_world({.lights = true});
+    EXPECT_EQ(bytes(), still + 100 * 64);
+    expect_validation_clean(test_device());
+}
+
 TEST(MovingWorlds, WhatIsNotThereIsRefused) {
     Crowd crowd(2);
     for (const char* name : {"light-prepass", "reference"}) {
