@@ -6,6 +6,8 @@ add_library(prelight_flags INTERFACE)
 target_compile_options(prelight_flags INTERFACE
     -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Wunused
     -Woverloaded-virtual -Wno-missing-field-initializers)
+# Some libraries ask for it: given to all, so that all can share precompiled headers.
+target_compile_options(prelight_flags INTERFACE -pthread)
 if(PROJECT_IS_TOP_LEVEL) # another compiler's new warning is no reason that somebody's project does not build
     target_compile_options(prelight_flags INTERFACE -Werror)
 endif()
@@ -17,7 +19,7 @@ add_library(prelight_options INTERFACE)
 target_link_libraries(prelight_options INTERFACE prelight_flags)
 target_compile_definitions(prelight_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_ENABLE_EXPERIMENTAL)
 
-# What most files include of other people's headers, parsed once for each target. None of the project's own:
+# What most files include of other people's headers, parsed once for all targets with the same flags. None of the project's own:
 # a change in one would compile everything again. CMAKE_DISABLE_PRECOMPILE_HEADERS=ON tells whether each
 # file still includes what it uses.
 set(PRELIGHT_PRECOMPILED <algorithm> <array> <bit> <chrono> <cmath> <cstdint> <cstdlib> <cstring> <filesystem>
@@ -46,8 +48,13 @@ if(PRELIGHT_UNITY)
     target_compile_options(prelight_flags INTERFACE -Wno-shadow) # sees another file's names
 endif()
 
+# prelight_unity(TARGET [MOST]): a folder's files together, or, where they are very many, MOST of them at a time.
 function(prelight_unity TARGET)
     if(NOT PRELIGHT_UNITY)
+        return()
+    endif()
+    if(ARGC GREATER 1)
+        set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${ARGV1})
         return()
     endif()
     get_target_property(sources ${TARGET} SOURCES)
@@ -81,11 +88,29 @@ function(prelight_target NAME)
     target_include_directories(${NAME} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src
                                               ${PROJECT_SOURCE_DIR}/shaders)
     target_link_libraries(${NAME} PUBLIC prelight_options)
-    target_precompile_headers(${NAME} PRIVATE ${PRELIGHT_PRECOMPILED})
-    # Compiled once for the archive and the shared library. Only what PRELIGHT_API marks can be seen from outside of the
-    # latter, and nobody replaces it: calls within the library go straight there, as in a program.
-    set_target_properties(${NAME} PROPERTIES POSITION_INDEPENDENT_CODE ON
-        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-    target_compile_options(${NAME} PRIVATE -fno-semantic-interposition)
+    prelight_library_flags(${NAME})
+    if(NOT TARGET prelight_precompiled)
+        prelight_precompile(prelight_precompiled)
+        prelight_library_flags(prelight_precompiled)
+    endif()
+    target_precompile_headers(${NAME} REUSE_FROM prelight_precompiled)
     prelight_unity(${NAME})
+endfunction()
+
+# Compiled once for the archive and the shared library. Only what PRELIGHT_API marks can be seen from outside of the
+# latter, and nobody replaces it: calls within the library go straight there, as in a program.
+function(prelight_library_flags TARGET)
+    set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE ON
+        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    target_compile_options(${TARGET} PRIVATE -fno-semantic-interposition)
+endfunction()
+
+# prelight_precompile(NAME HEADER…): a target of nothing but precompiled headers, these beside PRELIGHT_PRECOMPILED, for
+# target_precompile_headers(… REUSE_FROM NAME) of targets with the same flags.
+function(prelight_precompile NAME)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${NAME}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "")
+    add_library(${NAME} OBJECT ${source})
+    target_link_libraries(${NAME} PRIVATE prelight_options prelight::glm prelight::fmt)
+    target_precompile_headers(${NAME} PRIVATE ${PRELIGHT_PRECOMPILED} ${ARGN})
 endfunction()
