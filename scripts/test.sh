@@ -9,7 +9,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 build=$root/build/release
 logs=$build/test-logs
-jobs=2
+# One more than there are cores: a test of pictures often leaves one idle, while it uploads, compares or waits for the other.
+jobs=$(($(nproc) + 1))
 
 if ! scripts/setup.sh --tests || ! scripts/build.sh --tests; then
     echo "0 passed, 1 failed" # nothing could be run
@@ -44,9 +45,9 @@ if [ $# -gt 0 ]; then
     names=("$@")
 fi
 
-# The picture tests take longer than all others together: in parts, so that two run at a time.
+# The picture tests take longer than all others together: in parts, so that several run at a time and end together.
 declare -a parts=()
-render_parts=6
+render_parts=8
 for name in "${names[@]}"; do
     if [ "$name" = render ]; then
         for ((k = 1; k <= render_parts; ++k)); do parts+=("render-${k}of$render_parts"); done
@@ -56,20 +57,24 @@ for name in "${names[@]}"; do
 done
 names=("${parts[@]}")
 
-# The K-th of N parts of a GoogleTest binary, as a filter: neighbouring suites, about as many tests in each part. Not
-# GoogleTest's own shards, which deal out the tests of a suite one by one: each process would then make the pipelines of
+# The K-th of N parts of a GoogleTest binary, as a filter: neighbouring suites, about as long in each part, by the seconds in
+# tests/suite_seconds.txt (scripts/suite_seconds.sh writes it); suites that are not there take a fifth of a second a test.
+# Not GoogleTest's own shards, which deal out the tests of a suite one by one: each process would then make the pipelines of
 # all of them.
 part_of() { # BINARY K N
     "$1" --gtest_list_tests | awk -v k="$2" -v n="$3" '
+        NR == FNR { seconds[$1 "."] = $2; next }
         /^[^ ]+\.( |$)/ { suite[++suites] = $1; next }
-        /^  / { ++tests[suites]; ++all }
+        /^  / { ++tests[suites] }
         END {
+            for (s = 1; s <= suites; ++s)
+                all += weight[s] = suite[s] in seconds ? seconds[suite[s]] : tests[s] / 5
             for (s = 1; s <= suites; ++s) {
-                if (int((before + tests[s] / 2) * n / all) == k - 1)
+                if (int((before + weight[s] / 2) * n / all) == k - 1)
                     printf "%s*:", suite[s]
-                before += tests[s]
+                before += weight[s]
             }
-        }'
+        }' "$root/tests/suite_seconds.txt" -
 }
 
 # Runs one GoogleTest binary, or a part of it (NAME-KofN), and writes "PASSED FAILED SKIPPED" to $logs/NAME.count. A test that
@@ -79,6 +84,8 @@ run_gtest() { # NAME [BINARY]
     if [[ $1 =~ -([0-9]+)of([0-9]+)$ ]]; then
         GTEST_FILTER=$(part_of "$binary" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}")
         export GTEST_FILTER
+        # A software device's images come and go by hundreds of megabytes, and the system clears each page of new memory.
+        export GLIBC_TUNABLES=glibc.malloc.mmap_threshold=536870912:glibc.malloc.trim_threshold=4294967296
     fi
     (cd "$root" && timeout --kill-after=10 2400 "$binary" >"$log" 2>&1) || status=$?
     announced=$(sed -n 's/^\[==========\] Running \([0-9]*\) test.*/\1/p' "$log" | head -n 1)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <image/compare_pixels.hpp>
 #include <limits>
 #include <prelight/error.hpp>
 #include <prelight/metrics.hpp>
@@ -88,14 +89,15 @@ double block_difference(const Image& picture, const Image& reference, std::span<
 
 } // namespace
 
-Comparison compare(const Image& picture, const Image& reference, std::span<const uint8_t> left_out, Image* map) {
+Comparison compare_pixels(const Image& picture, const Image& reference, std::span<const uint8_t> left_out,
+                          DisplayedPair* displayed) {
     check(picture, reference, left_out);
     const double factor = exposure_factor(reference, left_out);
     Image shown = picture, wanted = reference;
     for (Image* image : {&shown, &wanted})
         for (glm::vec3& pixel : image->pixels)
             pixel = exposed(pixel, factor);
-    const Image shown_srgb = encoded(shown), wanted_srgb = encoded(wanted);
+    Image shown_srgb = encoded(shown), wanted_srgb = encoded(wanted);
 
     Comparison result;
     double squares = 0;
@@ -132,11 +134,19 @@ Comparison compare(const Image& picture, const Image& reference, std::span<const
             }
         }
 
-    Image errors = flip_map(shown_srgb, wanted_srgb);
+    if (displayed)
+        *displayed = {std::move(shown_srgb), std::move(wanted_srgb)};
+    return result;
+}
+
+Comparison compare(const Image& picture, const Image& reference, std::span<const uint8_t> left_out, Image* map) {
+    DisplayedPair displayed;
+    Comparison result = compare_pixels(picture, reference, left_out, &displayed);
+    Image errors = flip_map(displayed.picture, displayed.reference);
     double flip = 0;
     for (const glm::vec3& pixel : errors.pixels)
         flip += static_cast<double>(pixel.r);
-    result.flip = flip / pixels;
+    result.flip = flip / static_cast<double>(errors.pixels.size());
     if (map)
         *map = std::move(errors);
     return result;

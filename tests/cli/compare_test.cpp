@@ -285,7 +285,7 @@ TEST(Compare, ReplacesAnEarlierReportAndNothingElse) {
 TEST(Compare, TellsEachStepWhereThereIsNoTerminal) {
     const TemporaryFolder folder;
     // Large enough for more than a second, after which the time that is left can be told.
-    const Result result = run({"compare", "spheres", "--size", "960x540", "--frames", "1", "--light-counts", "1,2",
+    const Result result = run({"compare", "spheres", "--size", "480x270", "--frames", "1", "--light-counts", "1,2",
                                "--renderers", "light-prepass,deferred", "-o", "report"},
                               folder.path);
     ASSERT_TRUE(succeeded(result));

@@ -1,6 +1,8 @@
 #pragma once
+#include <deque>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <image/compare_pixels.hpp>
 #include <map>
 #include <prelight/device.hpp>
 #include <prelight/metrics.hpp>
@@ -48,8 +50,8 @@ inline constexpr Bound rgba8_bound{.psnr = 40, .off_share = 1, .block = 255};
 /// The device of all tests in this process, with core and synchronization validation: a software one, unless
 /// PRELIGHT_TEST_DEVICE names another, and PRELIGHT_TEST_VALIDATION=off.
 Device& test_device();
-/// A second device on another driver's ICD file, e.g. SwiftShader's; null when it is not installed.
-std::unique_ptr<Device> swiftshader_device();
+/// A second one of all tests, on SwiftShader, with the same validation; null when it is not installed.
+Device* swiftshader_device();
 
 /// The reference's form that belongs to the settings of a shot.
 ReferenceForm form_of(const Shot& shot);
@@ -90,13 +92,20 @@ struct EdgeBound {
 void expect_within_on_edges(const Image& picture, const ReferencePicture& reference,
                             const Bound& bound = half_float_bound, const EdgeBound& edges = {});
 
-/// References of shots that differ in little, each form's once.
+/// References of shots of one world, camera and size, each form's and exposure's once.
 class References {
 public:
     const ReferencePicture& of(const Shot& shot);
+    /// As expect_agrees().
+    void expect_agrees(const Shot& shot, const Bound& bound = half_float_bound);
 
 private:
-    std::vector<std::pair<ReferenceForm, ReferencePicture>> known_; ///< of one world, camera and size
+    struct Known {
+        ReferenceForm form;
+        double exposure;
+        ReferencePicture picture;
+    };
+    std::deque<Known> known_; // addresses stay
 };
 
 /// Fails the test when the device's validation has said anything since the last call.

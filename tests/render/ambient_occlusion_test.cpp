@@ -234,13 +234,13 @@ TEST(AmbientOcclusion, IsTheSameInBothArchitecturesForEveryMaterialAndEnvironmen
         const Image once = render_linear(test_device(), shot);
         shot.renderer = "deferred";
         const Comparison c =
-            compare(render_linear(test_device(), shot), once, std::vector<uint8_t>(once.pixels.size(), 0));
+            compare_pixels(render_linear(test_device(), shot), once, std::vector<uint8_t>(once.pixels.size(), 0));
         EXPECT_GE(c.psnr, 52);
         EXPECT_LE(c.block, 1);
         // And what rays find, as far as depth and normals can know it.
         const ReferencePicture truth =
             render_reference(garden.world, shot.camera, shot.width, shot.height, 0, form_of(shot));
-        const Comparison far = compare(once, truth.linear, truth.left_out());
+        const Comparison far = compare_pixels(once, truth.linear, truth.left_out());
         std::printf("    %.1f dB between them, %.1f dB from rays\n", c.psnr, far.psnr);
         EXPECT_GE(far.psnr, 28);
     }
@@ -274,7 +274,7 @@ TEST(AmbientOcclusion, ForwardRenderersSayThatTheyHaveNone) {
 }
 
 TEST(AmbientOcclusion, OnSwiftShaderLiesNearRaysToo) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     const Room room;

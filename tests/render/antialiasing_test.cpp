@@ -54,7 +54,7 @@ void expect_filtered_in_every_renderer(Device& device) {
 TEST(Antialiasing, SmoothsThePictureAndNotTheLinearOne) { expect_filtered_in_every_renderer(test_device()); }
 
 TEST(Antialiasing, SmoothsThePictureOnASecondDriver) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     expect_filtered_in_every_renderer(*device);

@@ -134,7 +134,7 @@ TEST(Billboards, ArePlainSquaresWhereTheCameraSeesThem) {
         shown.material = facing.material;
         smoke.world.instances.back().transform = glm::dmat4(1);
         const Image plain = render_linear(test_device(), with(shot, {{"transparent-shadows", "none"}}));
-        expect_within(compare(plain, faced), half_float_bound);
+        expect_within(compare_pixels(plain, faced), half_float_bound);
         shown = facing;
         smoke.world.instances.back() = turned;
     }

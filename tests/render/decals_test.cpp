@@ -39,7 +39,7 @@ TEST_P(Decals, AgreeWithTheReference) {
         other.add_lights(6, 5, 6);
         for (PlacedDecal& placed : other.world.decals)
             (normals ? placed.decal.normal : placed.decal.colour) = false;
-        EXPECT_LT(compare(with, render_linear(test_device(), shot_of(other)), none).psnr, 38)
+        EXPECT_LT(compare_pixels(with, render_linear(test_device(), shot_of(other)), none).psnr, 38)
             << (normals ? "normals" : "colours");
     }
 }
@@ -262,7 +262,7 @@ struct CheckedFloor : TestWorld {
 TEST(DecalTextures, MipLevelsAreThoseOfTheSamePictureOnTheSurface) {
     for (const char* renderer : {"light-prepass", "deferred"}) {
         const Image decal = CheckedFloor(true).picture(renderer), own = CheckedFloor(false).picture(renderer);
-        const Comparison c = compare(decal, own, std::vector<uint8_t>(own.pixels.size(), 0));
+        const Comparison c = compare_pixels(decal, own, std::vector<uint8_t>(own.pixels.size(), 0));
         EXPECT_GE(c.psnr, 35) << renderer; // 32 dB when steps between pixels are taken for half as much again
         EXPECT_LE(c.block, 2) << renderer;
         std::printf("    %s: %.1f dB, block %.2f/255\n", renderer, c.psnr, c.block);
@@ -318,7 +318,7 @@ TEST(DecalScene, InValientsLayout) {
         const ReferencePicture reference =
             render_reference(*shot.world, shot.camera, shot.width, shot.height, 0,
                              {.fresnel = ReferenceForm::Fresnel::full, .grey_reflectance = true});
-        return compare(render_linear(test_device(), shot), reference.linear, reference.left_out()).psnr;
+        return compare_pixels(render_linear(test_device(), shot), reference.linear, reference.left_out()).psnr;
     };
     const double with = psnr(true), without = psnr(false);
     std::printf("    %.1f dB, %.1f dB without decals\n", with, without);

@@ -103,7 +103,7 @@ TEST(Deferred, AgreesWithLightPrepassAndZPrepass) {
         Shot shot = garden.shot();
         shot.renderer = other;
         shot.settings = settings;
-        const Comparison c = compare(picture_of(deferred(garden.shot(), settings)), picture_of(shot));
+        const Comparison c = compare_pixels(picture_of(deferred(garden.shot(), settings)), picture_of(shot));
         EXPECT_GE(c.psnr, half_float_bound.psnr) << other;
         EXPECT_LE(c.off_share, half_float_bound.off_share) << other;
         EXPECT_LE(c.block, half_float_bound.block) << other;
@@ -120,7 +120,7 @@ TEST(Deferred, OrderOfLightsOnlyRounds) {
     reversed.world.lights.assign(garden.world.lights.rbegin(), garden.world.lights.rend());
     for (const Settings& settings : {Settings{}, {{"g-buffer", "killzone2"}}}) {
         const Image picture = picture_of(deferred(garden.shot(), settings));
-        const Comparison c = compare(picture, picture_of(deferred(reversed.shot(), settings)));
+        const Comparison c = compare_pixels(picture, picture_of(deferred(reversed.shot(), settings)));
         EXPECT_GE(c.psnr, 65);
         EXPECT_LE(c.block, 0.5);
         const Image again = picture_of(deferred(garden.shot(), settings));
@@ -170,7 +170,7 @@ TEST(Deferred, EveryCullingMethodLightsTheSamePixels) {
                 contributing = renderer->stats().pairs_contributing;
             }
             EXPECT_EQ(renderer->stats().pairs_contributing, contributing) << method << " at " << share;
-            EXPECT_GE(compare(picture, yardstick).psnr, 70) << method << " at " << share;
+            EXPECT_GE(compare_pixels(picture, yardstick).psnr, 70) << method << " at " << share;
         };
         expect_same("fullscreen");
         for (const std::string& method : culling_methods())

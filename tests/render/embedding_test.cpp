@@ -52,7 +52,7 @@ TEST_P(AdoptedDevice, DrawsTheSamePictureAndLeavesNothingBehind) {
     }
     own.run([](VkCommandBuffer) {}); // it is there still
     EXPECT_THAT(own.destroy(), IsEmpty());
-    const auto device = GetParam() ? swiftshader_device() : nullptr;
+    Device* const device = GetParam() ? swiftshader_device() : nullptr;
     EXPECT_TRUE(adopted.pixels == garden_picture(device ? *device : test_device(), garden).pixels);
 }
 
@@ -67,7 +67,7 @@ TEST(Adopting, DoesWithoutWhatIsOptional) {
     });
     {
         const auto device = Device::adopt(own.handles());
-        EXPECT_GT(compare(garden_picture(*device, garden), garden_picture(test_device(), garden)).psnr, 50);
+        EXPECT_GT(compare_pixels(garden_picture(*device, garden), garden_picture(test_device(), garden)).psnr, 50);
         EXPECT_FALSE(device->has_samples(4)) << "sample shading is not enabled";
     }
     EXPECT_THAT(own.destroy(), IsEmpty());

@@ -38,12 +38,12 @@ TEST(EmptyWorld, InEveryWayToFindLightsAndWithShadows) {
         for (const char* renderer : {"light-prepass", "deferred"}) {
             SCOPED_TRACE(culling);
             Shot shot = empty.shot(renderer);
-            shot.settings = {{"light-culling", culling}, {"shadows", "on"}};
+            shot.settings = {{"light-culling", culling}, {"shadows", "on"}, {"shadow-budget", "1048576"}};
             EXPECT_EQ(render_linear(test_device(), shot).at(32, 18), glm::vec3(0));
         }
     for (const char* renderer : {"z-prepass", "multipass"}) {
         Shot shot = empty.shot(renderer);
-        shot.settings = {{"shadows", "on"}};
+        shot.settings = {{"shadows", "on"}, {"shadow-budget", "1048576"}};
         EXPECT_EQ(render_linear(test_device(), shot).at(32, 18), glm::vec3(0));
     }
     expect_validation_clean(test_device());

@@ -41,30 +41,9 @@ struct SkyGarden : Garden {
     }
 };
 
-/// One picture of the reference for each form that is asked for.
-class Judge {
-public:
-    void expect_agrees(const Shot& shot, const Bound& bound = half_float_bound) {
-        SCOPED_TRACE(shot.renderer + (shot.settings.empty()
-                                          ? ""
-                                          : " " + shot.settings.begin()->first + "=" + shot.settings.begin()->second));
-        const ReferenceForm form = form_of(shot);
-        auto found = std::find_if(known_.begin(), known_.end(), [&](const auto& one) { return one.first == form; });
-        if (found == known_.end())
-            found = known_.insert(known_.end(), {form, render_reference(*shot.world, shot.camera, shot.width,
-                                                                        shot.height, shot.exposure, form)});
-        const Image picture = render_linear(test_device(), shot);
-        expect_within(compare(picture, found->second.linear, found->second.left_out()), bound);
-        expect_validation_clean(test_device());
-    }
-
-private:
-    std::vector<std::pair<ReferenceForm, ReferencePicture>> known_;
-};
-
 TEST(EnvironmentLight, AgreesInEveryArchitecture) {
     const SkyGarden garden;
-    Judge judge;
+    References references;
     for (const Way& way :
          std::initializer_list<Way>{{"light-prepass", {}},
                                     {"light-prepass", {{"list-shading", "fragment"}, {"normals", "oct32"}}},
@@ -85,7 +64,7 @@ TEST(EnvironmentLight, AgreesInEveryArchitecture) {
             EXPECT_TRUE(render_linear(test_device(), shot).pixels == without.pixels);
             continue;
         }
-        judge.expect_agrees(shot);
+        references.expect_agrees(shot);
     }
 }
 
@@ -96,10 +75,10 @@ TEST(EnvironmentLight, AgreesInPhongAndWithFresnelAtTheViewer) {
     expect_agrees(shot);
     shot.settings.clear();
     shot.shading = Shading::phong;
-    Judge judge;
+    References references;
     for (const char* renderer : {"light-prepass", "deferred", "multipass", "z-prepass"}) {
         shot.renderer = renderer;
-        judge.expect_agrees(shot);
+        references.expect_agrees(shot);
     }
 }
 
@@ -190,13 +169,14 @@ std::shared_ptr<Environment> painted_sky() {
 TEST(EnvironmentLight, OfTheStudioAgreesInEveryArchitecture) {
     Garden garden;
     garden.scene.environment = std::make_shared<Environment>(make_environment("studio"));
-    Judge judge;
+    References references;
     for (const char* renderer : {"light-prepass", "deferred", "multipass", "z-prepass"}) {
         Shot shot = garden.shot();
         shot.width = 160;
         shot.height = 90;
         shot.renderer = renderer;
-        judge.expect_agrees(shot, {.psnr = 62}); // sharp bright boxes: what is coarse in the prefiltered maps shows
+        references.expect_agrees(shot,
+                                 {.psnr = 62}); // sharp bright boxes: what is coarse in the prefiltered maps shows
     }
 }
 
@@ -298,7 +278,7 @@ TEST(Background, OfAnOrthographicCameraIsOneColour) {
 }
 
 TEST(EnvironmentLight, AgreesOnSwiftShader) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     const SkyGarden garden;

@@ -92,7 +92,7 @@ TEST(Textures, MirroredInstanceShowsTheMirroredPicture) {
     Image mirrored = render_linear(test_device(), wall.shot());
     for (uint32_t y = 0; y < mirrored.height; ++y)
         std::reverse(&mirrored.at(0, y), &mirrored.at(0, y) + mirrored.width);
-    EXPECT_GE(compare(mirrored, straight).psnr, 50);
+    EXPECT_GE(compare_pixels(mirrored, straight).psnr, 50);
 }
 
 TEST(Materials, AlphaMaskVertexColourDoubleSidedUnlit) {

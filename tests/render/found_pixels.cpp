@@ -41,7 +41,7 @@ std::vector<std::vector<Found>> expect_same_as_fullscreen(const World& world, st
             if (world.lights.size() == 1)
                 EXPECT_TRUE(found[i].linear.pixels == yardstick[i].linear.pixels) << where();
             else
-                EXPECT_GE(compare(found[i].linear, yardstick[i].linear).psnr, 70) << where();
+                EXPECT_GE(compare_pixels(found[i].linear, yardstick[i].linear).psnr, 70) << where();
         }
     }
     expect_validation_clean(device);

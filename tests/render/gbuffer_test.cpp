@@ -82,7 +82,7 @@ Comparison killzone2_against(const Shot& shot, bool grey_form) {
     form.grey_reflectance = grey_form;
     const ReferencePicture reference =
         render_reference(*shot.world, shot.camera, shot.width, shot.height, shot.exposure, form);
-    return compare(picture_of(shot), reference.linear, reference.left_out());
+    return compare_pixels(picture_of(shot), reference.linear, reference.left_out());
 }
 
 TEST(Deferred, Killzone2AgreesWithinTheBoundsOfBytes) {
@@ -219,7 +219,7 @@ TEST(Deferred, EveryViewOfBothLayoutsIsDrawn) {
 }
 
 TEST(DeferredOnSwiftShader, AgreeWithTheReference) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     Garden garden;

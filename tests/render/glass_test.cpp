@@ -48,10 +48,11 @@ TEST_P(GlassScene, IsWrongOnlyWhereObjectsCannotBeInOrder) {
         others[i] = others[i] || covered;
     }
     EXPECT_GT(behind, others.size() / 20);
-    expect_within(compare(picture, whole.linear, others), {.left_out = 0.6});
-    expect_within(compare(render_linear(test_device(), without), rest.linear, rest.left_out()), {.left_out = 0.4});
+    expect_within(compare_pixels(picture, whole.linear, others), {.left_out = 0.6});
+    expect_within(compare_pixels(render_linear(test_device(), without), rest.linear, rest.left_out()),
+                  {.left_out = 0.4});
     // What the order costs: docs/transparency.md.
-    const Comparison cost = compare(picture, whole.linear, whole.left_out());
+    const Comparison cost = compare_pixels(picture, whole.linear, whole.left_out());
     expect_within(cost, {.psnr = 28, .off_share = 0.05, .block = 50, .left_out = 0.4});
     EXPECT_GT(cost.off_share, 0.01);
     expect_validation_clean(test_device());
@@ -69,10 +70,10 @@ TEST_P(GlassScene, PeeledAgreesWithTheReference) {
     const ReferencePicture& reference = references.of(shot);
     const Image picture = render_linear(test_device(), shot);
     save_when_wanted(picture, reference);
-    expect_within(compare(picture, reference.linear, reference.left_out()), {.left_out = 0.4});
+    expect_within(compare_pixels(picture, reference.linear, reference.left_out()), {.left_out = 0.4});
     if (shot.renderer == "light-prepass") { // and each layer with a light pre-pass of its own
         shot.settings["layer-light"] = "light-buffer";
-        expect_within(compare(render_linear(test_device(), shot), reference.linear, reference.left_out()),
+        expect_within(compare_pixels(render_linear(test_device(), shot), reference.linear, reference.left_out()),
                       {.left_out = 0.4});
     }
     expect_validation_clean(test_device());

@@ -224,7 +224,7 @@ TEST(HalfSamplesError, IsThatOfTheLayersLeftOut) {
             Shot all = shot;
             all.settings["transparency"] = "lists";
             const Image right = render_reference(panes.world, shot.camera, 96, 54, 0, form_of(all)).linear;
-            const Comparison apart = compare(render_linear(test_device(), shot), right);
+            const Comparison apart = compare_pixels(render_linear(test_device(), shot), right);
             std::printf("%u lights, %zu layers: %.1f dB, %.1f %% off\n", lights, count, apart.psnr,
                         100 * apart.off_share);
             EXPECT_GT(apart.psnr, count == 1 ? 60 : 12);
@@ -282,7 +282,7 @@ TEST(HalfSamplesFrames, ChangeAsANewRendererAndMakeNothing) {
 }
 
 TEST(HalfSamplesOnSwiftShader, ShowTheNearestLayer) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     const Panes panes(4);

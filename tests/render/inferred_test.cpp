@@ -193,7 +193,8 @@ TEST(Inferred, OpaqueLayersAreTheLightPrePassOfOpaqueOnes) {
 
 TEST(Inferred, AKeptRendererGivesThePictureOfANewOne) {
     ThreeLayers layers;
-    const Shot shot = inferred(layers.shot(), {{"inferred-scale", "1/2"}, {"shadows", "on"}});
+    const Shot shot =
+        inferred(layers.shot(), {{"inferred-scale", "1/2"}, {"shadows", "on"}, {"shadow-budget", "1048576"}});
     const RenderOptions options = options_of(shot);
     const auto kept = create_renderer("inferred", &test_device(), options);
     kept->set_world(layers.world);
@@ -227,7 +228,7 @@ TEST(Inferred, RefusesWhatItHasNot) {
 }
 
 TEST(Inferred, SwiftShaderAgreesWithTheReference) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed";
     const ThreeLayers layers;

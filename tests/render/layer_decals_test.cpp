@@ -72,7 +72,7 @@ TEST(LayerDecals, AreSeen) {
     garden.world.instances.back().receives_decals = false;
     (garden.world.instances.end() - 2)->receives_decals = false;
     const Image without = render_linear(test_device(), garden.shot());
-    EXPECT_LT(compare(with_them, without, std::vector<uint8_t>(without.pixels.size(), 0)).psnr, 35);
+    EXPECT_LT(compare_pixels(with_them, without, std::vector<uint8_t>(without.pixels.size(), 0)).psnr, 35);
     expect_agrees(garden.shot());
 }
 

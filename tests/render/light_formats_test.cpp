@@ -123,7 +123,7 @@ TEST(LightFormatsOnDrivers, ADeviceWithoutAFormatGetsTheNextOneAndSaysSo) {
 }
 
 TEST(LightFormatsOnDrivers, SwiftShaderStoresWhatLavapipeStores) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     FourLights garden;

@@ -56,7 +56,7 @@ TEST(LightGrid, HoldsEveryContributingLightOfRandomScenes) {
         const Rendered yardstick = render_counting_pairs(shot, 2);
         EXPECT_EQ(grid.stats.pairs_contributing, yardstick.stats.pairs_contributing) << "scene " << scene;
         EXPECT_LT(grid.stats.pairs_evaluated, yardstick.stats.pairs_evaluated) << "scene " << scene;
-        EXPECT_GE(compare(grid.linear, yardstick.linear).psnr, 60) << "scene " << scene;
+        EXPECT_GE(compare_pixels(grid.linear, yardstick.linear).psnr, 60) << "scene " << scene;
     }
     expect_validation_clean(test_device());
 }
@@ -70,7 +70,7 @@ TEST(LightGrid, GivesTheSameBytesTwice) {
 }
 
 TEST(LightGrid, AgreesOnSwiftShader) {
-    const std::unique_ptr<Device> device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     Garden garden;

@@ -49,8 +49,8 @@ TEST(BacklitForm, WeightedIsNotAnyOtherForm) {
         return render_reference(garden.world, garden.camera, 160, 90, -1, {.fresnel = fresnel}).linear;
     };
     using Fresnel = ReferenceForm::Fresnel;
-    EXPECT_LT(compare(picture(Fresnel::nv), picture(Fresnel::weighted)).psnr, 45);
-    EXPECT_LT(compare(picture(Fresnel::mono), picture(Fresnel::weighted)).psnr, 45);
+    EXPECT_LT(compare_pixels(picture(Fresnel::nv), picture(Fresnel::weighted)).psnr, 45);
+    EXPECT_LT(compare_pixels(picture(Fresnel::mono), picture(Fresnel::weighted)).psnr, 45);
 }
 
 TEST(LightKinds, DirectionalAlone) {
@@ -95,7 +95,7 @@ TEST(LightKinds, LightShininessMultipliesTheMaterials) {
     const Image sharp = render_reference(garden.world, shot.camera, 96, 54, -2, form_of(shot)).linear;
     garden.world.lights[0].light.shininess = 4;
     const Image soft = render_reference(garden.world, shot.camera, 96, 54, -2, form_of(shot)).linear;
-    EXPECT_LT(compare(sharp, soft).psnr, 50);
+    EXPECT_LT(compare_pixels(sharp, soft).psnr, 50);
 }
 
 TEST(Cameras, DepthsFarBelowTheNearPlanesScale) {

@@ -56,7 +56,7 @@ TEST(RectangleCulling, AConeThatPointsOutOfThePictureCostsNothing) {
 }
 
 TEST(DepthBounds, TestNearAndFarSideWhereTheDeviceHasThem) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     LightsEverywhere scene;

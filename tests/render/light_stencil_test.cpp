@@ -110,7 +110,7 @@ TEST(StencilCulling, ManyLightsAgreeWithTheReference) {
 }
 
 TEST(StencilCulling, SwiftShaderFindsTheSamePixels) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     LightsEverywhere scene;

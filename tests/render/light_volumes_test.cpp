@@ -36,7 +36,7 @@ void expect_volumes_find_as_fullscreen(Garden& garden, const PlacedCamera& camer
     EXPECT_EQ(contributing[0], contributing[1]) << where;
     EXPECT_LE(evaluated[0], evaluated[1]) << where;
     // Lights seen from inside are drawn after those seen from outside, and half floats round by order.
-    const Comparison same = compare(pictures[0], pictures[1]);
+    const Comparison same = compare_pixels(pictures[0], pictures[1]);
     EXPECT_GE(same.psnr, 70) << where;
     EXPECT_LE(same.block, 0.25) << where;
 }

@@ -31,9 +31,9 @@ Figures figures_of(const WorldAt& at, Shot shot) {
     const Image truth = mean_of_moments(at, shot);
     const World now = at(0, shot.camera);
     shot.world = &now;
-    const double sharp = compare(render_linear(test_device(), shot), truth).psnr;
+    const double sharp = compare_pixels(render_linear(test_device(), shot), truth).psnr;
     shot.settings["motion-blur"] = "on";
-    const double blurred = compare(render_linear(test_device(), shot), truth).psnr;
+    const double blurred = compare_pixels(render_linear(test_device(), shot), truth).psnr;
     std::printf("    %.1f dB without, %.1f dB with motion blur\n", sharp, blurred);
     expect_validation_clean(test_device());
     return {sharp, blurred};

@@ -87,7 +87,7 @@ TEST(Multipass, EveryOrderAmbientAndBatchGivesTheSamePicture) {
                 const Shot shot =
                     multipass(garden.shot(), {{"lights-per-pass", per_pass}, {"order", order}, {"ambient", ambient}});
                 expect_agrees(shot);
-                EXPECT_GE(compare(render_linear(test_device(), shot), first).psnr, 60);
+                EXPECT_GE(compare_pixels(render_linear(test_device(), shot), first).psnr, 60);
                 const uint64_t draws = stats_of(shot).draws;
                 EXPECT_TRUE(fewest == 0 || per_pass[0] == '1' || draws < fewest) << draws;
                 fewest = fewest == 0 ? draws : fewest;
@@ -165,8 +165,8 @@ TEST(Multipass, HalfFloatTargetHoldsNoInfinity) {
     for (int i = 0; i < 60; ++i)
         garden.add_light(garden.point(30, 1e6f), {0.1 * i - 3, 3, 2});
     // lavapipe cuts off at the largest half float by itself, SwiftShader goes to infinity.
-    const auto second = swiftshader_device();
-    for (Device* device : {&test_device(), second.get()})
+    Device* const second = swiftshader_device();
+    for (Device* device : {&test_device(), second})
         for (const char* per_pass : {"1", "8"}) {
             if (!device)
                 continue;

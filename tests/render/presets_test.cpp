@@ -46,7 +46,7 @@ TEST_P(Presets, AgreeWithTheReferenceOfTheirForm) {
         const Rendered ours = render_with(garden.world, garden.camera, options);
         const ReferencePicture reference = render_reference(garden.world, garden.camera, 320, 180, options.exposure,
                                                             reference_form(shading, ours.stats.settings));
-        const Comparison c = compare(ours.linear, reference.linear, reference.left_out());
+        const Comparison c = compare_pixels(ours.linear, reference.linear, reference.left_out());
         std::printf("    %.1f dB, %.3f %% off, block %.2f/255\n", c.psnr, c.off_share * 100, c.block);
         EXPECT_GE(c.psnr, GetParam().psnr);
         if (const char* folder = std::getenv("PRELIGHT_TEST_PICTURES"))
@@ -128,7 +128,7 @@ TEST(LightPrepassPresets, EngelTakesEachOfItsThreeWays) {
         const Image reference = render_reference(garden.world, garden.camera, 320, 180, options.exposure,
                                                  reference_form(Shading::phong, ours.stats.settings))
                                     .linear;
-        EXPECT_GE(compare(ours.linear, reference).psnr, 38) << way;
+        EXPECT_GE(compare_pixels(ours.linear, reference).psnr, 38) << way;
         pictures.push_back(ours.linear);
     }
     EXPECT_FALSE(pictures[1].pixels == pictures[2].pixels);

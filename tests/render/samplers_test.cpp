@@ -120,7 +120,7 @@ TEST(Samplers, OfCasesThatOthersReported) {
                                                  .renderer = renderer});
         };
         const auto same = [&](const Image& a, const Image& b) {
-            return compare(a, b, std::vector<uint8_t>(a.pixels.size())).psnr;
+            return compare_pixels(a, b, std::vector<uint8_t>(a.pixels.size())).psnr;
         };
         EXPECT_GE(same(picture_of("mag_nearest.glb", "auto"), picture_of("mag_nearest_right.glb", "auto")), 60)
             << renderer;

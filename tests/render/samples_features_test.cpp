@@ -96,8 +96,8 @@ TEST(SamplesWith, ShadowsOncePerPixel) {
             if (&way != ways)
                 continue;
             // Pixels that are judged tell the two apart.
-            EXPECT_GT(compare(once, reference.linear, reference.left_out()).psnr,
-                      compare(each, reference.linear, reference.left_out()).psnr + 3);
+            EXPECT_GT(compare_pixels(once, reference.linear, reference.left_out()).psnr,
+                      compare_pixels(each, reference.linear, reference.left_out()).psnr + 3);
         }
     }
     expect_validation_clean(test_device());

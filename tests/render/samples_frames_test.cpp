@@ -66,7 +66,7 @@ TEST(EdgeSamples, AreLitHoweverManyThereAre) {
             // Light of a surface's samples is that of each of them, within what light changes in a pixel.
             std::vector<uint8_t> others(sure.size());
             std::ranges::transform(sure, others.begin(), [](uint8_t one) { return one == 0 ? 1 : 0; });
-            const Comparison each = compare(ours, everywhere, others);
+            const Comparison each = compare_pixels(ours, everywhere, others);
             EXPECT_GE(each.psnr, 60);
             EXPECT_LE(each.block, 1);
             expect_within_on_edges(ours, reference, {.psnr = 50, .off_share = 0.01}, {.pixels = edges});
@@ -178,7 +178,7 @@ TEST(SamplesOfPictures, OfATallStrip) {
     shot.settings["msaa-light"] = "samples";
     const Image all = render_linear(test_device(), shot);
     shot.settings["msaa-light"] = "edges";
-    EXPECT_GE(compare(all, render_linear(test_device(), shot)).psnr, 50);
+    EXPECT_GE(compare_pixels(all, render_linear(test_device(), shot)).psnr, 50);
     expect_validation_clean(test_device());
 }
 
@@ -219,7 +219,7 @@ TEST(SamplesOfWorlds, WithMoreLightsThanARoundTakes) {
         for (const char* light : {"edges", "samples"}) {
             shot.settings["msaa-light"] = light;
             const Image right = render_linear(test_device(), shot), image = render_linear(*impatient, shot);
-            const Comparison c = compare(image, right);
+            const Comparison c = compare_pixels(image, right);
             EXPECT_GE(c.psnr, 60) << light;
             EXPECT_LE(c.block, 0.5) << light;
         }

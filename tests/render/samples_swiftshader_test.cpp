@@ -6,7 +6,7 @@ namespace prelight {
 namespace {
 
 TEST(SamplesOnSwiftShader, AgreeWithTheReferenceInTheMean) {
-    const std::unique_ptr<Device> device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     Garden garden;
@@ -16,7 +16,7 @@ TEST(SamplesOnSwiftShader, AgreeWithTheReferenceInTheMean) {
         Shot shot = garden.shot();
         shot.renderer = name;
         shot.samples = 4;
-        const auto renderer = create_renderer(name, device.get(), options_of(shot));
+        const auto renderer = create_renderer(name, device, options_of(shot));
         renderer->set_world(garden.world);
         renderer->render(garden.camera);
         const Image picture = renderer->read("linear");
@@ -30,7 +30,7 @@ TEST(SamplesOnSwiftShader, AgreeWithTheReferenceInTheMean) {
         const ReferencePicture reference =
             render_reference(garden.world, garden.camera, shot.width, shot.height, 0, form);
         save_when_wanted(picture, reference);
-        const Comparison c = compare(picture, reference.linear);
+        const Comparison c = compare_pixels(picture, reference.linear);
         std::printf("    %.1f dB, block %.2f/255\n", c.psnr, c.block);
         EXPECT_GE(c.psnr, 40);
         EXPECT_LE(c.block, half_float_bound.block);

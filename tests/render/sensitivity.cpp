@@ -16,7 +16,7 @@ double mean_square(Garden& garden, const Shot& shot, const ReferencePicture& bef
     const std::vector<Instance> instances = garden.world.instances;
     for (Instance& instance : garden.world.instances)
         change(instance, garden.scene.meshes[instance.mesh].primitives[0].normals);
-    const Comparison c = compare(reference_of(shot).linear, before.linear, before.left_out());
+    const Comparison c = compare_pixels(reference_of(shot).linear, before.linear, before.left_out());
     garden.scene.meshes = meshes;
     garden.world.instances = instances;
     return std::pow(10, -c.psnr / 10);

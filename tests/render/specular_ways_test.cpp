@@ -67,7 +67,7 @@ TEST_P(SpecularWays, AreNotAnyOther) {
         const bool same =
             std::string(other) == GetParam() || (std::string(other) == "luminance" && std::string(GetParam()) == "luv");
         if (!same) {
-            EXPECT_LT(compare(picture(GetParam()), picture(other)).psnr, 55) << other;
+            EXPECT_LT(compare_pixels(picture(GetParam()), picture(other)).psnr, 55) << other;
         }
     }
 }
@@ -106,7 +106,7 @@ TEST(OwnShininess, AmbientLightIsWhereNoLampIs) {
         const Image linear = render_linear(test_device(), shot);
         shot.settings["light-culling"] = "fullscreen";
         shot.settings["light-writes"] = "once";
-        EXPECT_GE(compare(linear, render_linear(test_device(), shot)).psnr, 60) << way;
+        EXPECT_GE(compare_pixels(linear, render_linear(test_device(), shot)).psnr, 60) << way;
         EXPECT_GT(std::ranges::count_if(linear.pixels, [](const glm::vec3& p) { return p.y > 0; }), 160 * 90 / 3)
             << way;
     }
@@ -128,7 +128,7 @@ TEST(OwnShininess, OfOneLightAreWhatTheyApproximate) {
     for (const char* way : {"luv", "fifth-channel", "luminance"}) {
         Shot shot = stored;
         shot.settings = {{"specular", way}};
-        const Comparison c = compare(render_linear(test_device(), shot), reference.linear, reference.left_out());
+        const Comparison c = compare_pixels(render_linear(test_device(), shot), reference.linear, reference.left_out());
         EXPECT_GE(c.psnr, half_float_bound.psnr) << way;
         EXPECT_LE(c.off_share, half_float_bound.off_share) << way;
     }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <prelight/light_distribution.hpp>
-#include <scene/procedural/cookie_maps.hpp>
 #include <scene/procedural/random.hpp>
 
 namespace prelight {
@@ -13,7 +12,7 @@ namespace prelight {
 class Stage : public TestWorld {
 public:
     explicit Stage(uint64_t seed) : random_(seed) {
-        scene.images = {window_cookie(), dice_cookie()}; // for spots, for points
+        scene.images = {small_map("spot", 16, 16), small_map("point", 48, 8)};
         add(square(6), glm::rotate(glm::dmat4(1), -1.5707963267948966, {1, 0, 0}));
         add(sphere(16), thing());
         add(cube(), thing());
@@ -58,6 +57,15 @@ public:
     }
 
 private:
+    /// Of few texels: each new renderer makes levels of them.
+    TextureImage small_map(const char* name, uint32_t width, uint32_t height) {
+        TextureImage image{name, width, height, {}};
+        for (uint32_t i = 0; i < width * height; ++i) {
+            const auto code = static_cast<uint8_t>((i % width / 3 + i / width / 2) % 2 ? 230 : 40 + i % 30);
+            image.rgba.insert(image.rgba.end(), {code, static_cast<uint8_t>(code / 2 + i % width), code, 255});
+        }
+        return image;
+    }
     void change_in_place(WorldChanges& changes) {
         const uint32_t which = 1 + random_.below(static_cast<uint32_t>(world.instances.size() - 1));
         Instance& instance = world.instances[which];

@@ -14,7 +14,7 @@ protected:
         if (!device_)
             GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     }
-    std::unique_ptr<Device> device_;
+    Device* device_ = nullptr;
 };
 
 TEST_F(SwiftShader, EveryLightBufferAndEncodingAgreesWithTheReference) {

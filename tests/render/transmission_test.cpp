@@ -91,7 +91,7 @@ TEST_P(TransmissionOf, AShowcaseAgreesWithTheReference) {
     const ReferencePicture& reference = references.of(shot);
     const Image picture = render_linear(test_device(), shot);
     save_when_wanted(picture, reference);
-    expect_within(compare(picture, reference.linear, reference.left_out()), half_float_bound);
+    expect_within(compare_pixels(picture, reference.linear, reference.left_out()), half_float_bound);
     expect_validation_clean(test_device());
 }
 
@@ -188,7 +188,7 @@ TEST(Transmission, BlursAsTheReferenceDoes) {
     const ReferencePicture reference = render_reference(test.world, shot.camera, 192, 108, 0, form_of(shot));
     for (Material& material : test.scene.materials)
         material.roughness *= 1.04f;
-    EXPECT_LT(compare(render_linear(test_device(), shot), reference.linear, reference.left_out()).psnr, 50);
+    EXPECT_LT(compare_pixels(render_linear(test_device(), shot), reference.linear, reference.left_out()).psnr, 50);
 }
 
 TEST(Transmission, LessGeometryMakesNoDifference) {
@@ -258,7 +258,7 @@ TEST(Transmission, ChangesFromFrameToFrame) {
 }
 
 TEST(Transmission, LooksAlikeOnSwiftShader) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     const Showcase showcase;
@@ -269,7 +269,7 @@ TEST(Transmission, LooksAlikeOnSwiftShader) {
     const Image picture = render_linear(*device, shot);
     save_when_wanted(picture, reference);
     // It moves corners by up to a thirty-second of a pixel, and a ball of glass magnifies that.
-    expect_within(compare(picture, reference.linear, reference.left_out()),
+    expect_within(compare_pixels(picture, reference.linear, reference.left_out()),
                   {.psnr = 45, .off_share = 0.01, .left_out = 0.2});
     expect_validation_clean(*device);
 }

@@ -25,14 +25,14 @@ TEST(TransparencyKBuffer, PanesThatCrossAgreeWithTheReference) {
         const ReferencePicture& reference = references.of(shot);
         const Rendered drawn = render_with(fan.world, shot.camera, options_of(shot), name);
         save_when_wanted(drawn.linear, reference);
-        expect_within(compare(drawn.linear, reference.linear, reference.left_out()), {.left_out = 0.25});
+        expect_within(compare_pixels(drawn.linear, reference.linear, reference.left_out()), {.left_out = 0.25});
         EXPECT_EQ(drawn.stats.layers->most, 7u);
         EXPECT_EQ(drawn.stats.layers->approximate, 0u);
         EXPECT_THAT(drawn.stats.notes, Not(Contains(HasSubstr("k-buffer"))));
     }
     const Shot own = with(buffered(fan.shot(), "8"), {{"layer-light", "light-buffer"}});
     const ReferencePicture& reference = references.of(own);
-    expect_within(compare(render_linear(test_device(), own), reference.linear, reference.left_out()),
+    expect_within(compare_pixels(render_linear(test_device(), own), reference.linear, reference.left_out()),
                   {.left_out = 0.25});
     expect_validation_clean(test_device());
 }

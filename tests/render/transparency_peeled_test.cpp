@@ -23,9 +23,9 @@ TEST(TransparencyPeeled, PanesThatCrossAgreeWithTheReference) {
         const ReferencePicture& reference = references.of(shot);
         const Image picture = render_linear(test_device(), shot);
         save_when_wanted(picture, reference);
-        expect_within(compare(picture, reference.linear, reference.left_out()), {.left_out = 0.25});
+        expect_within(compare_pixels(picture, reference.linear, reference.left_out()), {.left_out = 0.25});
         const Image lists = render_linear(test_device(), with(fan.shot(), {{"transparency", "lists"}}));
-        EXPECT_GT(compare(lists, reference.linear, reference.left_out()).off_share, 0.05)
+        EXPECT_GT(compare_pixels(lists, reference.linear, reference.left_out()).off_share, 0.05)
             << "objects in order are enough";
     }
     expect_validation_clean(test_device());
@@ -47,8 +47,8 @@ TEST(TransparencyPeeled, ALightPrePassOfEachLayerAgreesWithTheReference) {
         const Rendered own =
             render_with(fan.world, shot.camera, options_of(with(shot, {{"layer-light", "light-buffer"}})));
         save_when_wanted(own.linear, reference);
-        expect_within(compare(own.linear, reference.linear, reference.left_out()), {.left_out = 0.25});
-        expect_within(compare(own.linear, lists.linear), half_float_bound);
+        expect_within(compare_pixels(own.linear, reference.linear, reference.left_out()), {.left_out = 0.25});
+        expect_within(compare_pixels(own.linear, lists.linear), half_float_bound);
         EXPECT_EQ(own.stats.settings.at("layer-light"), "light-buffer");
         std::vector<std::string> passes;
         for (const PassStats& pass : own.stats.passes)
@@ -75,12 +75,12 @@ TEST(TransparencyPeeled, TheLightBufferIsEachLayersOwn) {
     const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
     renderer->set_world(panes.world);
     renderer->render(shot.camera, 3);
-    expect_within(compare(renderer->read("linear"), lists), half_float_bound);
+    expect_within(compare_pixels(renderer->read("linear"), lists), half_float_bound);
     PlacedCamera aside = shot.camera;
     aside.position.x += 0.7;
     renderer->render(aside, 2);
     renderer->render(shot.camera);
-    expect_within(compare(renderer->read("linear"), lists), half_float_bound);
+    expect_within(compare_pixels(renderer->read("linear"), lists), half_float_bound);
     expect_validation_clean(test_device());
 }
 
@@ -136,7 +136,7 @@ TEST(TransparencyPeeled, LayersBeyondThoseAskedForAreComposedAndTold) {
     shot = with(peeled(fan.shot()), {{"peeled-layers", "1"}});
     const Image one = render_linear(test_device(), shot);
     shot.settings["peeled-layers"] = "3";
-    EXPECT_GT(compare(one, render_linear(test_device(), shot)).off_share, 0.002);
+    EXPECT_GT(compare_pixels(one, render_linear(test_device(), shot)).off_share, 0.002);
     expect_validation_clean(test_device());
 }
 

@@ -18,7 +18,7 @@ TEST(TransparencyOfOwnMaterials, IsTheirOpaqueSelfByAlpha) {
             shot.settings = {{"lights", "grid"}};
         const Image expected = expected_of(lit, shot);
         lit.pane().alpha_mode = AlphaMode::blend;
-        expect_within(compare(render_linear(test_device(), shot), expected), half_float_bound);
+        expect_within(compare_pixels(render_linear(test_device(), shot), expected), half_float_bound);
     }
     expect_validation_clean(test_device());
 }
@@ -35,7 +35,7 @@ TEST(TransparencySorted, BatchesAddUp) {
         shot.settings["transparency"] = "sorted";
         shot.settings["blended-lights"] = lights;
         const Rendered sorted = render_with(lit.world, lit.camera, options_of(shot));
-        expect_within(compare(sorted.linear, lists), half_float_bound);
+        expect_within(compare_pixels(sorted.linear, lists), half_float_bound);
         EXPECT_NE(sorted.stats.draws, draws) << "fewer draws where each has more lights";
         draws = sorted.stats.draws;
     }
@@ -96,7 +96,7 @@ TEST(TransparencyShadows, AreReadFromTheMapsOfAllLights) {
     LitPane lit;
     lit.pane().alpha_mode = AlphaMode::blend;
     Shot shot = lit.shot();
-    shot.settings = {{"shadows", "on"}, {"light-culling", "volumes"}};
+    shot.settings = {{"shadows", "on"}, {"shadow-budget", "1048576"}, {"light-culling", "volumes"}};
     const Image atlas = render_linear(test_device(), shot);
     shot.settings["shadow-memory"] = "reuse";
     const auto renderer = create_renderer("light-prepass", &test_device(), options_of(shot));
@@ -113,7 +113,7 @@ TEST(TransparencyShadows, AreReadFromTheMapsOfAllLights) {
 }
 
 TEST(TransparencyOnSwiftShader, LayersComposeBackToFront) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     for (const char* how : {"lists", "sorted", "peeled", "k-buffer"})

@@ -32,7 +32,7 @@ TEST_P(Transparency, ALitPaneIsItsOpaqueSelfByAlpha) {
     const Shot shot = in_way(lit.shot(), GetParam());
     const Image expected = expected_of(lit, shot);
     lit.pane().alpha_mode = AlphaMode::blend;
-    expect_within(compare(render_linear(test_device(), shot), expected), half_float_bound);
+    expect_within(compare_pixels(render_linear(test_device(), shot), expected), half_float_bound);
     expect_validation_clean(test_device());
 }
 

@@ -203,7 +203,7 @@ TEST(VisibleDraws, RandomScenes) {
 }
 
 TEST(VisibleDraws, OnSwiftShadersCoarserGridOfPixels) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed";
     Garden garden;

@@ -122,7 +122,7 @@ TEST(ZPrepass, ManyLightsOfTheYardstickSceneAgree) {
 }
 
 TEST(ForwardOnSwiftShader, AgreeWithTheReference) {
-    const auto device = swiftshader_device();
+    Device* const device = swiftshader_device();
     if (!device)
         GTEST_SKIP() << "SwiftShader is not installed (Debian's package chromium)";
     Garden garden;
