@@ -14,7 +14,7 @@ SurfaceDraws::Desc blended_desc(const resident::View& view, ForwardInputs inputs
     desc.keeps_alpha_mask = false;
     desc.blend = more ? gpu::Blend::add_by_alpha : gpu::Blend::by_alpha;
     desc.push_bytes = lists ? sizeof(shared::LightListConstants) : sizeof(shared::ForwardBatch);
-    desc.blended = true;
+    desc.draws = resident::DrawClass::blended;
     desc.softens = inputs.behind.has_value();
     desc.layer_decals = view.layer_decals() != nullptr;
     return desc;

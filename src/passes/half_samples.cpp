@@ -13,7 +13,7 @@ void draw_in_half(graph::Pass& pass, const resident::View& view, SurfaceDraws::D
     desc.keeps_alpha_mask = false; // they have none
     desc.sample_shading = gpu::SampleShading::sample;
     desc.sample_mask = HALF_SAMPLES_BLENDED;
-    desc.blended = true;
+    desc.draws = resident::DrawClass::blended;
     draw_blended(pass, view, desc, BlendedOrder::layer, drawn);
 }
 

@@ -39,7 +39,7 @@ KBuffer::KBuffer(graph::FrameGraph& graph, const resident::View& view, const std
                   .depth = gpu::DepthTest::behind_or_at,
                   .sample_shading = gpu::SampleShading::sample,
                   .positions_only = true,
-                  .blended = true});
+                  .draws = resident::DrawClass::blended});
 }
 
 graph::ImageId KBuffer::depth(graph::FrameGraph& graph, const resident::View& view, const std::string& name,

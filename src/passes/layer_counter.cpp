@@ -25,7 +25,7 @@ graph::ImageId layer_count_pass(graph::FrameGraph& graph, const resident::View& 
                   .depth = gpu::DepthTest::behind_or_at,
                   .blend = gpu::Blend::add,
                   .positions_only = true,
-                  .blended = true});
+                  .draws = resident::DrawClass::blended});
     return image;
 }
 

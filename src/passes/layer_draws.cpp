@@ -7,7 +7,7 @@ void draw_layers(graph::Pass& pass, const resident::View& view, SurfaceDraws::De
                  uint64_t* drawn) {
     desc.keeps_alpha_mask = false; // they have none
     desc.push_bytes = sizeof(shared::LayerConstants);
-    desc.blended = true;
+    desc.draws = resident::DrawClass::blended;
     auto draws = std::make_shared<std::optional<SurfaceDraws>>();
     pass.prepare([=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface, desc); });
     pass.record([=, &view, &slots](const graph::PassContext& context) {

@@ -25,7 +25,7 @@ graph::ImageId LayerPeeler::next(graph::FrameGraph& graph, const resident::View&
                   .depth = nearest ? gpu::DepthTest::write_nearer : gpu::DepthTest::write_farther,
                   .sample_shading = gpu::SampleShading::sample,
                   .positions_only = true,
-                  .blended = true});
+                  .draws = resident::DrawClass::blended});
     first_ = false;
     last_ = depths_[0];
     std::swap(depths_[0], depths_[1]);

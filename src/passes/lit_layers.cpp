@@ -26,7 +26,7 @@ void LitLayers::add(graph::FrameGraph& graph, const resident::View& view, const 
                   .depth = gpu::DepthTest::equal,
                   .keeps_alpha_mask = false,
                   .vertex = gpu::Variant::no_textures,
-                  .blended = true});
+                  .draws = resident::DrawClass::blended});
     LightingInputs lighting{.surface = {format_, depth, linear_depth_, normal_, normal_},
                             .model = inputs_.model,
                             .target = light_.target,

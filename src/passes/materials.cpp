@@ -116,7 +116,7 @@ void blended_material_pass(graph::FrameGraph& graph, const resident::View& view,
     SurfaceDraws::Desc desc =
         declare(graph, pass, view, inputs, MATERIAL_OUTPUT_SHADED, display_constants({}, graph.desc(target).format));
     desc.blend = gpu::Blend::by_alpha;
-    desc.blended = true;
+    desc.draws = resident::DrawClass::blended;
     draw_blended(pass, view, desc, BlendedOrder::layer, drawn);
 }
 
@@ -131,7 +131,7 @@ void half_material_pass(graph::FrameGraph& graph, const resident::View& view, Ma
     desc.name = pass.name();
     desc.sample_mask = HALF_SAMPLES_BLENDED;
     desc.sample_shading = gpu::SampleShading::sample; // as half_surfaces_pass() drew them
-    desc.blended = true;
+    desc.draws = resident::DrawClass::blended;
     draw_blended(pass, view, desc, BlendedOrder::layer, drawn);
 }
 

@@ -77,9 +77,9 @@ SurfaceDraws::SurfaceDraws(const resident::View& view, const graph::PassInterfac
                                   ~((desc.decals == Decals::none && !desc.layer_decals ? FEATURE_DECALS : 0u) |
                                     (desc.softens ? 0u : FEATURE_SOFT))),
       depth_only_(desc.depth_only), positions_only_(desc.positions_only), only_decals_(desc.decals == Decals::only),
-      blended_(desc.blended), transmissive_(desc.transmissive), layer_decals_(desc.layer_decals),
-      later_(is_later(desc.depth) && !blended_ && !transmissive_),
-      counts_(view.visible_pixels() && !later_ && !blended_ && !transmissive_),
+      class_(desc.draws), layer_decals_(desc.layer_decals),
+      later_(is_later(desc.depth) && class_ == resident::DrawClass::opaque),
+      counts_(view.visible_pixels() && !later_ && class_ == resident::DrawClass::opaque),
       skips_(view.visible_pixels() && later_) {
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex_strides = {sizeof(glm::vec3), sizeof(VertexAttributes), sizeof(glm::vec3),
@@ -151,8 +151,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
 }
 
 bool SurfaceDraws::left_out(const resident::Draw& draw) const {
-    return draw.blended() != blended_ || draw.transmissive() != transmissive_ ||
-           (only_decals_ && !(draw.features & FEATURE_DECALS));
+    return draw.draw_class() != class_ || (only_decals_ && !(draw.features & FEATURE_DECALS));
 }
 
 SurfaceDraws::Key SurfaceDraws::key(const resident::Draw& draw) const {

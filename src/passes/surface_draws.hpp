@@ -39,10 +39,9 @@ public:
         bool softens = false;
         /// Blended objects have the decals that lie on them, View::layer_decals(): variant LAYER_DECALS.
         bool layer_decals = false;
-        /// Draws that are resident::Draw::transmissive(), one by one with draw(); else the others. `vertex` may have
+        /// Those that are drawn; other than opaque ones one by one, with draw(). Of transmissive ones `vertex` may have
         /// TRANSMISSION.
-        bool transmissive = false;
-        bool blended = false; ///< draws that are resident::Draw::blended(), one by one with draw(); else the others
+        resident::DrawClass draws = resident::DrawClass::opaque;
     };
     /// What is bound in a command buffer, so that it is not bound again. One for all SurfaceDraws that
     /// record into a pass in turn.
@@ -90,7 +89,9 @@ private:
     const resident::View& view_;
     uint32_t features_kept_;
     bool depth_only_, positions_only_;
-    bool only_decals_, blended_, transmissive_, layer_decals_;
+    bool only_decals_;
+    resident::DrawClass class_;
+    bool layer_decals_;
     bool later_, counts_, skips_; ///< the pass counts pixels, or leaves out what has none
     std::map<Key, gpu::GraphicsPipeline> pipelines_;
 };

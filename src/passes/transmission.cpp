@@ -28,7 +28,7 @@ graph::ImageId depth_passes(graph::FrameGraph& graph, const resident::View& view
                                           .fragment = "depth_mask.frag",
                                           .constants = {},
                                           .depth_only = true,
-                                          .transmissive = true});
+                                          .draws = resident::DrawClass::transmissive});
     });
     pass.record([=, &view](const graph::PassContext& context) {
         SurfaceDraws::Bound bound;
@@ -44,8 +44,8 @@ SurfaceDraws::Desc shading_desc(const resident::View& view, const ForwardInputs&
     SurfaceDraws::Desc desc = blended_desc(view, inputs, lists, more);
     desc.depth = gpu::DepthTest::equal; // exact: vertex_position() is invariant
     desc.blend = more ? gpu::Blend::add : gpu::Blend::none;
-    desc.blended = desc.layer_decals = false;
-    desc.transmissive = true;
+    desc.layer_decals = false;
+    desc.draws = resident::DrawClass::transmissive;
     desc.vertex |= gpu::Variant::transmission;
     for (gpu::ShaderKey* shader : {&desc.fragment, &desc.own_fragment})
         shader->variants |= gpu::Variant::transmission;

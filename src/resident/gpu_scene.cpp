@@ -16,9 +16,8 @@ GpuScene::GpuScene(const gpu::Context& context, const World& world, const GpuSce
     for (const Instance& instance : world.instances)
         shown_.emplace_back(instance.mesh, instance.deformed);
     for (const Draw& draw : geometry_.draws) {
-        blends_ = blends_ || draw.blended();
+        has_[static_cast<size_t>(draw.draw_class())] = true;
         softens_ = softens_ || (draw.features & FEATURE_SOFT) != 0;
-        transmits_ = transmits_ || draw.transmissive();
     }
     if (settings.casters)
         upload_casters();

@@ -3,6 +3,7 @@
 #include "deformation.hpp"
 #include "scene.hpp"
 #include "world_box.hpp"
+#include <algorithm>
 #include <array>
 #include <gpu/buffer_updates.hpp>
 
@@ -45,14 +46,16 @@ public:
     const Environment* environment() const { return world_.scene->environment.get(); }
     const Geometry& geometry() const { return geometry_; }
     const Materials& materials() const { return materials_; }
-    /// Some draw is Draw::blended(), visible or not.
-    bool blends() const { return blends_; }
+    /// Some draw is of that class, visible or not.
+    bool has(DrawClass which) const { return has_[static_cast<size_t>(which)]; }
+    bool blends() const { return has(DrawClass::blended); }
     /// Some blended draw fades before what is opaque (Material::softness).
     bool softens() const { return softens_; }
-    /// Some draw is Draw::transmissive(), visible or not.
-    bool transmits() const { return transmits_; }
+    bool transmits() const { return has(DrawClass::transmissive); }
     /// Something is drawn over the opaque picture.
-    bool shows_through() const { return blends_ || transmits_; }
+    bool shows_through() const {
+        return std::any_of(has_.begin() + 1, has_.end(), [](bool has) { return has; }); // the first is what is opaque
+    }
     /// Of the world's decals, in the order in which they lie over each other.
     std::span<const DecalBox> decals() const { return decals_; }
     /// Around all that is drawn.
@@ -82,7 +85,8 @@ private:
     Geometry geometry_;
     std::optional<DeviceDeformation> deformation_;
     WorldBox box_;
-    bool blends_ = false, softens_ = false, transmits_ = false;
+    std::array<bool, draw_classes> has_{};
+    bool softens_ = false;
     gpu::Buffer caster_rows_;
     /// What instances show, as it was uploaded: mesh and deformed mesh.
     std::vector<std::pair<uint32_t, std::optional<uint32_t>>> shown_;

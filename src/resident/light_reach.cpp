@@ -68,7 +68,7 @@ LightReach find_reach(std::span<const Draw> draws, std::span<const PlacedLight> 
     for (size_t d = 0; d < draws.size(); ++d) {
         strongest.clear();
         const ObjectLights own =
-            order == ObjectLights::none && (draws[d].blended() || draws[d].transmissive()) ? blended : order;
+            order == ObjectLights::none && draws[d].draw_class() != DrawClass::opaque ? blended : order;
         if (own != ObjectLights::none && draws[d].visible && !(draws[d].features & FEATURE_UNLIT))
             for (size_t i = 0; i < sorted.size(); ++i)
                 if (reaches(volumes[i], draws[d]))

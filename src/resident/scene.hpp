@@ -18,6 +18,14 @@
 
 namespace prelight::resident {
 
+/// When an object is drawn: one class after the other.
+enum class DrawClass : uint8_t {
+    opaque,
+    transmissive, ///< what is opaque behind it shows through it
+    blended,      ///< over what is behind it
+};
+inline constexpr size_t draw_classes = 3;
+
 /// One indexed draw of one object.
 struct Draw {
     uint32_t first_index = 0;
@@ -39,10 +47,13 @@ struct Draw {
     bool visible = true;
     uint32_t version = 0; ///< another one after each change of what the draw shows
 
-    /// Drawn after all that is opaque, over what is behind it.
-    bool blended() const { return (features & FEATURE_BLENDED) != 0 && !transmissive(); }
-    /// Drawn between both, and shows what is opaque behind it.
-    bool transmissive() const { return (features & FEATURE_TRANSMISSIVE) != 0; }
+    DrawClass draw_class() const {
+        return (features & FEATURE_TRANSMISSIVE) != 0 ? DrawClass::transmissive
+               : (features & FEATURE_BLENDED) != 0    ? DrawClass::blended
+                                                      : DrawClass::opaque;
+    }
+    bool blended() const { return draw_class() == DrawClass::blended; }
+    bool transmissive() const { return draw_class() == DrawClass::transmissive; }
     /// Its vertices stand in the viewer's plane (Primitive::facing), whichever way the object is turned.
     bool facing() const { return (features & FEATURE_FACING) != 0; }
     /// After a change of `own_low` and `own_high`, or of the object's transform.

@@ -12,7 +12,7 @@ namespace {
 void make_batches(VisibleDraws& out, const std::vector<Draw>& all, const DrawOptions& options) {
     // What is known draw by draw is of one object.
     const bool together = options.instanced && !options.counts_pixels && !options.trims_on_device();
-    for (const VisibleDraw& one : std::span(out.draws).first(out.opaque)) {
+    for (const VisibleDraw& one : out.of(DrawClass::opaque)) {
         const Draw& draw = all[one.draw];
         DrawBatch* last = out.batches.empty() ? nullptr : &out.batches.back();
         if (together && last && !one.trimmed && !last->trimmed && same_but_place(all[last->draw], draw)) {
@@ -53,19 +53,17 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     out.batches.clear();
     out.triangles = 0;
     const Frustum frustum(constants.clip_from_world);
-    std::vector<VisibleDraw> blended, transmissive;
+    std::array<std::vector<VisibleDraw>, draw_classes> others; // than opaque ones
     for (uint32_t d = 0; d < all.size(); ++d)
-        if (all[d].visible && (!options.frustum_culling || frustum.may_show(all[d], eye)))
-            (all[d].transmissive() ? transmissive
-             : all[d].blended()    ? blended
-                                   : out.draws)
+        if (all[d].visible && (!options.frustum_culling || frustum.may_show(all[d], eye))) {
+            const DrawClass which = all[d].draw_class();
+            (which == DrawClass::opaque ? out.draws : others[static_cast<size_t>(which)])
                 .push_back({d, 0, all[d].first_index, all[d].index_count});
+        }
     sort_by_distance(out.draws, all, eye, glm::dvec3(constants.forward), out.place);
-    sort_back_to_front(blended, all, eye, glm::dvec3(constants.forward));
-    const size_t solid = out.draws.size();
-    out.draws.insert(out.draws.end(), transmissive.begin(), transmissive.end());
-    const size_t behind_blended = out.draws.size();
-    out.draws.insert(out.draws.end(), blended.begin(), blended.end());
+    sort_back_to_front(others[static_cast<size_t>(DrawClass::blended)], all, eye, glm::dvec3(constants.forward));
+    for (const std::vector<VisibleDraw>& of_class : others)
+        out.draws.insert(out.draws.end(), of_class.begin(), of_class.end());
     out.place.assign(all.size(), no_image);
 
     std::vector<shared::ObjectData>& objects = out.records;
@@ -86,12 +84,13 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
                                buffers.indices.subspan(out.trimmed), out.trimmed);
     size_t device_used = 0;
     uint32_t kept = 0;
-    out.opaque = out.transmissives = 0;
+    out.counts = {};
     for (size_t d = 0; d < out.draws.size(); ++d) {
         VisibleDraw one = out.draws[d];
         if (one.index_count == 0)
             continue;
-        if (options.trims_on_device() && d < solid && !all[one.draw].facing() &&
+        const DrawClass which = all[one.draw].draw_class();
+        if (options.trims_on_device() && which == DrawClass::opaque && !all[one.draw].facing() &&
             device_used + one.index_count <= buffers.device_indices &&
             (options.trimming != IndexTrimming::host || one.trimmed)) {
             one.device_trimmed = true;
@@ -102,8 +101,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         out.place[one.draw] = kept;
         out.triangles += one.index_count / 3;
         out.draws[kept++] = one;
-        out.opaque += d < solid;
-        out.transmissives += d >= solid && d < behind_blended;
+        ++out.counts[static_cast<size_t>(which)];
     }
     out.draws.resize(kept);
     make_batches(out, all, options);

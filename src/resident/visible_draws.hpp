@@ -1,6 +1,8 @@
 #pragma once
 #include "scene.hpp"
+#include <array>
 #include <gpu/raster.hpp>
+#include <numeric>
 #include <prelight/camera.hpp>
 #include <shared/frame.h>
 #include <vulkan/vulkan_core.h>
@@ -43,18 +45,21 @@ struct DrawBatch {
 /// front. The order is the same for all DrawOptions, and so is the picture where surfaces coincide.
 struct VisibleDraws {
     std::vector<VisibleDraw> draws;
-    std::vector<DrawBatch> batches;          ///< of opaque draws
-    size_t opaque = 0;                       ///< that many of `draws`, first
-    size_t transmissives = 0;                ///< that many after them
-    std::vector<uint32_t> place;             ///< by index into Geometry::draws: index into `draws`, or no_image
-    uint64_t triangles = 0;                  ///< of all draws
-    uint64_t trimmed = 0;                    ///< indices that the host trimmed
-    double helpers_ms = 0;                   ///< CPU time of threads beside the calling one that trimmed them
-    std::vector<shared::ObjectData> records; ///< find_visible()'s own, kept for their memory
+    std::vector<DrawBatch> batches;            ///< of opaque draws
+    std::array<size_t, draw_classes> counts{}; ///< of `draws`, by class
+    std::vector<uint32_t> place;               ///< by index into Geometry::draws: index into `draws`, or no_image
+    uint64_t triangles = 0;                    ///< of all draws
+    uint64_t trimmed = 0;                      ///< indices that the host trimmed
+    double helpers_ms = 0;                     ///< CPU time of threads beside the calling one that trimmed them
+    std::vector<shared::ObjectData> records;   ///< find_visible()'s own, kept for their memory
 
+    std::span<const VisibleDraw> of(DrawClass which) const {
+        const auto place = counts.begin() + static_cast<ptrdiff_t>(which);
+        return std::span(draws).subspan(std::accumulate(counts.begin(), place, size_t(0)), *place);
+    }
     /// By the depth of the middle of their bounds, the farthest first; at the same depth in the world's order.
-    std::span<const VisibleDraw> blended() const { return std::span(draws).subspan(opaque + transmissives); }
-    std::span<const VisibleDraw> transmissive() const { return std::span(draws).subspan(opaque, transmissives); }
+    std::span<const VisibleDraw> blended() const { return of(DrawClass::blended); }
+    std::span<const VisibleDraw> transmissive() const { return of(DrawClass::transmissive); }
     const VisibleDraw* find(uint32_t draw) const { return place[draw] == no_image ? nullptr : &draws[place[draw]]; }
 };
 

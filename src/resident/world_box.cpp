@@ -27,7 +27,7 @@ WorldBox box_around(std::span<const Draw> draws) {
 }
 
 WorldBox box_around_layers(std::span<const Draw> draws) {
-    return around(draws, [](const Draw& draw) { return draw.blended() || draw.transmissive(); });
+    return around(draws, [](const Draw& draw) { return draw.draw_class() != DrawClass::opaque; });
 }
 
 } // namespace prelight::resident
