@@ -22,6 +22,14 @@ bool whole_number(std::string_view text, T& value) {
     return error == std::errc() && end == text.data() + text.size() && text.front() != '-';
 }
 
+/// Ascending, each once.
+template <typename T>
+void sort_once(std::vector<T>& values) {
+    std::ranges::sort(values);
+    const auto rest = std::ranges::unique(values);
+    values.erase(rest.begin(), rest.end());
+}
+
 [[noreturn]] void refuse(std::string_view option, const std::string& text, const std::string& reason) {
     throw UsageError(fmt::format("{} {}: {}", option, text.empty() ? "\"\"" : text, reason));
 }
@@ -61,8 +69,7 @@ std::vector<uint32_t> parse_light_counts(std::string_view option, const std::str
         counts.push_back(count);
         at = end + 1;
     }
-    std::ranges::sort(counts);
-    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    sort_once(counts);
     return counts;
 }
 
@@ -164,9 +171,7 @@ void take_views(RenderCommand& command, const std::vector<std::string>& texts) {
         command.options.views.push_back(more.view);
     const bool exr = lower_extension(command.output) == ".exr"; // of the final picture, before tone mapping
     command.options.views.push_back(exr ? "linear" : command.view);
-    std::ranges::sort(command.options.views);
-    std::vector<std::string>& views = command.options.views;
-    views.erase(std::unique(views.begin(), views.end()), views.end());
+    sort_once(command.options.views);
 }
 
 std::vector<std::filesystem::path> outputs_of(const RenderCommand& command) {

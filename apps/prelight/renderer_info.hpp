@@ -6,6 +6,9 @@
 
 namespace prelight::app {
 
+/// Of all there are.
+std::vector<std::string> renderer_names();
+
 /// Throws UsageError naming the renderers there are.
 RendererInfo find_renderer(const std::string& name);
 

@@ -8,6 +8,7 @@
 #include <prelight/error.hpp>
 #include <prelight/views.hpp>
 #include <setting_values/allows.hpp>
+#include <setting_values/needs.hpp>
 
 namespace prelight::app {
 
@@ -19,9 +20,7 @@ std::string renderer_text(const RendererInfo& info) {
         text += fmt::format("  {} = {}   (default {})\n      {}\n", setting.key, fmt::join(setting.values, " | "),
                             setting.default_value, setting.description);
         for (const SettingNeed& need : setting.needs)
-            text +=
-                fmt::format("      needs {}{}{}\n", need.of_options() ? "--" + need.key + " " : need.key + "=",
-                            fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view);
+            text += fmt::format("      needs {}\n", need_text(need));
     }
     if (!info.views.empty())
         text += fmt::format("\nviews (--view): {}\n", names_of_views(info));
@@ -47,14 +46,19 @@ std::vector<std::string> keys_of(const RendererInfo& info) {
     return keys;
 }
 
+std::vector<std::string> renderer_names() {
+    std::vector<std::string> names;
+    for (const RendererInfo& info : renderer_infos())
+        names.push_back(info.name);
+    return names;
+}
+
 RendererInfo find_renderer(const std::string& name) {
     const std::vector<RendererInfo> infos = renderer_infos();
     const auto found = std::ranges::find(infos, name, &RendererInfo::name);
     if (found != infos.end())
         return *found;
-    std::vector<std::string> names;
-    for (const RendererInfo& info : infos)
-        names.push_back(info.name);
+    const std::vector<std::string> names = renderer_names();
     throw UsageError(fmt::format("{}: not a renderer ({}){}", name, fmt::join(names, ", "), did_you_mean(name, names)));
 }
 

@@ -14,7 +14,8 @@ namespace prelight {
 /// ray through the pixel's centre meets the triangle's plane, on the triangle or beyond its edges. Textures are
 /// filtered with the neighbouring pixels' rays through the same place of the pixel.
 struct ReferenceSamples {
-    uint32_t count = 1; ///< 1, 2 or 4; the only one goes through the pixel's centre, and nothing else here matters then
+    uint32_t count =
+        1; ///< one of sample_counts; the only one goes through the pixel's centre, and nothing else here matters then
     /// Where light is evaluated: the sums of all lights, and ambient occlusion.
     enum class Light {
         sample,   ///< at each sample; where materials are evaluated once a fragment they meet the mean of its samples'

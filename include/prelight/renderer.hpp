@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -22,6 +23,9 @@ enum class Shading {
     ggx,   ///< glTF 2.0 metallic-roughness
 };
 
+/// What RenderOptions::msaa may be, where the device has so many (Device::has_samples); the first is one.
+inline constexpr std::array<uint32_t, 3> sample_counts{1, 2, 4};
+
 /// What a renderer is made for.
 struct RenderOptions {
     uint32_t width = 1280;                  ///< of the pictures, pixels
@@ -29,7 +33,7 @@ struct RenderOptions {
     std::optional<Shading> shading;         ///< absent: the preset's own, without one ggx; see shading_in_force()
     Tonemap tonemap = Tonemap::pbr_neutral; ///< from scene-linear values to the display's
     double exposure = 0;                    ///< EV: scene-linear values are multiplied by 2^exposure
-    uint32_t msaa = 1;                      ///< samples a pixel
+    uint32_t msaa = 1;                      ///< samples a pixel: one of sample_counts
     bool count_pairs = false;               ///< fill Stats::pairs (slower)
     /// Fill PassStats::cpu_ms: after the timed frames as many more, each pass submitted alone.
     bool pass_cpu = false;

@@ -32,16 +32,21 @@ inline std::optional<uint32_t> layer_of_view(std::string_view view) {
     return number;
 }
 
+/// The number of the last sample that a pixel may have.
+inline constexpr char last_sample = static_cast<char>('0' + sample_counts.back() - 1);
+
 /// One sample of each pixel of a buffer.
 struct SampleView {
     std::string_view buffer; ///< "final", "depth" or "normal"
     uint32_t sample = 0;     ///< in Vulkan's order, from 0
 };
 
-/// What "sample=N" (of the picture), "depth-sample=N" and "normal-sample=N" show, N: 0 … 3. None for every other name.
+/// What "sample=N" (of the picture), "depth-sample=N" and "normal-sample=N" show, N: 0 … 3, the last that
+/// a pixel may have. None for every other name.
 inline std::optional<SampleView> sample_of_view(std::string_view view) {
     for (const auto& [start, buffer] : sample_view_starts)
-        if (view.starts_with(start) && view.size() == start.size() + 1 && view.back() >= '0' && view.back() <= '3')
+        if (view.starts_with(start) && view.size() == start.size() + 1 && view.back() >= '0' &&
+            view.back() <= last_sample)
             return SampleView{buffer, static_cast<uint32_t>(view.back() - '0')};
     return {};
 }
@@ -68,7 +73,7 @@ inline std::string names_of_views(const RendererInfo& info) {
     for (const auto& one : sample_view_starts) {
         const std::string start(one.first);
         if (has_view(info, start + "0"))
-            names += ", " + start + "0 … " + start + "3";
+            names += ", " + start + "0 … " + start + last_sample;
     }
     return names;
 }

@@ -5,6 +5,7 @@
 #include "pipeline_library.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <prelight/renderer.hpp>
 
 namespace prelight {
 
@@ -183,7 +184,8 @@ void Context::load_functions() {
 bool Context::has_samples(uint32_t samples) const {
     const VkSampleCountFlags known = limits().framebufferColorSampleCounts & limits().framebufferDepthSampleCounts &
                                      limits().sampledImageColorSampleCounts & limits().sampledImageDepthSampleCounts;
-    return samples == 1 || ((samples == 2 || samples == 4) && (known & samples) && features().sample_rate_shading);
+    return samples == 1 || (std::find(sample_counts.begin(), sample_counts.end(), samples) != sample_counts.end() &&
+                            (known & samples) && features().sample_rate_shading);
 }
 
 uint32_t Context::memory_type(uint32_t type_bits, VkMemoryPropertyFlags flags) const {
@@ -226,14 +228,22 @@ void Context::run(std::string_view label, const std::function<void(VkCommandBuff
 uint64_t Context::submit(VkCommandBuffer commands, const Semaphores& semaphores) const {
     VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
     buffer.commandBuffer = commands;
-    VkSemaphoreSubmitInfo end{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-    end.semaphore = timeline_;
-    end.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    std::vector<VkSemaphoreSubmitInfo> signals{end};
-    signals.insert(signals.end(), semaphores.signal.begin(), semaphores.signal.end());
+    std::vector<VkSemaphoreSubmitInfo> waits, signals;
+    const auto add = [](std::vector<VkSemaphoreSubmitInfo>& infos, const vulkan::SemaphoreUse& use) {
+        VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+        info.semaphore = use.semaphore;
+        info.value = use.value;
+        info.stageMask = use.stages;
+        infos.push_back(info);
+    };
+    add(signals, {.semaphore = timeline_});
+    for (const vulkan::SemaphoreUse& use : semaphores.signal)
+        add(signals, use);
+    for (const vulkan::SemaphoreUse& use : semaphores.wait)
+        add(waits, use);
     VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-    submit.waitSemaphoreInfoCount = static_cast<uint32_t>(semaphores.wait.size());
-    submit.pWaitSemaphoreInfos = semaphores.wait.data();
+    submit.waitSemaphoreInfoCount = static_cast<uint32_t>(waits.size());
+    submit.pWaitSemaphoreInfos = waits.data();
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &buffer;
     submit.signalSemaphoreInfoCount = static_cast<uint32_t>(signals.size());

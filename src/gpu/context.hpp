@@ -61,7 +61,7 @@ public:
     void run(std::string_view label, const std::function<void(VkCommandBuffer)>& record) const;
     /// What a submission waits for and signals beside the timeline.
     struct Semaphores {
-        std::vector<VkSemaphoreSubmitInfo> wait, signal;
+        std::vector<vulkan::SemaphoreUse> wait, signal;
     };
     /// Submits one command buffer and waits for its end with the timeline semaphore. Throws Error.
     void submit_and_wait(VkCommandBuffer commands) const { wait(submit(commands)); }

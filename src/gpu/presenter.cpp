@@ -40,13 +40,6 @@ void transition(VkCommandBuffer commands, VkImage image, const Use& from, const 
     vkCmdPipelineBarrier2(commands, &info);
 }
 
-VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineStageFlags2 stages) {
-    VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-    info.semaphore = semaphore;
-    info.stageMask = stages;
-    return info;
-}
-
 VkOffset3D corner(VkExtent2D extent) {
     return {static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height), 1};
 }
@@ -198,10 +191,10 @@ bool Presenter::show(VkExtent2D window, const std::function<void(const OverlayCo
     record(commands, *index, slot_, overlay);
     context_.end_label(commands);
     check(vkEndCommandBuffer(commands), "window");
-    slot.value = context_.submit(
-        commands, {.wait = {semaphore_info(slot.ready, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
-                                                           VK_PIPELINE_STAGE_2_TRANSFER_BIT)},
-                   .signal = {semaphore_info(swapchain_.done(*index), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)}});
+    slot.value = context_.submit(commands, {.wait = {{.semaphore = slot.ready,
+                                                      .stages = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
+                                                                VK_PIPELINE_STAGE_2_TRANSFER_BIT}},
+                                            .signal = {{.semaphore = swapchain_.done(*index)}}});
     swapchain_.present(*index);
     return true;
 }

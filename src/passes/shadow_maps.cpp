@@ -35,9 +35,9 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
         graph.persist(image);
         return image;
     };
-    const bool extremes = has_shadow_extremes(view.shadows()->options());
+    const bool transmittance = transmits(view), extremes = has_shadow_extremes(view.shadows()->options());
     const Shadows shadows{.atlas = atlas,
-                          .transmittance = beside("shadow transmittance", transmittance_format, transmits(view), 1),
+                          .transmittance = beside("shadow transmittance", transmittance_format, transmittance, 1),
                           .extremes = beside("shadow extremes", extremes_format, extremes, SHADOW_CELL),
                           .counts = &counts,
                           .held = std::make_shared<HeldMaps>(),
@@ -47,7 +47,7 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
     graph::Pass& pass = graph.pass("shadows");
     pass.depth_write(atlas, graph::Load::keep);
     draw_pass(pass, view, shadows, ShadowTarget::depth);
-    if (transmits(view)) {
+    if (transmittance) {
         graph::Pass& blended = graph.pass("transparent shadows");
         blended.colour(shadows.transmittance, graph::Load::keep).blends();
         blended.depth_test(atlas);

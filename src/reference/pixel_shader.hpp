@@ -7,7 +7,7 @@
 
 namespace prelight::reference {
 
-inline constexpr uint32_t most_samples = 4;
+inline constexpr uint32_t most_samples = sample_counts.back();
 
 /// What one ray of a pixel saw, and what became of it.
 struct Sample {

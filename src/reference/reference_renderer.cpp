@@ -10,6 +10,7 @@
 #include <reference/reference_renderer.hpp>
 #include <reference/reference_views.hpp>
 #include <reference/trace.hpp>
+#include <scene/world_to_share.hpp>
 #include <setting_values/allows.hpp>
 #include <setting_values/needs.hpp>
 
@@ -96,8 +97,7 @@ class ReferenceRenderer final : public Renderer {
 public:
     explicit ReferenceRenderer(const RenderOptions& options) : options_(options) {
         const RendererInfo info = reference_info();
-        if (options.msaa != 1 && options.msaa != 2 && options.msaa != 4)
-            throw UsageError(fmt::format("--msaa {}: the reference takes one of 1, 2, 4", options.msaa));
+        check_sample_count(options.msaa);
         stats_.settings = checked_settings(info, options);
         stats_.shading = options.shading.value_or(Shading::ggx);
         choose_fresnel(options);
@@ -131,11 +131,7 @@ public:
             stats_.draws += world.mesh_of(instance).primitives.size();
     }
 
-    void share_world(const Renderer& other) override {
-        if (!other.world())
-            throw Error("renderer: share_world() with one that has no world");
-        set_world(*other.world());
-    }
+    void share_world(const Renderer& other) override { set_world(world_to_share(other)); }
     const World* world() const override { return given_; }
 
     void update_world(const WorldChanges& changes) override {

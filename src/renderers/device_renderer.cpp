@@ -12,6 +12,8 @@
 #include <passes/target.hpp>
 #include <platform/clocks.hpp>
 #include <prelight/error.hpp>
+#include <scene/world_to_share.hpp>
+#include <setting_values/sample_counts.hpp>
 
 namespace prelight {
 
@@ -41,8 +43,7 @@ void DeviceRenderer::check_size(uint32_t width, uint32_t height) const {
 }
 
 void DeviceRenderer::check_samples(uint32_t samples) const {
-    if (samples != 1 && samples != 2 && samples != 4)
-        throw UsageError(fmt::format("--msaa {}: not one of 1, 2, 4", samples));
+    check_sample_count(samples);
     if (!context_.has_samples(samples))
         throw Error(fmt::format("{}: --msaa {}: the device does not have so many", context_.name(), samples));
 }
@@ -72,12 +73,11 @@ void DeviceRenderer::set_world(const World& world) { take_world(world, nullptr);
 
 void DeviceRenderer::share_world(const Renderer& other) {
     const auto* const owner = dynamic_cast<const DeviceRenderer*>(&other);
-    if (!other.world())
-        throw Error("renderer: share_world() with one that has no world");
+    const World& world = world_to_share(other);
     if (owner == this)
         return;
     const bool same = owner && &owner->context_ == &context_ && owner->scene_->settings() == scene_settings();
-    take_world(*other.world(), same ? owner->scene_ : nullptr);
+    take_world(world, same ? owner->scene_ : nullptr);
 }
 
 void DeviceRenderer::take_world(const World& world, std::shared_ptr<resident::GpuScene> scene) {

@@ -15,18 +15,6 @@ DeviceRenderer& on_device(Renderer& renderer) {
     throw UsageError("this renderer draws on no device");
 }
 
-std::vector<VkSemaphoreSubmitInfo> submit_infos(const std::vector<vulkan::SemaphoreUse>& uses) {
-    std::vector<VkSemaphoreSubmitInfo> infos;
-    for (const vulkan::SemaphoreUse& use : uses) {
-        VkSemaphoreSubmitInfo& info =
-            infos.emplace_back(VkSemaphoreSubmitInfo{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO});
-        info.semaphore = use.semaphore;
-        info.value = use.value;
-        info.stageMask = use.stages;
-    }
-    return infos;
-}
-
 } // namespace
 
 void DeviceRenderer::check_target(const vulkan::Target& target) const {
@@ -57,7 +45,7 @@ graph::ExternalImage DeviceRenderer::external_image(const vulkan::Target& target
 }
 
 gpu::Context::Semaphores DeviceRenderer::semaphores_of(const vulkan::Target& target) {
-    return {submit_infos(target.wait), submit_infos(target.signal)};
+    return {target.wait, target.signal};
 }
 
 void DeviceRenderer::render_into(const PlacedCamera& camera, const vulkan::Target& target) {

@@ -7,6 +7,7 @@
 #include <prelight/error.hpp>
 #include <prelight/renderer.hpp>
 #include <prelight/views.hpp>
+#include <setting_values/sample_counts.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace prelight {
 
 /// What has to be in force for a setting to make any difference, whichever renderer has it.
 inline std::vector<SettingNeed> needs_of(const std::string& key) {
+    static const SettingNeed several_samples{"msaa", sample_counts_above(1)};
     static const std::multimap<std::string, SettingNeed> needs{
         {"model", {"shading", {"ggx"}}},
         {"specular", {"shading", {"phong"}}},
@@ -50,13 +52,13 @@ inline std::vector<SettingNeed> needs_of(const std::string& key) {
         {"layer-light", {"transparency", {"peeled", "k-buffer"}}},
         {"antialiasing", {"msaa", {"1"}}},
         {"inferred-scale", {"msaa", {"1"}}},
-        {"msaa-light", {"msaa", {"2", "4"}}},
-        {"msaa-material", {"msaa", {"2", "4"}}},
-        {"msaa-geometry", {"msaa", {"2", "4"}}},
-        {"msaa-shadows", {"msaa", {"2", "4"}}},
+        {"msaa-light", several_samples},
+        {"msaa-material", several_samples},
+        {"msaa-geometry", several_samples},
+        {"msaa-shadows", several_samples},
         {"msaa-shadows", {"shadows", {"on"}}},
         {"msaa-shadows", {"msaa-light", {"edges", "samples"}}},
-        {"msaa-layers", {"msaa", {"2", "4"}}},
+        {"msaa-layers", several_samples},
         {"msaa-layers", {"transparency", {"layers"}}}};
     std::vector<SettingNeed> found;
     for (auto [it, end] = needs.equal_range(key); it != end; ++it)
@@ -106,10 +108,17 @@ inline void check_sample_views(const RenderOptions& options) {
     for (const std::string& view : options.views)
         if (const auto one = sample_of_view(view); one && (options.msaa == 1 || one->sample >= options.msaa))
             throw UsageError(fmt::format("--view {}: needs --msaa {}, and it is {}", view,
-                                         one->sample < 2 ? "2 or 4" : "4", options.msaa));
+                                         fmt::join(sample_counts_above(std::max(one->sample, 1u)), " or "),
+                                         options.msaa));
 }
 
 inline const char* shading_name(Shading shading) { return shading == Shading::ggx ? "ggx" : "phong"; }
+
+/// A need as a user is told of it: "--msaa 2 or 4", "shadows=on or --view ambient-occlusion".
+inline std::string need_text(const SettingNeed& need) {
+    return fmt::format("{}{}{}", need.of_options() ? "--" + need.key + " " : need.key + "=",
+                       fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view);
+}
 
 /// Why a setting makes no difference with the values in force: what it needs; empty where it does make one. `msaa`:
 /// samples a pixel.
@@ -130,9 +139,7 @@ inline std::optional<std::string> why_without_effect(const std::string& key,
             continue;
         if (need.values.size() > 4)
             return fmt::format("needs another value than {}={}", need.key, value);
-        return fmt::format("needs {}{}{}, and it is {}", need.of_options() ? "--" + need.key + " " : need.key + "=",
-                           fmt::join(need.values, " or "), need.or_view.empty() ? "" : " or --view " + need.or_view,
-                           value);
+        return fmt::format("needs {}, and it is {}", need_text(need), value);
     }
     return {};
 }

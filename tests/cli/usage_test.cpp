@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"ShadingUnknown", "render city -o a.png --shading toon", "ggx, phong"},
         Wrong{"MsaaSix", "render city -o a.png --size 64x36 --msaa 6", "--msaa 6: not one of 1, 2, 4"},
         Wrong{"MsaaThree", "render city -o a.png --size 64x36 --renderer reference --msaa 3",
-              "--msaa 3: the reference takes one of 1, 2, 4"},
+              "--msaa 3: not one of 1, 2, 4"},
         Wrong{"MsaaEight", "render city -o a.png --size 64x36 --renderer reference --msaa 8", "one of 1, 2, 4"},
         Wrong{"MsaaSixteen", "render city -o a.png --size 64x36 --renderer reference --msaa 16", "one of 1, 2, 4"},
         Wrong{"MsaaLightOfOneSample", "render spheres -o a.png --renderer reference --set msaa-light=pixel",

@@ -1,10 +1,13 @@
 // Every shader that a pass may ask for is in the build: all keys that passes make of their inputs.
 #include <algorithm>
+#include <fstream>
 #include <gpu/shaders.hpp>
 #include <gtest/gtest.h>
+#include <map>
 #include <passes/lighting.hpp>
 #include <prelight/error.hpp>
 #include <prelight/material_shader.hpp>
+#include <sstream>
 
 namespace prelight {
 namespace {
@@ -28,6 +31,22 @@ TEST(ShaderKeys, TheTableIsSortedAndHoldsWhatItNames) {
         ASSERT_EQ(code.size(), all[i].words);
         EXPECT_EQ(code[0], 0x07230203u) << key.text() << ": SPIR-V's magic number";
     }
+}
+
+// A shader takes another pass's value where two constants share a number.
+TEST(ShaderKeys, EachConstantHasANumberOfItsOwn) {
+    std::ifstream file(PRELIGHT_SOURCE_DIR "/shaders/shared/bindings.h");
+    std::map<int, std::string> names;
+    std::string define, name;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        int number = 0;
+        if (words >> define >> name >> number && define == "#define" && name.starts_with("CONSTANT_")) {
+            const auto [found, is_new] = names.emplace(number, name);
+            EXPECT_TRUE(is_new) << name << " and " << found->second << " are both " << number;
+        }
+    }
+    EXPECT_GT(names.size(), 50u);
 }
 
 TEST(ShaderKeys, AnotherCombinationIsAnErrorThatNamesIt) {

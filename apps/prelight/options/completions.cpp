@@ -3,6 +3,8 @@
 #include "help.hpp"
 #include "suggestion.hpp"
 
+#include "../renderer_info.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,16 +12,10 @@
 #include <prelight/renderer.hpp>
 #include <prelight/scene_io.hpp>
 #include <set>
+#include <setting_values/sample_counts.hpp>
 
 namespace prelight::app {
 namespace {
-
-std::vector<std::string> renderer_list() {
-    std::vector<std::string> names;
-    for (const RendererInfo& info : renderer_infos())
-        names.push_back(info.name);
-    return names;
-}
 
 /// Of all renderers.
 template <class Names>
@@ -35,7 +31,7 @@ std::vector<std::string> united(const Names& names_of) {
 std::vector<std::string> words_for(Takes takes, std::string_view words) {
     switch (takes) {
     case Takes::words: return split_words(words, ' ');
-    case Takes::renderer: return renderer_list();
+    case Takes::renderer: return renderer_names();
     case Takes::preset: return united([](const RendererInfo& info) { return info.presets; });
     case Takes::view: return united([](const RendererInfo& info) { return info.views; });
     case Takes::setting:
@@ -45,6 +41,7 @@ std::vector<std::string> words_for(Takes takes, std::string_view words) {
                 keys.push_back(setting.key + "=");
             return keys;
         });
+    case Takes::samples: return sample_counts_above(0);
     case Takes::device: return {"auto", "cpu"};
     case Takes::environment: {
         std::vector<std::string> names{"none"};

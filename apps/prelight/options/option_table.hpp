@@ -25,7 +25,7 @@ constexpr OptionGroup option_groups[]{OptionGroup::scene,      OptionGroup::pict
 std::string_view group_title(OptionGroup group);
 
 /// What the value of an option is, for completion.
-enum class Takes { text, file, folder, scene, renderer, preset, setting, view, device, environment, words };
+enum class Takes { text, file, folder, scene, renderer, preset, setting, view, device, environment, samples, words };
 
 /// An option, for the commands that it means the same to: what parsing, help, the man pages and completion know of it.
 struct OptionRow {

@@ -11,6 +11,7 @@
 #include <map>
 #include <prelight/error.hpp>
 #include <prelight/scene_io.hpp>
+#include <setting_values/needs.hpp>
 
 namespace prelight::app {
 namespace {
@@ -102,8 +103,7 @@ std::string setting_text(const SettingOf& setting) {
     for (const std::string& line : wrapped(setting.info.description, topic_width - 6))
         text += "      " + line + "\n";
     for (const SettingNeed& need : setting.info.needs)
-        text += fmt::format("      needs {}{}\n", need.of_options() ? "--" + need.key + " " : need.key + "=",
-                            fmt::join(need.values, " or "));
+        text += fmt::format("      needs {}\n", need_text(need));
     return text;
 }
 

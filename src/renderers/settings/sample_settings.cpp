@@ -7,19 +7,20 @@ constexpr Choice<gpu::SampleShading> material_words[] = {{"fragment", gpu::Sampl
                                                          {"sample", gpu::SampleShading::sample}};
 constexpr ChoiceSetting<gpu::SampleShading> material_setting{
     "msaa-material", material_words, "fragment",
-    "--msaa 2 or 4: surfaces are shaded once a fragment, which is what a triangle covers of a pixel, or once a sample"};
+    "several samples a pixel: surfaces are shaded once a fragment, which is what a triangle covers of a pixel, or once "
+    "a sample"};
 
 using passes::SampleLight;
 constexpr Choice<SampleLight> light_words[] = {
     {"edges", SampleLight::edges}, {"samples", SampleLight::samples}, {"pixel", SampleLight::pixel}};
-constexpr ChoiceSetting<SampleLight> light_setting{
-    "msaa-light", light_words, "edges",
-    "--msaa 2 or 4: what is lit by itself: the samples of edge pixels, all samples, or (pixel) no more than a pixel"};
+constexpr ChoiceSetting<SampleLight> light_setting{"msaa-light", light_words, "edges",
+                                                   "several samples a pixel: what is lit by itself: the samples of "
+                                                   "edge pixels, all samples, or (pixel) no more than a pixel"};
 
 constexpr Choice<bool> shadows_words[] = {{"sample", false}, {"pixel", true}};
-constexpr ChoiceSetting<bool> shadows_setting{
-    "msaa-shadows", shadows_words, "sample",
-    "--msaa 2 or 4: shadows wherever lights are evaluated, or once for the whole pixel, whatever its samples show"};
+constexpr ChoiceSetting<bool> shadows_setting{"msaa-shadows", shadows_words, "sample",
+                                              "several samples a pixel: shadows wherever lights are evaluated, or once "
+                                              "for the whole pixel, whatever its samples show"};
 
 } // namespace
 
