@@ -149,6 +149,7 @@ TEST(Help, KnowsTopics) {
     EXPECT_THAT(text({"environment-variables"}), HasSubstr("NO_COLOR"));
     EXPECT_EQ(text({"deferred"}), run({"renderers", "deferred"}, folder.path).out);
     EXPECT_THAT(text({"light-culling"}), HasSubstr("of light-prepass"));
+    EXPECT_THAT(text({"ssao-radius"}), HasSubstr("needs ssao=half or full or --view ambient-occlusion"));
     EXPECT_THAT(text({"--exposure"}), HasSubstr("2^EV"));
     EXPECT_EQ(text({"exposure"}), text({"--exposure"}));
 }
