@@ -76,8 +76,9 @@ struct Primitive {
     /// `positions`. Empty: there too.
     std::vector<glm::vec3> previous_positions{};
     /// Metres along the viewer's right and up: where each vertex stands from its position, seen by whichever camera.
-    /// Normals and tangents are then in the viewer's axes (right, up, towards the viewer), and the triangles cast no
-    /// shadow. Neither an instance's turn nor its scale changes these offsets. Empty: positions are where vertices are.
+    /// Normals and tangents are then in the viewer's axes (right, up, towards the viewer), and shadows are those of the
+    /// triangles as that camera sees them. Neither an instance's turn nor its scale changes these offsets. Empty:
+    /// positions are where vertices are.
     std::vector<glm::vec2> facing{};
 };
 

@@ -59,12 +59,14 @@ public:
             if (!casts(draw) || pipelines_.contains(features))
                 continue;
             desc.name = kind + ", features " + std::to_string(features);
-            desc.vertex = {features ? "surface.vert" : "depth_only.vert", gpu::Variant::shadow_tile};
+            const bool facing = (features & FEATURE_FACING) != 0, alpha = (features & ~FEATURE_FACING) != 0;
+            desc.vertex = {alpha ? "surface.vert" : "depth_only.vert",
+                           gpu::Variant::shadow_tile | gpu::when(facing, gpu::Variant::facing)};
             desc.fragment = target == ShadowTarget::transmittance ? "shadow_transmittance.frag"
-                            : features                            ? "shadow_mask.frag"
+                            : alpha                               ? "shadow_mask.frag"
                                                                   : "";
             desc.constants = {{CONSTANT_MATERIAL_FEATURES, features}};
-            desc.attributes = attributes_of(features != 0);
+            desc.attributes = attributes_of(alpha, facing);
             pipelines_.emplace(features, gpu::GraphicsPipeline(view.context(), desc));
         }
     }
@@ -148,7 +150,7 @@ private:
         uint32_t alpha = draw.features & FEATURE_ALPHA_MASK;
         if (draw.blended() && blended_ != resident::TransparentShadows::opaque)
             alpha |= FEATURE_BLENDED;
-        return alpha ? alpha | (draw.features & FEATURE_BASE_COLOUR_TEXTURE) : 0;
+        return (alpha ? alpha | (draw.features & FEATURE_BASE_COLOUR_TEXTURE) : 0) | (draw.features & FEATURE_FACING);
     }
     void bind_indices(const graph::PassContext& pass, bool trimmed) {
         const VkBuffer buffer = trimmed ? view_.caster_indices().handle() : view_.scene().geometry().indices.handle();
@@ -159,11 +161,14 @@ private:
         return key(a) == key(b) && a.material == b.material && a.first_index == b.first_index &&
                a.index_count == b.index_count && a.vertex_offset == b.vertex_offset;
     }
-    static std::vector<gpu::VertexAttribute> attributes_of(bool alpha) {
+    static std::vector<gpu::VertexAttribute> attributes_of(bool alpha, bool facing) {
         std::vector<gpu::VertexAttribute> out{{VERTEX_POSITION, caster_positions, VK_FORMAT_R32G32B32_SFLOAT, 0}};
         for (uint32_t row = 0; row < 3; ++row)
             out.push_back({VERTEX_WORLD_ROW + row, caster_rows, VK_FORMAT_R32G32B32A32_SFLOAT,
                            static_cast<uint32_t>(row * sizeof(glm::vec4))});
+        if (facing) // how far it stands from there
+            out.push_back(
+                {VERTEX_NORMAL, caster_attributes, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexAttributes, normal)});
         if (alpha) {
             out.push_back(
                 {VERTEX_COLOUR, caster_attributes, VK_FORMAT_R16G16B16A16_UNORM, offsetof(VertexAttributes, colour)});
@@ -179,7 +184,7 @@ private:
     resident::TransparentShadows blended_;
     ShadowTarget target_;
     gpu::GraphicsPipeline clear_;
-    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: without alpha
+    std::map<uint32_t, gpu::GraphicsPipeline> pipelines_; ///< by features; 0: neither alpha nor facing
     bool trimmed_bound_ = false;                          ///< as bind_indices() had it
 };
 

@@ -20,7 +20,6 @@ struct Context {
     RTCIntersectContext embree; // first, so that the pointers are the same
     const RayScene* scene;
     bool both_faces = false;                  ///< of single-sided materials too
-    bool casts_shadows = false;               ///< through what throws none
     bool meets_layers = false;                ///< as if they were opaque
     bool meets_nothing = false;               ///< it goes through all, and `crossed` tells of layers
     std::vector<Hole>* holes = nullptr;       ///< where what alpha tests let pass is told
@@ -138,13 +137,13 @@ RayScene::RayScene(const World& world, glm::dvec3 origin, const Textures& textur
             const bool transmissive = transparency == Transparency::layers && prelight::transmits(material);
             if (primitive.facing.empty()) {
                 draws_.push_back({i, p, &primitive, &material, to_world, previous_to_world,
-                                  normal_matrix(linear, mirrored), mirrored, transmissive, false});
+                                  normal_matrix(linear, mirrored), mirrored, transmissive});
                 continue;
             }
             const Primitive& seen =
                 faced_.emplace_back(faced(primitive, linear, glm::dmat3(previous_to_world), viewer));
             draws_.push_back({i, p, &seen, &material, moved_only(to_world), moved_only(previous_to_world),
-                              glm::dmat3(1), false, transmissive, true});
+                              glm::dmat3(1), false, transmissive});
         }
     }
     for (const Draw& draw : draws_) {
@@ -191,7 +190,7 @@ void RayScene::add(const Draw& draw, const World& world) {
         }
         std::copy_n(primitive.indices.begin(), triangles * 3, indices);
         rtcSetGeometryIntersectFilterFunction(geometry, filter);
-        if (draw.material->alpha_mode == AlphaMode::mask || is_layer(draw) || draw.facing)
+        if (draw.material->alpha_mode == AlphaMode::mask || is_layer(draw))
             rtcSetGeometryOccludedFilterFunction(geometry, filter);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(embree_->scene, geometry, static_cast<unsigned>(&draw - draws_.data()));
@@ -217,10 +216,6 @@ void RayScene::filter(const RTCFilterFunctionNArguments* arguments) {
     const Draw& draw = context.scene->draws_[hit.geomID];
     const float against = hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
 
-    if (context.casts_shadows && draw.facing) {
-        arguments->valid[0] = 0;
-        return;
-    }
     if (!context.both_faces && !draw.material->double_sided && (draw.mirrored ? against <= 0 : against >= 0)) {
         arguments->valid[0] = 0;
         return;
@@ -336,7 +331,6 @@ Passage RayScene::passage(const Ray& ray) const {
     Context context{.embree = {},
                     .scene = this,
                     .both_faces = true,
-                    .casts_shadows = true,
                     .meets_layers = transparent_shadows_ == TransparentShadows::opaque,
                     .crossed = transparent_shadows_ == TransparentShadows::filtered ? &crossed : nullptr};
     rtcInitIntersectContext(&context.embree);
@@ -360,7 +354,7 @@ Passage RayScene::passage(const Ray& ray) const {
 }
 
 double RayScene::blocked_at(const Ray& ray) const {
-    Context context{.embree = {}, .scene = this, .both_faces = true, .casts_shadows = true};
+    Context context{.embree = {}, .scene = this, .both_faces = true};
     rtcInitIntersectContext(&context.embree);
     RTCRayHit query{to_embree(ray), {}};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -29,7 +29,6 @@ struct Draw {
     glm::dmat3 normal_to_world{1};   ///< inverse transpose, up to a positive factor
     bool mirrored;
     bool transmissive; ///< the picture behind it comes through; it throws no shadow
-    bool facing;       ///< it faces the camera, and throws no shadow either
 };
 
 struct Hit {

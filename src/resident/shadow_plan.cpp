@@ -51,7 +51,7 @@ void ShadowPlan::find_moved() {
 }
 
 bool ShadowPlan::casts(const Frustum& sight, uint32_t draw) const {
-    if (!draws_[draw].visible || draws_[draw].transmissive() || draws_[draw].facing())
+    if (!draws_[draw].visible || draws_[draw].transmissive())
         return false;
     if (options_.blended == TransparentShadows::none && draws_[draw].blended())
         return false;
@@ -181,7 +181,8 @@ std::vector<uint32_t> ShadowPlan::casters_of(const ShadowSight& sight, std::span
 }
 
 void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span<const ShadowView> views,
-                           std::span<const ShadowTilePlace> places, std::vector<ShadowTile>::iterator& before) {
+                           std::span<const ShadowTilePlace> places, const glm::dmat3& viewer,
+                           std::vector<ShadowTile>::iterator& before) {
     const LightVolume volume(light);
     std::optional<std::vector<uint32_t>> reached; // once for all tiles of the light, where one is new
     while (before != before_.end() && before->light < wish.light)
@@ -206,8 +207,11 @@ void ShadowPlan::add_tiles(const Wish& wish, const PlacedLight& light, std::span
             }
             tile.map.casters = casters_of(tile.sight, *reached);
         }
-        for (const uint32_t d : tile.map.casters)
+        for (const uint32_t d : tile.map.casters) {
             tile.map.versions.push_back(versions_[d]);
+            if (draws_[d].facing())
+                tile.map.viewer = viewer;
+        }
         if (known)
             ++before;
         tiles_.push_back(std::move(tile));
@@ -246,7 +250,7 @@ void ShadowPlan::update(std::span<const PlacedLight> lights, std::span<const uin
         const std::span own = std::span(places).subspan(tiles_.size(), views.size());
         for (size_t i = 0; i < views.size(); ++i)
             records_.push_back(record(light.light, views[i], own[i], camera));
-        add_tiles(wish, light, views, own, before);
+        add_tiles(wish, light, views, own, camera.axes, before);
         stats_.lights_reduced += wish.side < coarse * std::min(options_.detail, 1.0) *
                                                  std::min(wish.across, double(std::max(width, height)));
         stats_.smallest = std::min(stats_.smallest, wish.side);

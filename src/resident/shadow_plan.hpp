@@ -41,6 +41,7 @@ struct ShadowMap {
     glm::mat4 clip_from_centre{1};  ///< world relative to it
     std::vector<uint32_t> casters;  ///< indices into the plan's draws, rising
     std::vector<uint32_t> versions; ///< Draw::version of each
+    glm::dmat3 viewer{0};           ///< the camera's axes, where a caster faces it
     bool operator==(const ShadowMap&) const = default;
 };
 
@@ -111,9 +112,11 @@ private:
     void place(std::vector<ShadowTilePlace>& places);
     shared::ShadowData record(const Light& light, const ShadowView& view, const ShadowTilePlace& place,
                               const PlacedCamera& camera) const;
-    /// Tiles of one light. `before`: where those of the frame before begin that may be its own; it moves on.
+    /// Tiles of one light. `viewer`: the camera's axes. `before`: where those of the frame before begin that may be its
+    /// own; it moves on.
     void add_tiles(const Wish& wish, const PlacedLight& light, std::span<const ShadowView> views,
-                   std::span<const ShadowTilePlace> places, std::vector<ShadowTile>::iterator& before);
+                   std::span<const ShadowTilePlace> places, const glm::dmat3& viewer,
+                   std::vector<ShadowTile>::iterator& before);
     void find_moved();
     bool casts(const Frustum& sight, uint32_t draw) const;
     /// Of a tile that looks as in the frame before: its casters, but for those that moved.

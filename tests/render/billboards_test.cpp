@@ -121,7 +121,8 @@ TEST(Billboards, OpaqueOnesFaceTheCameraToo) {
     }
 }
 
-// Neither the reference nor this vertex shader has a part in it. Shadows fall on them, and they cast none.
+// Neither the reference nor this vertex shader has a part in it. Shadows fall on them, and they cast them as they
+// stand.
 TEST(Billboards, ArePlainSquaresWhereTheCameraSeesThem) {
     Smoke smoke;
     for (const double angle : {0.3, 2.0, 4.4}) {
@@ -133,11 +134,40 @@ TEST(Billboards, ArePlainSquaresWhereTheCameraSeesThem) {
         shown = smoke.as_triangles(shot.camera);
         shown.material = facing.material;
         smoke.world.instances.back().transform = glm::dmat4(1);
-        const Image plain = render_linear(test_device(), with(shot, {{"transparent-shadows", "none"}}));
+        const Image plain = render_linear(test_device(), shot);
         expect_within(compare_pixels(plain, faced), half_float_bound);
         shown = facing;
         smoke.world.instances.back() = turned;
     }
+}
+
+/// Filtered, the smoke itself is unlit: layers among layers get too little (docs/shadows.md).
+TEST(Billboards, CastShadowsAsTheReferenceHasThem) {
+    Smoke smoke;
+    for (PlacedLight& light : smoke.world.lights)
+        light.light.casts_shadow = light.light.kind == LightKind::spot;
+    for (const auto& [shadows, angle] :
+         {std::pair("filtered", 0.3), std::pair("filtered", 5.9), std::pair("opaque", 0.3)}) {
+        Shot shot = with(smoke.shot(angle), {{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}});
+        shot.settings["transparent-shadows"] = shadows;
+        shot.width = 480, shot.height = 270; // fewer of the pixels are edges
+        smoke.scene.materials.back().unlit = shadows == std::string("filtered");
+        expect_close(shot);
+    }
+    Shot with_shadows = with(smoke.shot(0.3), {{"shadows", "on"}});
+    Shot without = with(with_shadows, {{"transparent-shadows", "none"}});
+    EXPECT_LT(compare(render_linear(test_device(), with_shadows), render_linear(test_device(), without)).psnr, 50);
+}
+
+TEST(Billboards, TurnTheirShadowsWithTheCamera) {
+    const Smoke smoke;
+    const auto shot = [&](double angle) { return with(smoke.shot(angle), {{"shadows", "on"}}); };
+    const auto renderer = create_renderer("light-prepass", &test_device(), options_of(shot(0)));
+    renderer->set_world(smoke.world);
+    for (const double angle : {0.0, 2.0, 2.0})
+        renderer->render(Smoke::from(angle));
+    EXPECT_GT(renderer->stats().shadows.value().tiles_reused, 0u) << "the last one is the one before";
+    EXPECT_TRUE(renderer->read("linear").pixels == render_linear(test_device(), shot(2)).pixels);
 }
 
 TEST(Billboards, ACameraThatMovesUploadsNothing) {

@@ -2,6 +2,7 @@
 #include "garden.hpp"
 #include <prelight/error.hpp>
 #include <prelight/scene.hpp>
+#include <prelight/scene_io.hpp>
 
 namespace prelight {
 namespace {
