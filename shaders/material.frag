@@ -1,14 +1,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// variants: OWN_MATERIAL, LIGHT_BITS|LIGHT_PAIR, ONLY_WEIGHTED, OCCLUSION, DECALS|NO_TEXTURES, SAMPLE_LIGHT, SAMPLES, SURFACE_IDS, LAYER
+// variants: OWN_MATERIAL, LIGHT_BITS|LIGHT_PAIR, ONLY_WEIGHTED, OCCLUSION, DECALS|NO_TEXTURES|LAYER_DECALS, SAMPLE_LIGHT, SAMPLES, SURFACE_IDS, LAYER, SOFT
 // only: SAMPLES with DECALS
 // never: OWN_MATERIAL ONLY_WEIGHTED, OWN_MATERIAL NO_TEXTURES
-// only: OCCLUSION with OWN_MATERIAL, LAYER with SURFACE_IDS
-// never: SURFACE_IDS SAMPLES, SURFACE_IDS SAMPLE_LIGHT, LAYER OCCLUSION, LAYER DECALS
+// only: OCCLUSION with OWN_MATERIAL, LAYER with SURFACE_IDS, LAYER_DECALS with LAYER, SOFT with LAYER
+// never: SURFACE_IDS SAMPLES, SURFACE_IDS SAMPLE_LIGHT, LAYER OCCLUSION, LAYER DECALS, SOFT LAYER_DECALS
 // materials: all with OWN_MATERIAL, blinn_phong with ONLY_WEIGHTED
 // Stage 3: the object's material from the light buffer. Compiled with each material; with the two standard
 // ones as material_blinn_phong.frag (equation 8.5.3) and material_metallic_roughness.frag.
-#ifdef ONLY_WEIGHTED  // model=weighted
+#if defined(ONLY_WEIGHTED) && !defined(LAYER_DECALS)  // model=weighted
 #define NO_WORLD
 #define NO_NORMAL
 #endif
@@ -17,6 +17,9 @@
 #include "shared/light_buffer.glsl"
 #include "shared/material_interface.glsl"
 #include "shared/shininess.glsl"
+#ifdef SOFT
+#include "shared/soft.glsl"
+#endif
 
 layout(constant_id = CONSTANT_MODEL) const int model = MODEL_WEIGHTED;
 layout(constant_id = CONSTANT_MATERIAL_OUTPUT) const int material_output = MATERIAL_OUTPUT_SHADED;
@@ -74,6 +77,9 @@ Light light_of(LightTexels texels, float open, Point p, Surface s) {
 // Blended by its alpha; an opaque surface's is 1.
 vec4 covering(Surface s, vec3 colour) {
     float alpha = blended_coverage(s);
+#ifdef SOFT
+    alpha *= share_before_opaque(view_depth(gl_FragCoord.z));
+#endif
     return vec4(stored_colour(min(colour, vec3(65504.0))).rgb, in_half_samples ? half_samples_alpha(alpha) : alpha);
 }
 

@@ -166,7 +166,8 @@ void layer_geometry_pass(graph::FrameGraph& graph, const resident::View& view, c
                 {.name = pass.name(),
                  .fragment = {"depth_normal.frag", gpu::Variant::surface_ids | gpu::Variant::layer},
                  .constants = surface.format.constants(),
-                 .vertex = gpu::Variant::surface_ids | gpu::Variant::no_world | gpu::Variant::no_textures},
+                 .vertex = gpu::Variant::surface_ids | gpu::Variant::no_world | gpu::Variant::no_textures,
+                 .layer_decals = view.layer_decals() != nullptr},
                 view);
 }
 

@@ -92,6 +92,10 @@ void draw_over(graph::FrameGraph& graph, const resident::View& view, MaterialInp
     desc.name = name;
     desc.depth = gpu::DepthTest::behind_or_at;
     desc.blend = gpu::Blend::by_alpha;
+    desc.layer_decals = view.layer_decals() != nullptr;
+    desc.softens = view.scene().softens();
+    if (desc.softens)
+        pass.sample(INPUT_DEPTH_BEHIND, inputs.depth);
     for (gpu::ShaderKey* shader : {&desc.fragment, &desc.own_fragment})
         shader->variants |= gpu::Variant::layer;
     draw_layers(pass, view, std::move(desc), slots, drawn);

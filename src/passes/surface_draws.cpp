@@ -123,7 +123,7 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     for (const Variant more : {Variant::motion, Variant::surface_ids, Variant::transmission})
         vertex |= gpu::when(desc.vertex.has(more), more);
     for (const Variant left_out : {Variant::no_world, Variant::no_normal})
-        vertex |= gpu::when(!own && desc.vertex.has(left_out), left_out);
+        vertex |= gpu::when(!own && !(decals && layer_decals_) && desc.vertex.has(left_out), left_out);
     const bool positions_alone = !shaded || desc.positions_only;
     pipeline.vertex =
         positions_alone ? gpu::ShaderKey("depth_only.vert", facing) : gpu::ShaderKey("surface.vert", vertex);

@@ -39,8 +39,10 @@ BlendedSurfaces::BlendedSurfaces(Settings& settings, const gpu::Context& context
 }
 
 void BlendedSurfaces::adapt(Settings& settings, resident::ViewSettings& view, const resident::GpuScene& scene) const {
-    view.layer_decals = wanted();
-    if (!wanted() || !reused_shadows_ || !view.shadows.on)
+    if (!wanted())
+        return;
+    view.layer_decals = transparency_ != Transparency::half_samples || scene.transmits(); // else nobody reads them
+    if (!reused_shadows_ || !view.shadows.on)
         return;
     view.shadows.reuse = !scene.shows_through();
     settings.resolve("shadow-memory", view.shadows.reuse ? "reuse" : "atlas",
@@ -57,6 +59,17 @@ void note_what_is_opaque(graph::FrameGraph& graph, const resident::GpuScene& sce
         graph.note(why + ": surfaces with alphaMode BLEND are drawn opaque");
     if (any(transmits))
         graph.note(why + ": nothing is seen through materials with KHR_materials_transmission");
+}
+
+void note_missing_decals(graph::FrameGraph& graph, const resident::GpuScene& scene) {
+    if (scene.blends() && !scene.decals().empty() && !resident::LayerDecals::fits(scene.context()))
+        graph.note("decals do not lie on blended surfaces: the device has too few samplers");
+}
+
+void note_left_out_decals(Stats& stats, const resident::LayerDecals* decals) {
+    if (decals && decals->left_out() > 0)
+        stats.notes.push_back(fmt::format("{} decals on blended surfaces are left out: {} lie on one object at most",
+                                          decals->left_out(), LAYER_DECALS_MOST));
 }
 
 void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resident::View& view) {
@@ -88,10 +101,8 @@ void BlendedSurfaces::choose(Settings& settings, graph::FrameGraph& graph, resid
             graph.note("transparency=half-samples: soft surfaces end sharply before what is opaque");
         settings.resolve("transparency", transparency_word(taken_), {});
     }
-    if (!in_half_samples_)
-        decals_ = view.layer_decals();
-    if (scene.blends() && !scene.decals().empty() && !resident::LayerDecals::fits(scene.context()))
-        graph.note("decals do not lie on blended surfaces: the device has too few samplers");
+    decals_ = view.layer_decals();
+    note_missing_decals(graph, scene);
     choose_lists(settings, graph, view);
     view.find_blended_lights(!by_lists_ && !in_half_samples_);
 }
@@ -261,9 +272,7 @@ void BlendedSurfaces::tell(Stats& stats) const {
     if (taken_ == Transparency::weighted && by_lists_ && draws > 0)
         stats.notes.push_back(fmt::format(
             "transparency=weighted: {} draws of blended surfaces are composed without order, approximately", draws));
-    if (decals_ && decals_->left_out() > 0)
-        stats.notes.push_back(fmt::format("{} decals on blended surfaces are left out: {} lie on one object at most",
-                                          decals_->left_out(), LAYER_DECALS_MOST));
+    note_left_out_decals(stats, decals_);
     if (layers_ == 0)
         return;
     const passes::LayerCounter::Sums sums = counter_->last();

@@ -18,6 +18,11 @@ struct LayerLight {
 /// Tells in the graph's notes what of the scene is drawn opaque and is not: with `why`, what has them so.
 void note_what_is_opaque(graph::FrameGraph& graph, const resident::GpuScene& scene, const std::string& why);
 
+/// Tells where decals do not lie on blended surfaces that could have them, for want of the device.
+void note_missing_decals(graph::FrameGraph& graph, const resident::GpuScene& scene);
+/// Tells of decals that had no room on their object; null: there are none.
+void note_left_out_decals(Stats& stats, const resident::LayerDecals* decals);
+
 /// What is drawn over the opaque picture, transmissive and then blended surfaces: the setting `transparency`, the same
 /// in every architecture.
 class BlendedSurfaces {

@@ -45,6 +45,7 @@ private:
     resident::ViewSettings view_settings() const override {
         resident::ViewSettings view = LightBufferRenderer::view_settings();
         view.shadows = {};
+        view.layer_decals = has_layers(settings());
         return view;
     }
 
@@ -53,7 +54,7 @@ private:
         view.frame = view.raster.extent;
         view.raster.extent = inferred_extent(settings(), view.frame);
         view.draws.counts_pixels = view.draws.trims_by_depth = false; // it is drawn once
-        view.layers = has_layers(settings());
+        view.layers = view.layer_decals = has_layers(settings());
         add_light_settings(view);
         return view;
     }
@@ -64,9 +65,8 @@ private:
 
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
         const bool layers = view.scene().blends();
-        if (view.scene().softens())
-            graph.note("inferred: soft surfaces end sharply before what is opaque");
         layer_draws_ = 0;
+        note_missing_decals(graph, view.scene());
         note_what_is_opaque(graph, view.scene(), has_layers(settings()) ? "inferred" : "inferred-layers=off");
         // At the light's resolution.
         const resident::View& lit = light_view();
@@ -120,6 +120,7 @@ private:
 
     void add_figures(Stats& stats) const override {
         LightBufferRenderer::add_figures(stats);
+        note_left_out_decals(stats, light_view().layer_decals());
         const resident::LayerSlots& slots = light_view().layers();
         stats.inferred = {.layers = slots.drawn,
                           .layers_without_slot = slots.without_own,

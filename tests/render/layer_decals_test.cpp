@@ -48,6 +48,9 @@ TEST(LayerDecals, AgreeWithTheReferenceInEveryArchitecture) {
         expect(renderer, {});
     for (const char* transparency : {"sorted", "peeled"})
         expect("light-prepass", {{"transparency", transparency}});
+    for (const char* model : {"weighted", "nv"}) // without and with the point's normal
+        expect("inferred", {{"inferred-scale", "1"}, {"model", model}});
+    expect("inferred", {{"inferred-scale", "5/8"}});
 }
 
 // Opaque surfaces look at each sample's decals, blended ones at a fragment's.
