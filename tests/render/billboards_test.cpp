@@ -151,9 +151,8 @@ TEST(Billboards, CastShadowsAsTheReferenceHasThem) {
     Smoke smoke;
     for (PlacedLight& light : smoke.world.lights)
         light.light.casts_shadow = light.light.kind == LightKind::spot;
-    for (const auto& [shadows, angle] :
-         {std::pair("filtered", 0.3), std::pair("filtered", 5.9), std::pair("opaque", 0.3)}) {
-        Shot shot = with(smoke.shot(angle), {{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}});
+    for (const char* shadows : {"filtered", "opaque"}) {
+        Shot shot = with(smoke.shot(), {{"shadows", "on"}, {"shadow-filter", "hard"}, {"shadow-detail", "8"}});
         shot.settings["transparent-shadows"] = shadows;
         shot.width = 480, shot.height = 270; // fewer of the pixels are edges
         smoke.scene.materials.back().unlit = shadows == std::string("filtered");
