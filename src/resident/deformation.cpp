@@ -107,14 +107,13 @@ DeviceDeformation::DeviceDeformation(const gpu::Context& context, const World& w
     check_size(context, "vertex attributes", geometry.attributes.size());
     Meshes meshes;
     std::vector<glm::vec4> state;
-    std::vector<shared::DeformJob> jobs;
     std::vector<glm::uvec2> groups;
     for (uint32_t d = 0; d < world.deformed.size(); ++d) {
         Place& place = places_.emplace_back();
         if (!deforms_on_device(world, d) || geometry.deformed[d].empty())
             continue;
         const Deformation& shape = world.deformations[d];
-        place = {state.size(), shape.mesh, shape.joints.size(), shape.weights.size()};
+        place = {state.size(), shape.mesh, shape.joints.size(), shape.weights.size(), job_list_.size()};
         const std::vector<glm::vec4> own = state_of(shape);
         const std::vector<Primitive>& primitives = world.scene->meshes[*shape.mesh].primitives;
         for (size_t p = 0; p < primitives.size(); ++p) {
@@ -129,15 +128,17 @@ DeviceDeformation::DeviceDeformation(const gpu::Context& context, const World& w
                                    (geometry.previous_positions.handle() ? DEFORM_PREVIOUS : 0);
             const auto targets = static_cast<uint32_t>(std::min(primitive.morph_targets.size(), shape.weights.size()));
             for (uint32_t v = 0; v < count; v += DEFORM_GROUP)
-                groups.emplace_back(jobs.size(), v);
-            jobs.push_back({.vertices = {geometry.deformed[d][p].first, count, rest.vertices, flags},
-                            .data = {rest.influences, skinned ? primitive.joint_sets.size() : 0, rest.targets, targets},
-                            .state = {state.size(), shape.joints.size(), count, vec4s(shape.weights.size())}});
+                groups.emplace_back(job_list_.size(), v);
+            job_list_.push_back(
+                {.vertices = {geometry.deformed[d][p].first, count, rest.vertices, flags},
+                 .data = {rest.influences, skinned ? primitive.joint_sets.size() : 0, rest.targets, targets},
+                 .state = {state.size(), shape.joints.size(), count, vec4s(shape.weights.size())}});
         }
+        place.jobs = job_list_.size() - place.first_job;
         state.insert(state.end(), own.begin(), own.end());
     }
     groups_ = static_cast<uint32_t>(groups.size());
-    jobs_ = upload(context, "primitives to deform", jobs);
+    jobs_ = upload(context, "primitives to deform", job_list_);
     group_list_ = upload(context, "groups to deform", groups);
     base_ = upload(context, "vertices at rest", meshes.base);
     influences_ = upload(context, "vertex influences", meshes.influences);
@@ -155,8 +156,16 @@ bool DeviceDeformation::fits(const World& world, uint32_t deformed) const {
 }
 
 void DeviceDeformation::update(const World& world, uint32_t deformed, gpu::BufferUpdates& updates) {
-    const std::vector<glm::vec4> state = state_of(world.deformations[deformed]);
-    updates.write(state_, places_[deformed].first * sizeof(glm::vec4), std::as_bytes(std::span(state)));
+    const Deformation& shape = world.deformations[deformed];
+    const Place& place = places_[deformed];
+    const std::vector<glm::vec4> state = state_of(shape);
+    updates.write(state_, place.first * sizeof(glm::vec4), std::as_bytes(std::span(state)));
+    const std::span jobs = std::span(job_list_).subspan(place.first_job, place.jobs);
+    if (!jobs.empty() && ((jobs[0].vertices.w & DEFORM_TURNED) != 0) != shape.turned) {
+        for (shared::DeformJob& job : jobs)
+            job.vertices.w ^= DEFORM_TURNED;
+        updates.write(jobs_, place.first_job * sizeof(shared::DeformJob), std::as_bytes(jobs));
+    }
     ++version_;
 }
 

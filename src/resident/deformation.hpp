@@ -34,8 +34,10 @@ private:
         uint64_t first = 0; ///< in the state, vec4
         std::optional<uint32_t> mesh;
         size_t joints = 0, weights = 0;
+        size_t first_job = 0, jobs = 0;
     };
-    std::vector<Place> places_; ///< by index into World::deformed
+    std::vector<Place> places_;               ///< by index into World::deformed
+    std::vector<shared::DeformJob> job_list_; ///< as jobs_ has them
     uint32_t groups_ = 0;
     gpu::Buffer jobs_, group_list_; ///< DeformJob; its number and the first vertex of each group
     gpu::Buffer base_, influences_, targets_, state_;

@@ -48,8 +48,6 @@ bool GpuScene::fits(uint32_t i, std::span<const DecalBox> decals) const {
         return false;
     for (const uint32_t d : geometry_.draws_of[i]) {
         Draw moved = geometry_.draws[d];
-        if (!moved.facing() && moved.mirrored != (instance.mirrored != is_turned(instance)))
-            return false;
         const bool receives = instance.receives_decals && takes_decals(world_.scene->materials[moved.material]);
         const bool drawn_with_decals = (moved.features & FEATURE_DECALS) != 0;
         if (drawn_with_decals && !receives)
@@ -170,6 +168,7 @@ void GpuScene::update_boxes(std::span<const uint32_t> instances) {
             Draw& draw = geometry_.draws[d];
             if (instance.deformed)
                 set_shape(draw);
+            draw.mirrored = !draw.facing() && instance.mirrored != is_turned(instance);
             draw.place(instance);
             ++draw.version;
         }

@@ -197,6 +197,7 @@ void Pose::apply(uint32_t index, double time) {
                              sampler.times.size(), width * parts));
         if (weights) {
             moved.weights.resize(width);
+            moved.weights_sampler = &sampler;
             sample_values(sampler, time, moved.weights);
         } else if (rotation) {
             const Quaternion q = sample_rotation(sampler, time);
@@ -228,10 +229,15 @@ glm::dmat4 Pose::local(uint32_t node) const {
     return moved && moved->is_placed() ? moved->trs.matrix() : scene_.nodes[node].local;
 }
 
+const AnimationSampler* Pose::weights_sampler(uint32_t node) const {
+    const Moved* const moved = find(node);
+    return moved ? moved->weights_sampler : nullptr;
+}
+
 std::vector<double> Pose::weights(uint32_t index) const {
     const Node& node = scene_.nodes[index];
     const size_t count = node.mesh ? morph_targets(scene_.meshes[*node.mesh]) : 0;
-    if (const Moved* const moved = find(index); moved && moved->taken[size_t(AnimationPath::weights)])
+    if (const Moved* const moved = find(index); moved && moved->weights_sampler)
         return moved->weights;
     std::vector<double> weights(count);
     const auto& given = !node.weights.empty() || count == 0 ? node.weights : scene_.meshes[*node.mesh].weights;

@@ -23,12 +23,15 @@ public:
     glm::dmat4 local(uint32_t node) const;
     /// One for each morph target of the node's mesh; missing ones are 0.
     std::vector<double> weights(uint32_t node) const;
+    /// What moves them; null: nothing does.
+    const AnimationSampler* weights_sampler(uint32_t node) const;
 
 private:
     /// What a channel has changed of a node.
     struct Moved {
         Trs trs;
         std::vector<double> weights;
+        const AnimationSampler* weights_sampler = nullptr;
         std::array<bool, 4> taken{}; ///< by AnimationPath
         bool is_placed() const {
             return taken[size_t(AnimationPath::translation)] || taken[size_t(AnimationPath::rotation)] ||

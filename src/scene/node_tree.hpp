@@ -14,6 +14,7 @@ public:
     const glm::dmat4& world(uint32_t node) const { return world_[node]; } ///< node → world
     /// Weights of the morph targets of the node's mesh.
     std::vector<double> weights(uint32_t node) const { return pose_.weights(node); }
+    const AnimationSampler* weights_sampler(uint32_t node) const { return pose_.weights_sampler(node); }
     /// Mesh → world for each of the skin's joints. Throws Error when one is not there or not finite.
     const std::vector<glm::dmat4>& joints(uint32_t skin);
 

@@ -171,7 +171,7 @@ private:
         const Shape previous = before_ ? shape_of(*before_, node, index, skinned) : shape;
         Instance instance{.mesh = *node.mesh, .node = index, .receives_decals = node.receives_decals};
         glm::dvec3 origin(0);
-        if (!is_plain(mesh, shape) || !is_plain(mesh, previous))
+        if (now_.weights_sampler(index) || !is_plain(mesh, shape) || !is_plain(mesh, previous))
             std::tie(instance.deformed, origin) = deformed(node, index, shape, previous);
         if (skinned) {
             instance.transform[3] = glm::dvec4(origin, 1);
@@ -198,11 +198,15 @@ private:
         return shape;
     }
 
-    /// Index into World::deformed and the origin of its vertices; equal ones are made once.
+    /// Index into World::deformed and the origin of its vertices; equal ones are made once. Weights that move make the
+    /// same ones at every moment, whatever their values are: who shares a sampler, shares the mesh.
     std::pair<uint32_t, glm::dvec3> deformed(const Node& node, uint32_t index, const Shape& shape,
                                              const Shape& previous) {
         const std::optional<uint32_t> skin = shape.joints.empty() ? std::nullopt : node.skin;
-        const auto [found, is_new] = made_.try_emplace({*node.mesh, skin, shape.weights, previous.weights});
+        const AnimationSampler* const moving = now_.weights_sampler(index);
+        const auto [found, is_new] =
+            made_.try_emplace(moving ? Key{*node.mesh, skin, moving, {}, {}}
+                                     : Key{*node.mesh, skin, moving, shape.weights, previous.weights});
         if (!is_new)
             return found->second;
         const Mesh& mesh = scene_.meshes[*node.mesh];
@@ -323,10 +327,10 @@ private:
     const std::vector<MeshFacts>& facts_; ///< by mesh
     NodeTree now_;
     std::optional<NodeTree> before_; ///< absent: nothing has moved
-    /// Mesh, skin, weights now and before → index into World::deformed, origin.
-    std::map<std::tuple<uint32_t, std::optional<uint32_t>, std::vector<double>, std::vector<double>>,
-             std::pair<uint32_t, glm::dvec3>>
-        made_;
+    /// Mesh, skin, what moves its weights, and weights now and before where nothing does.
+    using Key = std::tuple<uint32_t, std::optional<uint32_t>, const AnimationSampler*, std::vector<double>,
+                           std::vector<double>>;
+    std::map<Key, std::pair<uint32_t, glm::dvec3>> made_; ///< index into World::deformed, origin
     double time_ = 0, interval_ = 0;                      ///< of the moment, seconds
     std::vector<PlacedLight> particle_lights_;
     std::vector<Bounds> deformed_boxes_; ///< beside World::deformed, object space

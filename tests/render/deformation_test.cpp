@@ -143,10 +143,69 @@ TEST(Deformation, RealModelsAreTheSame) {
     expect_validation_clean(test_device());
 }
 
+/// The tube's skin is turned inside out after half a second, and back.
+Scene flipping() {
+    Scene scene = tube(4, true, false);
+    scene.nodes[1].trs->scale = {1, 1, 1};
+    scene.animations[0].samplers.push_back({{0, 0.5, 0.85}, {1, 1, 1, 1, 1, -1, 1, 1, 1}, Interpolation::step});
+    scene.animations[0].channels.push_back({2, 1, AnimationPath::scale});
+    return scene;
+}
+
+/// Tubes without skins whose weights come from 0 and go there again, beside each other's, and one in a mirror.
+Scene swelling() {
+    Scene scene = tube(6, false, false);
+    scene.skins.clear();
+    scene.meshes[0].primitives[0].joint_sets.clear();
+    scene.meshes[0].weights.clear();
+    scene.nodes.assign(3, {});
+    scene.scenes[0].nodes = {0, 1, 2};
+    for (uint32_t i = 0; i < 3; ++i) {
+        scene.nodes[i].mesh = 0;
+        scene.nodes[i].trs = Trs{{0, 1.2 * i, 0}};
+        scene.nodes[i].local = scene.nodes[i].trs->matrix();
+    }
+    scene.animations = {{"swell",
+                         {{{0.3, 0.6, 0.9}, {0, 0, 0.8f, -0.5f, 0, 0}, Interpolation::linear},
+                          {{0.3, 0.8}, {0.8f, 0, 0, 0}, Interpolation::step},
+                          {{0, 0.5}, {1, 1, 1, -1, 1, 1}, Interpolation::step}},
+                         {{0, 0, AnimationPath::weights},
+                          {0, 1, AnimationPath::weights},
+                          {1, 2, AnimationPath::weights},
+                          {2, 1, AnimationPath::scale}}}};
+    return scene;
+}
+
+TEST(Deformation, WeightsThatBecomeZeroAndMirrorsThatFlipMakeNothing) {
+    for (const Scene& scene : {swelling(), flipping()}) {
+        Timeline timeline(scene, {}, Moment{0.1}, {}, false);
+        const auto renderer = create_renderer("deferred", &test_device(), {.width = 64, .height = 36});
+        renderer->set_world(timeline.world());
+        const PlacedCamera camera = timeline.world().cameras[0];
+        const auto step = [&](double time) {
+            const WorldChanges changes = timeline.move_to({time, 0.01});
+            EXPECT_FALSE(changes.all) << time;
+            renderer->update_world(changes);
+            renderer->render(camera);
+            return renderer->stats();
+        };
+        for (const double time : {0.2, 0.4, 0.6})
+            step(time);
+        for (const double time : {0.1, 0.45, 0.3, 0.7, 0.95}) {
+            const Stats stats = step(time);
+            EXPECT_EQ(stats.created, CreatedObjects{}) << time;
+            EXPECT_GT(stats.updated_bytes, 0u) << time;
+            EXPECT_LT(stats.updated_bytes, 1024u) << time;
+        }
+    }
+    expect_validation_clean(test_device());
+}
+
 // Moments one after the other, in any order, in one renderer: the bytes of a new one.
 TEST(Deformation, MomentsAreThoseOfANewRenderer) {
-    const Scene bent = tube(9, false, false), motion = make_scene("motion", 12, 1);
-    for (const Scene* scene : {&bent, &motion})
+    const Scene bent = tube(9, false, false), motion = make_scene("motion", 12, 1), flipped = flipping(),
+                swollen = swelling();
+    for (const Scene* scene : {&bent, &motion, &flipped, &swollen})
         for (const char* name : {"light-prepass", "deferred"}) {
             SCOPED_TRACE(name);
             const RenderOptions options{.width = 96,

@@ -146,6 +146,28 @@ TEST(MovingWorlds, LightsThatStayAreNotWrittenAgain) {
     expect_validation_clean(test_device());
 }
 
+TEST(MovingWorlds, AMirrorThatFlipsIsAMove) {
+    Crowd crowd(6);
+    const RenderOptions options{
+        .width = 64, .height = 36, .settings = {{"shadows", "on"}, {"shadow-budget", "262144"}}};
+    const auto renderer = create_renderer("light-prepass", &test_device(), options);
+    renderer->set_world(crowd.world);
+    const auto flip = [&] {
+        Instance& instance = crowd.world.instances[14];
+        instance.transform = instance.transform * glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1));
+        instance.mirrored = !instance.mirrored;
+        renderer->update_world({.instances = {14}});
+        renderer->render(crowd.camera());
+        return renderer->stats();
+    };
+    for (int warm = 0; warm < 3; ++warm)
+        flip();
+    const Stats stats = flip();
+    EXPECT_EQ(stats.created, CreatedObjects{});
+    EXPECT_EQ(stats.updated_bytes, 48u) << "one row of a caster";
+    expect_validation_clean(test_device());
+}
+
 TEST(MovingWorlds, WhatIsNotThereIsRefused) {
     Crowd crowd(2);
     for (const char* name : {"light-prepass", "reference"}) {

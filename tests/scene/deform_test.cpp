@@ -88,8 +88,11 @@ TEST(Morph, AnimatedWeightsMoveVertices) {
     expect_near(place(world, 1), {1, -1, -1});
     expect_near(previous_place(world, 1), {1, -0.5, -2});
     EXPECT_FALSE(world.instances[0].previous_transform);
-    // Just before the start: nothing moves, and the stored mesh is shown.
-    EXPECT_FALSE(resolve(scene, {}, Moment{0, 0.25}).instances[0].deformed);
+    // Just before the start nothing moves: as the mesh is stored, and still what changes in place at the next moment.
+    const World before = resolve(scene, {}, Moment{0, 0.25});
+    ASSERT_TRUE(before.instances[0].deformed);
+    EXPECT_EQ(before.deformed[0].primitives[0].positions, scene.meshes[0].primitives[0].positions);
+    EXPECT_THAT(before.deformed[0].primitives[0].previous_positions, SizeIs(0));
     // At rest now, but it was bent before.
     scene.animations[0].samplers[0].values = {1, 1, 0, 0};
     const World later = resolve(scene, {}, Moment{1, 0.5});
