@@ -229,15 +229,17 @@ void ShadowDraws::record(const graph::PassContext& pass) {
 
 size_t ShadowDraws::choose(std::vector<const ShadowTile*>& due) const {
     const size_t most = view_.shadows()->options().updates;
-    const auto others = std::ranges::stable_partition(due, [](const ShadowTile* tile) { return tile->cascade; });
-    const size_t cascades = due.size() - others.size();
-    if (others.size() <= most)
+    const auto others =
+        std::stable_partition(due.begin(), due.end(), [](const ShadowTile* tile) { return tile->cascade; });
+    const auto cascades = static_cast<size_t>(others - due.begin());
+    if (due.size() - cascades <= most)
         return due.size();
     const auto last_drawn = [&](const ShadowTile* tile) {
         const HeldMaps::Map* const before = earlier(*tile);
         return before ? before->frame : 0;
     };
-    std::ranges::stable_sort(others, {}, last_drawn);
+    std::stable_sort(others, due.end(),
+                     [&](const ShadowTile* a, const ShadowTile* b) { return last_drawn(a) < last_drawn(b); });
     return cascades + most;
 }
 

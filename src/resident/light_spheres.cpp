@@ -18,8 +18,11 @@ void LightSpheres::assign(std::span<const PlacedLight> lights) {
     }
 }
 
-PRELIGHT_WIDE void test_spheres(const LightSpheres& spheres, size_t first, size_t count, const glm::dvec3& eye,
-                                const SphereView& view, SphereBatch& out) {
+namespace {
+
+// Here, for the clones of a function with a name of its own are symbols of the library.
+PRELIGHT_WIDE void test_batch(const LightSpheres& spheres, size_t first, size_t count, const glm::dvec3& eye,
+                              const SphereView& view, SphereBatch& out) {
     const double* const xs = spheres.x.data() + first;
     const double* const ys = spheres.y.data() + first;
     const double* const zs = spheres.z.data() + first;
@@ -46,8 +49,15 @@ PRELIGHT_WIDE void test_spheres(const LightSpheres& spheres, size_t first, size_
         const double distance2 = view.perspective ? depth * depth - r * r : 1;
         const double share = 0.785 * r * r / (view.across * distance2);
         const bool inside = view.perspective & (depth <= r);
-        out.share[i] = inside | (share > 1) ? 1 : share;
+        out.share[i] = (inside | (share > 1)) ? 1 : share;
     }
+}
+
+} // namespace
+
+void test_spheres(const LightSpheres& spheres, size_t first, size_t count, const glm::dvec3& eye,
+                  const SphereView& view, SphereBatch& out) {
+    test_batch(spheres, first, count, eye, view, out);
 }
 
 } // namespace prelight::resident

@@ -224,7 +224,6 @@ void View::update_shadows(const PlacedCamera& camera, shared::FrameConstants& co
 /// What the slot holds already is not written again: 65,536 lights are 4 MB. Returns the bytes.
 uint64_t View::write_lights() {
     Slot& slot = slots_[slot_];
-    const std::span<const PlacedLight> lights = lights_.placed();
     shared::LightData* const records = slot.lights.mapped<shared::LightData>();
     const bool same_lights = slot.written.lights == lights_.version(), same_eye = slot.written.eye == eye_;
     uint64_t bytes = 0;

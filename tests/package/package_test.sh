@@ -200,6 +200,7 @@ prelight_render
 prelight_scene
 prelight_$form
 prelight_platform
+prelight_precompiled
 prelight_text
 prelight_timing" "$(tr ';' '\n' <sub-$form/targets.txt)"
 done

@@ -74,8 +74,9 @@ class Changes(unittest.TestCase):
         scene = prelight.make_scene("motion")
         with renderer() as made:
             made.set_world(scene.resolve(time=0))
-            made.render()
-            made.set_world(scene.resolve(time=.7))
+            for time in (.2, .4, .7):  # both frames in flight stage an update before
+                made.render()
+                made.set_world(scene.resolve(time=time))
             made.render()
             self.assertEqual(made.stats.created.buffers + made.stats.created.images, 0)
             moved = made.read()

@@ -189,9 +189,11 @@ TEST(Deformation, WeightsThatBecomeZeroAndMirrorsThatFlipMakeNothing) {
             renderer->render(camera);
             return renderer->stats();
         };
-        for (const double time : {0.2, 0.4, 0.6})
-            step(time);
-        for (const double time : {0.1, 0.45, 0.3, 0.7, 0.95}) {
+        constexpr double times[] = {0.1, 0.45, 0.3, 0.7, 0.95};
+        for (int round = 0; round < 2; ++round) // both frames in flight have staged the most that a step needs
+            for (const double time : times)
+                step(time);
+        for (const double time : times) {
             const Stats stats = step(time);
             EXPECT_EQ(stats.created, CreatedObjects{}) << time;
             EXPECT_GT(stats.updated_bytes, 0u) << time;
