@@ -25,9 +25,8 @@ bool whole_number(std::string_view text, T& value) {
 /// Ascending, each once.
 template <typename T>
 void sort_once(std::vector<T>& values) {
-    std::ranges::sort(values);
-    const auto rest = std::ranges::unique(values);
-    values.erase(rest.begin(), rest.end());
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 [[noreturn]] void refuse(std::string_view option, const std::string& text, const std::string& reason) {
