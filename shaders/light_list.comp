@@ -66,9 +66,7 @@ LightSource narrowed(LightSource source, const int maps) {
                                                               : SHADOW_SPOT;
     return source;
 }
-#endif
 
-#ifdef SHADOWS
 // What of a light comes past its maps to each row, LitPoint::unhidden. A software device compares for all lanes or for
 // none, and few pixels of a row need it: so each lane takes the next of its own rows that does, whichever that is.
 void find_shadows(LightSource source) {
@@ -79,7 +77,7 @@ void find_shadows(LightSource source) {
         Reach r = reach(source, p);
         ShadowPoint at = shadow_point(source, p, r);
         bool wanted = r.contributes && !is_stored_sun(source, p);
-        lookups[row] = lookup(shadow_of(source), at.world, at.n, -at.reach.to_light, at.reach.nl, wanted);
+        lookups[row] = lookup(shadow_of(source), at.world, at.n, -at.reach.to_light, at.reach.nl, p.turn, wanted);
         pixels[row].point.unhidden = lookups[row].said;
         asking |= lookups[row].asks ? 1u << row : 0u;
     }

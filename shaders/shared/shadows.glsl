@@ -118,13 +118,14 @@ vec3 moved_place(InTile p, float radius) {
     return place;
 }
 
-vec2 atlas_texel(ShadowData tile, vec2 place) { return tile.place.xy + clamp(place, vec2(0.5), vec2(tile.place.z - 0.5)); }
+// `tile`: ShadowData::place.
+vec2 atlas_texel(vec3 tile, vec2 place) { return tile.xy + clamp(place, vec2(0.5), vec2(tile.z - 0.5)); }
 
 // What all comparisons around the place say: 1 nothing is nearer to the light, 0 everything is; −1: not the same.
 float all_say(ShadowData tile, vec3 place) {
     if (!extremes_known)
         return -1.0;
-    vec2 depths = texelFetch(shadow_extremes, ivec2(atlas_texel(tile, place.xy)) / SHADOW_CELL, 0).rg;
+    vec2 depths = texelFetch(shadow_extremes, ivec2(atlas_texel(tile.place.xyz, place.xy)) / SHADOW_CELL, 0).rg;
     float said = place.z > depths.x ? 1.0 : place.z < depths.y ? 0.0 : -1.0;
     return tile.place.z < float(SHADOW_CELL) ? -1.0 : said; // such tiles share a cell
 }
@@ -142,7 +143,7 @@ float penumbra(InTile p, float radius, vec2 turn, bool wanted) {
     int taps = wanted ? search_taps : 0;
     for (int i = 0; i < taps; ++i) {
         vec2 spot = place.xy + turn * (radius * sqrt((float(i) + 0.5) / float(search_taps)));
-        float depth = texelFetch(shadow_atlas, ivec2(atlas_texel(p.tile, spot)), 0).r;
+        float depth = texelFetch(shadow_atlas, ivec2(atlas_texel(p.tile.place.xyz, spot)), 0).r;
         float nearer = depth > place.z ? 1.0 : 0.0;
         sum += depth * nearer;
         found += nearer;
@@ -157,22 +158,30 @@ float penumbra(InTile p, float radius, vec2 turn, bool wanted) {
     return clamp(metres / metres_a_texel(p), least_radius, max(radius, least_radius));
 }
 
-// Where a point is looked up, [pcf].
+// Where a point is looked up, [pcf, contact].
 struct Lookup {
     vec3 tile;    // ShadowData::place: corner and side
     vec3 place;   // in the tile, and depth
     float radius; // of the disc, texels
-    float said;   // all_say()
+    float said;   // all_say(); 1 where nothing is wanted
     bool asks;    // comparisons have to be made
 };
 
-Lookup lookup_of(InTile p, float radius, bool wanted) {
+// Where comparisons alone cost much, and the search for blockers is none of them: lookups may be made apart.
+const bool lookups_apart = shadow_filter == SHADOW_FILTER_PCF;
+
+// `from_light`: from the light to the point; `nl`: N·L.
+Lookup lookup(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec2 turn, bool wanted) {
+    wanted = wanted && shadow.number > 0u;
+    InTile p = in_tile(shadow, world, n, from_light, nl, wanted);
+    float largest = shadow_radius(uint(shadow_filter), uint(p.tile.place.z));
+    float radius = shadow_filter == SHADOW_FILTER_CONTACT ? penumbra(p, largest, turn, wanted) : least_radius;
     Lookup found;
     found.tile = p.tile.place.xyz;
-    found.place = moved_place(p, radius);
-    found.radius = radius;
-    found.said = all_say(p.tile, found.place);
-    found.asks = wanted && found.said < 0.0;
+    found.radius = min(radius, largest);
+    found.place = moved_place(p, found.radius);
+    found.said = wanted ? all_say(p.tile, found.place) : 1.0;
+    found.asks = found.said < 0.0;
     return found;
 }
 
@@ -182,8 +191,7 @@ float filtered(Lookup at, vec2 turn) {
     float sum = 0.0;
     int i = 0, taps = at.asks ? shadow_taps : 1;
     do { // a software device would run the body once more with the condition in front
-        vec2 spot = at.place.xy + turn * (at.radius * sqrt((float(i) + 0.5) / float(shadow_taps)));
-        spot = at.tile.xy + clamp(spot, vec2(0.5), vec2(at.tile.z - 0.5));
+        vec2 spot = atlas_texel(at.tile, at.place.xy + turn * (at.radius * sqrt((float(i) + 0.5) / float(shadow_taps))));
         spot = at.asks ? spot : vec2(0.5);
         float left = textureLod(sampler2DShadow(shadow_atlas, shadow_sampler), vec3(spot * of_atlas, at.place.z), 0.0);
         if (shadows_transmit)
@@ -194,39 +202,21 @@ float filtered(Lookup at, vec2 turn) {
     return sum / float(shadow_taps);
 }
 
-// Where shadows are filtered by comparisons alone: lookups may be made apart from what they are for.
-const bool lookups_apart = shadow_filter == SHADOW_FILTER_PCF;
-
-Lookup lookup(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float nl, bool wanted) {
-    wanted = wanted && shadow.number > 0u;
-    InTile p = in_tile(shadow, world, n, from_light, nl, wanted);
-    Lookup found = lookup_of(p, min(least_radius, shadow_radius(uint(shadow_filter), uint(p.tile.place.z))), wanted);
-    found.said = wanted ? found.said : 1.0;
-    return found;
-}
-
-// 1: nothing between the light and the point. `from_light`: from the light to the point; `nl`: N·L; where not `wanted`
-// nothing is looked up.
+// 1: nothing between the light and the point. Where not `wanted` nothing is looked up.
 float unshadowed(LightShadow shadow, vec3 world, vec3 n, vec3 from_light, float nl, vec2 turn, bool wanted) {
-    wanted = wanted && shadow.number > 0u;
-    InTile p = in_tile(shadow, world, n, from_light, nl, wanted);
-    float radius = 0.0;
-    if (shadow_filter != SHADOW_FILTER_HARD) {
-        float largest = shadow_radius(uint(shadow_filter), uint(p.tile.place.z));
-        radius = shadow_filter == SHADOW_FILTER_CONTACT ? penumbra(p, largest, turn, wanted) : least_radius;
-        radius = min(radius, largest);
-    }
     if (shadow_filter == SHADOW_FILTER_HARD) {
-        vec3 place = moved_place(p, radius);
-        vec2 texel = atlas_texel(p.tile, place.xy);
+        wanted = wanted && shadow.number > 0u;
+        InTile p = in_tile(shadow, world, n, from_light, nl, wanted);
+        vec3 place = moved_place(p, 0.0);
+        vec2 texel = atlas_texel(p.tile.place.xyz, place.xy);
         float left = texelFetch(shadow_atlas, ivec2(texel), 0).r > place.z ? 0.0 : 1.0;
         if (shadows_transmit)
             left *= transmittance(texel, place.z);
         return wanted ? left : 1.0;
     }
     // A software device looks up for all lanes or for none: those that know look where it costs least.
-    Lookup at = lookup_of(p, radius, wanted);
+    Lookup at = lookup(shadow, world, n, from_light, nl, turn, wanted);
     float left = filtered(at, turn);
-    return at.asks ? left : wanted ? at.said : 1.0;
+    return at.asks ? left : at.said;
 }
 #endif

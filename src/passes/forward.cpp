@@ -91,6 +91,23 @@ SurfaceDraws::Desc summed_desc(const char* fragment, const resident::View& view,
     return desc;
 }
 
+std::shared_ptr<std::optional<SurfaceDraws>> declare_whole(graph::FrameGraph& graph, graph::Pass& pass,
+                                                           const resident::View& view, const ForwardInputs& inputs,
+                                                           SurfaceDraws::Desc desc) {
+    desc.depth = gpu::DepthTest::equal; // exact: vertex_position() is invariant
+    desc.keeps_alpha_mask = false;
+    for (const auto& constant : display_constants(inputs.display, graph.desc(inputs.colour).format))
+        desc.constants.push_back(constant);
+    pass.depth_test(inputs.depth)
+        .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    declare_surfaces(graph, pass, view, desc.depth);
+    declare_shadows(pass, inputs.shadows);
+    declare_decals(pass, inputs.decals);
+    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
+    pass.prepare([=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface, desc); });
+    return draws;
+}
+
 void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs) {
     graph::Pass& pass = graph.pass(inputs.name);
     pass.colour(inputs.colour, inputs.load);

@@ -41,6 +41,11 @@ SurfaceDraws::Desc forward_desc(const char* fragment, const resident::View& view
 /// The same for weighted Fresnel, too, which takes the sums of all lights: every material gets them, as those with a
 /// shader of their own do.
 SurfaceDraws::Desc summed_desc(const char* fragment, const resident::View& view, ForwardInputs inputs, bool with_base);
+/// Makes `pass`, which has its colour, draw every object once where its depth is, with `desc` and this display; to be
+/// recorded by SurfaceDraws::record().
+std::shared_ptr<std::optional<SurfaceDraws>> declare_whole(graph::FrameGraph& graph, graph::Pass& pass,
+                                                           const resident::View& view, const ForwardInputs& inputs,
+                                                           SurfaceDraws::Desc desc);
 void forward_pass(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs);
 
 /// Every object once, with all lights that the camera may see, at most FORWARD_MOST_LIGHTS; replaces, depth test EQUAL.

@@ -1,5 +1,4 @@
 #include "forward.hpp"
-#include <shared/bindings.h>
 
 namespace prelight::passes {
 namespace {
@@ -8,24 +7,14 @@ namespace {
 void forward_grid_round(graph::FrameGraph& graph, const resident::View& view, const ForwardInputs& inputs,
                         const LightListRound& round, bool adds) {
     SurfaceDraws::Desc desc = forward_desc("forward_grid.frag", view, inputs, !adds);
-    desc.depth = gpu::DepthTest::equal; // exact: vertex_position() is invariant
-    desc.keeps_alpha_mask = false;
     desc.blend = adds ? gpu::Blend::add : gpu::Blend::none;
     desc.push_bytes = sizeof(shared::LightListConstants);
-    for (const auto& constant : display_constants(inputs.display, graph.desc(inputs.colour).format))
-        desc.constants.push_back(constant);
     graph::Pass& pass = graph.pass(inputs.name + round.ending);
     if (adds)
         pass.blends();
-    pass.colour(inputs.colour, adds ? graph::Load::keep : inputs.load, {0, 0, 0, inputs.display ? 1.0f : 0.0f})
-        .depth_test(inputs.depth)
-        .storage(INPUT_PAIR_COUNTERS, graph.buffer("pair counters", *inputs.pair_counters), inputs.count_pairs);
+    pass.colour(inputs.colour, adds ? graph::Load::keep : inputs.load, {0, 0, 0, inputs.display ? 1.0f : 0.0f});
     declare_light_lists(pass, round);
-    declare_surfaces(graph, pass, view, desc.depth);
-    declare_shadows(pass, inputs.shadows);
-    declare_decals(pass, inputs.decals);
-    auto draws = std::make_shared<std::optional<SurfaceDraws>>();
-    pass.prepare([=, &view](const graph::PassInterface& interface) { draws->emplace(view, interface, desc); });
+    const auto draws = declare_whole(graph, pass, view, inputs, std::move(desc));
     pass.record([=, &view](const graph::PassContext& context) {
         if (is_idle(*round.constants, context))
             return;

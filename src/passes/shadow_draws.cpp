@@ -89,7 +89,7 @@ public:
 
     /// Neighbours of the same mesh are one call, where they are drawn whole.
     void draw(const graph::PassContext& pass, const ShadowMap& map,
-              std::span<const resident::TrimmedCaster> casters = {}) {
+              std::span<const resident::VisibleDraw> casters = {}) {
         const std::vector<Draw>& all = view_.scene().geometry().draws;
         const std::vector<uint32_t>& draws = map.casters;
         const shared::ShadowTileConstants tile{map.clip_from_centre, glm::uvec4(map.place.corner, 0, 0)};
@@ -97,8 +97,9 @@ public:
         uint32_t material = no_image;
         for (size_t i = 0; i < draws.size();) {
             const Draw& first = all[draws[i]];
-            const resident::TrimmedCaster part =
-                casters.empty() ? resident::TrimmedCaster{first.first_index, first.index_count} : casters[i];
+            const resident::VisibleDraw part = casters.empty() ? resident::VisibleDraw{.first_index = first.first_index,
+                                                                                       .index_count = first.index_count}
+                                                               : casters[i];
             if (!casts(first) || part.index_count == 0) {
                 ++i;
                 continue;
@@ -245,7 +246,7 @@ size_t ShadowDraws::choose(std::vector<const ShadowTile*>& due) const {
 
 void ShadowDraws::draw_trimmed(const graph::PassContext& pass, std::span<const ShadowMap> maps) {
     const gpu::Buffer& indices = view_.caster_indices();
-    std::vector<resident::TrimmedCaster> casters;
+    std::vector<resident::VisibleDraw> casters;
     if (view_.draw_options().trimming == resident::IndexTrimming::host)
         casters = resident::trim_casters(view_.scene(), maps,
                                          {indices.mapped<uint32_t>(), indices.size() / sizeof(uint32_t)});
@@ -310,7 +311,7 @@ void ShadowDraws::count(const ShadowMap& map) {
 }
 
 void ShadowDraws::draw(const graph::PassContext& pass, const ShadowMap& map,
-                       std::span<const resident::TrimmedCaster> trimmed) {
+                       std::span<const resident::VisibleDraw> trimmed) {
     const auto x = static_cast<int32_t>(map.place.corner.x), y = static_cast<int32_t>(map.place.corner.y);
     const auto side = static_cast<float>(map.place.side);
     const VkViewport viewport{static_cast<float>(x), static_cast<float>(y), side, side, 0, 1};

@@ -49,7 +49,7 @@ private:
     size_t choose(std::vector<const resident::ShadowTile*>& due) const;
     /// `trimmed`: of its casters; empty: they are drawn whole.
     void draw(const graph::PassContext& pass, const resident::ShadowMap& map,
-              std::span<const resident::TrimmedCaster> trimmed = {});
+              std::span<const resident::VisibleDraw> trimmed = {});
     void count(const resident::ShadowMap& map);
     void draw_trimmed(const graph::PassContext& pass, std::span<const resident::ShadowMap> maps);
 

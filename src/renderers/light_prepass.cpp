@@ -69,7 +69,7 @@ private:
 
     LayerLight layer_light(graph::FrameGraph& graph, const resident::View& view) override {
         const passes::ScreenListOptions lists = screen_list_options(settings());
-        if (!has_light_buffer_)
+        if (!fills_light_buffer(view))
             return {.obstacle = "there is none of opaque surfaces"};
         if (!resident::builds_lists(view.culling()))
             return {.obstacle = "light-culling=" + settings().get("light-culling") + " lists no lights of a layer"};
@@ -100,6 +100,10 @@ private:
     /// Whether materials walk so many lights themselves, where nothing needs surfaces.
     bool walks_in_materials(size_t lights) const {
         return settings().value(few_lights_setting) == FewLights::forward && lights <= FORWARD_MOST_LIGHTS;
+    }
+
+    bool fills_light_buffer(const resident::View& view) const {
+        return needs_surfaces(view) || (has_light(view) && !walks_in_materials(view.lights().placed().size()));
     }
 
     bool draws_as_many(size_t before, size_t lights) const override {
@@ -138,18 +142,13 @@ private:
     }
 
     Outputs build(graph::FrameGraph& graph, const resident::View& view) override {
-        has_light_buffer_ = false;
-        const bool few = has_light(view) && walks_in_materials(view.lights().placed().size());
-        if (!needs_surfaces(view) && few)
-            return build_few_lights(graph, view);
-        if (!needs_surfaces(view) && !has_light(view))
-            return build_unlit(graph, view);
-        if (few)
+        if (!fills_light_buffer(view))
+            return has_light(view) ? build_few_lights(graph, view) : build_unlit(graph, view);
+        if (has_light(view) && walks_in_materials(view.lights().placed().size()))
             graph.note(
                 "few-lights=forward: with decals, ssao, edge-blur, half-samples, shadow-memory=reuse, other views "
                 "than final and linear, and passes of the program's own before materials, lights fill a light "
                 "buffer");
-        has_light_buffer_ = true;
         const auto drawn = passes::depth_normal_pass(graph, view, surface_format(settings()));
         const auto decals = passes::decal_pass(graph, view, drawn);
         passes::decal_normal_pass(graph, view, drawn, decals);
@@ -186,8 +185,6 @@ private:
             outputs["edges"] = passes::edges_view_pass(graph, view, surfaces);
         return outputs;
     }
-
-    bool has_light_buffer_ = false; ///< of the graph that is built, filled by lights
 };
 
 } // namespace

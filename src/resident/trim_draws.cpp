@@ -10,6 +10,12 @@
 namespace prelight::resident {
 namespace {
 
+/// Indices that one thread takes at a time; fewer altogether are not worth a thread, which takes 50 µs to start.
+constexpr size_t chunk_indices = 3u << 16;
+
+/// What faces the viewer has its vertices elsewhere.
+bool is_trimmed(const Draw& draw) { return draw.primitive && !draw.facing(); }
+
 /// Draws that one thread takes at a time.
 struct Chunk {
     size_t first = 0, count = 0;
@@ -19,10 +25,10 @@ struct Chunk {
 std::vector<Chunk> chunks_of(std::span<const VisibleDraw> draws, std::span<const Draw> all, size_t room) {
     std::vector<Chunk> chunks;
     for (size_t d = 0; d < draws.size(); ++d) {
-        if (chunks.empty() || chunks.back().indices >= indices_of_a_thread)
+        if (chunks.empty() || chunks.back().indices >= chunk_indices)
             chunks.push_back({.first = d});
         ++chunks.back().count;
-        if (can_be_trimmed(all[draws[d].draw]) && draws[d].index_count <= room)
+        if (is_trimmed(all[draws[d].draw]) && draws[d].index_count <= room)
             chunks.back().indices += draws[d].index_count;
     }
     return chunks;
@@ -57,7 +63,7 @@ private:
 } // namespace
 
 size_t trim_draws(std::span<VisibleDraw> draws, std::span<const shared::ObjectData> objects, std::span<const Draw> all,
-                  const TrimView& view, std::span<uint32_t> room, double& helpers_ms) {
+                  const std::function<const TrimView&(size_t)>& view_of, std::span<uint32_t> room, double& helpers_ms) {
     const std::vector<Chunk> chunks = chunks_of(draws, all, room.size());
     size_t used = 0; // by whose turn it is
     std::atomic<uint32_t> turn = 0;
@@ -70,12 +76,15 @@ size_t trim_draws(std::span<VisibleDraw> draws, std::span<const shared::ObjectDa
         // Ahead of the room, where nobody knows yet how much those before take; and the room may be slow to write to.
         const auto kept = std::make_unique_for_overwrite<uint32_t[]>(chunks[c].indices);
         std::vector<std::pair<const uint32_t*, size_t>> parts(mine.size());
-        IndexTrimmer trimmer(view);
+        IndexTrimmer trimmer({});
+        const TrimView* view = nullptr; // that it looks from
         uint32_t* out = kept.get();
         for (size_t d = 0; d < mine.size(); ++d) {
             const Draw& draw = all[mine[d].draw];
-            if (!can_be_trimmed(draw) || mine[d].index_count > room.size())
+            if (!is_trimmed(draw) || mine[d].index_count > room.size())
                 continue;
+            if (const TrimView* const own = &view_of(chunks[c].first + d); own != view)
+                trimmer.look_from(*(view = own));
             parts[d] = {out, trimmer.trim(draw, objects[chunks[c].first + d], out)};
             out += parts[d].second;
         }

@@ -16,12 +16,6 @@ struct TrimView {
     bool both_faces = false;      ///< of every material: nothing faces away
 };
 
-/// Indices that one thread takes at a time; fewer altogether are not worth a thread, which takes 50 µs to start.
-constexpr size_t indices_of_a_thread = 3u << 16;
-
-/// Whether the host knows where its vertices are: it does not of what faces the viewer.
-inline bool can_be_trimmed(const Draw& draw) { return draw.primitive && !draw.facing(); }
-
 /// Leaves out triangles that cannot show, on the host: those that face away, those off screen, and those
 /// that cover no sample; whole objects first. A triangle that the device's own rounding might let show is kept, so a
 /// picture is the same byte for byte.

@@ -64,9 +64,9 @@ TEST(TrimCasters, SmallTilesAreLeftFewTriangles) {
     std::vector<uint32_t> room(1u << 24);
     const auto kept = [&](const Maps& maps) {
         size_t sum = 0;
-        const std::vector<resident::TrimmedCaster> casters = resident::trim_casters(*maps.scene, maps.maps, room);
+        const std::vector<resident::VisibleDraw> casters = resident::trim_casters(*maps.scene, maps.maps, room);
         EXPECT_EQ(casters.size(), 120u);
-        for (const resident::TrimmedCaster& caster : casters) {
+        for (const resident::VisibleDraw& caster : casters) {
             EXPECT_TRUE(caster.trimmed);
             EXPECT_EQ(caster.first_index, sum); // one after the other, however many threads there are
             sum += caster.index_count;
@@ -82,7 +82,7 @@ TEST(TrimCasters, SmallTilesAreLeftFewTriangles) {
 TEST(TrimCasters, WhatDoesNotFitIsDrawnWhole) {
     const Maps maps(1024);
     std::vector<uint32_t> room(40 * maps.indices());
-    const std::vector<resident::TrimmedCaster> casters = resident::trim_casters(*maps.scene, maps.maps, room);
+    const std::vector<resident::VisibleDraw> casters = resident::trim_casters(*maps.scene, maps.maps, room);
     size_t trimmed = 0, whole = 0;
     for (size_t c = 0; c < casters.size(); ++c) {
         const resident::Draw& draw = maps.scene->geometry().draws[c % 3];
