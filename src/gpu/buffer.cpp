@@ -19,11 +19,12 @@ Buffer::Buffer(const Context& context, std::string_view name, uint64_t size, VkB
 
     VkMemoryRequirements requirements{};
     vkGetBufferMemoryRequirements(context.device(), handle, &requirements);
-    const bool host = place != BufferPlace::device;
-    const VkMemoryPropertyFlags flags = host
-                                            ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
-                                            : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
-    allocation_ = Allocation(context, requirements.size, context.memory_type(requirements.memoryTypeBits, flags), host);
+    constexpr VkMemoryPropertyFlags host = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    constexpr VkMemoryPropertyFlags device = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    const bool of_host = place != BufferPlace::device;
+    const uint32_t type = context.memory_type(requirements.memoryTypeBits, of_host ? host : device);
+    const bool seen = of_host || (context.memory_flags(type) & host) == host;
+    allocation_ = Allocation(context, requirements.size, type, seen);
     check(vkBindBufferMemory(context.device(), handle, allocation_.memory(), 0), name);
 }
 
@@ -39,18 +40,32 @@ UniqueBufferView make_texel_view(const Context& context, std::string_view name, 
     return {context.device(), handle};
 }
 
-Buffer make_device_buffer(const Context& context, std::string_view name, std::span<const std::byte> bytes,
-                          VkBufferUsageFlags usage) {
-    const uint64_t size = std::max<uint64_t>(bytes.size(), 4);
-    Buffer staging(context, "staging", size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::upload);
-    std::memset(staging.mapped<std::byte>(), 0, 4);
-    std::copy(bytes.begin(), bytes.end(), staging.mapped<std::byte>());
-    Buffer buffer(context, name, size, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferPlace::device);
+Buffer make_device_buffer(const Context& context, std::string_view name, uint64_t size, VkBufferUsageFlags usage,
+                          const std::function<void(std::byte*)>& fill) {
+    const uint64_t room = std::max<uint64_t>(size, 4);
+    const auto fill_room = [&](const Buffer& buffer) {
+        if (size < room)
+            std::memset(buffer.mapped<std::byte>(), 0, room);
+        fill(buffer.mapped<std::byte>());
+    };
+    Buffer buffer(context, name, room, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferPlace::device);
+    if (buffer.mapped<std::byte>()) {
+        fill_room(buffer);
+        return buffer;
+    }
+    const Buffer staging(context, "staging", room, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferPlace::upload);
+    fill_room(staging);
     context.run(name, [&](VkCommandBuffer commands) {
-        const VkBufferCopy region{0, 0, size};
+        const VkBufferCopy region{0, 0, room};
         vkCmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &region);
     });
     return buffer;
+}
+
+Buffer make_device_buffer(const Context& context, std::string_view name, std::span<const std::byte> bytes,
+                          VkBufferUsageFlags usage) {
+    return make_device_buffer(context, name, bytes.size(), usage,
+                              [&](std::byte* to) { std::copy(bytes.begin(), bytes.end(), to); });
 }
 
 } // namespace prelight::gpu

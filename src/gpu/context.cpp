@@ -197,6 +197,12 @@ uint32_t Context::memory_type(uint32_t type_bits, VkMemoryPropertyFlags flags) c
     throw Error(name() + ": no memory type fits");
 }
 
+VkMemoryPropertyFlags Context::memory_flags(uint32_t type) const {
+    const VkMemoryPropertyFlags flags = memory_.memoryTypes[type].propertyFlags;
+    const bool hidden = device_memory_hidden_ && (flags & VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    return hidden ? flags & ~VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) : flags;
+}
+
 bool Context::supports(VkFormat format, VkFormatFeatureFlags wanted) const {
     if (std::find(hidden_formats_.begin(), hidden_formats_.end(), static_cast<uint32_t>(format)) !=
         hidden_formats_.end())

@@ -54,6 +54,9 @@ public:
     /// Index of a memory type out of `type_bits` that has all of `flags`; falls back to any allowed
     /// type when `flags` is only a wish (device local). Throws Error.
     uint32_t memory_type(uint32_t type_bits, VkMemoryPropertyFlags flags) const;
+    VkMemoryPropertyFlags memory_flags(uint32_t type) const;
+    /// Takes the device for one whose own memory the host does not see, in what is made later.
+    void hide_device_memory() { device_memory_hidden_ = true; }
     /// True when images of the format can be used so, with optimal tiling.
     bool supports(VkFormat format, VkFormatFeatureFlags features) const;
 
@@ -111,6 +114,7 @@ private:
     Instance instance_;
     Candidate chosen_;
     std::vector<uint32_t> hidden_formats_;
+    bool device_memory_hidden_ = false;
     VkPhysicalDeviceProperties properties_{};
     VkPhysicalDeviceMemoryProperties memory_{};
     VkDevice device_ = VK_NULL_HANDLE;

@@ -11,11 +11,11 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <parallel/parallel_for.hpp>
 #include <prelight/error.hpp>
 #include <prelight/material_shader.hpp>
 #include <scene/mesh_facts.hpp>
 #include <scene/takes_decals.hpp>
-#include <set>
 #include <shared/bindings.h>
 #include <tuple>
 
@@ -44,30 +44,15 @@ VertexAttributes attributes_at(const Primitive& primitive, size_t v) {
     return a;
 }
 
-void append_attributes(const Primitive& primitive, std::vector<VertexAttributes>& all) {
-    const size_t before = all.size(), count = primitive.positions.size();
-    all.resize(before + count);
-    for (size_t v = 0; v < count; ++v)
-        all[before + v] = attributes_at(primitive, v);
+void write_attributes(const Primitive& primitive, VertexAttributes* to) {
+    for (size_t v = 0; v < primitive.positions.size(); ++v)
+        to[v] = attributes_at(primitive, v);
 }
 
-template <class T>
-std::span<const std::byte> bytes(const std::vector<T>& values) {
-    return std::as_bytes(std::span(values));
-}
-
-/// The world's vertices on the host.
-class Vertices {
+/// The primitives that are shown, one behind the other in each buffer of vertices or indices. A buffer is written where
+/// it is to stay: a second copy on the host would cost as much time as all the rest, for its fresh pages.
+class Parts {
 public:
-    Vertices(bool motion, bool groups) : motion_(motion), grouped_(groups) {}
-
-    /// Room for what add() will bring, so that large scenes are not copied again and again.
-    void reserve(size_t vertex_count, size_t index_count) {
-        positions.reserve(vertex_count);
-        attributes.reserve(vertex_count);
-        indices.reserve(index_count);
-    }
-
     std::vector<Placement> add(const Mesh& mesh) {
         std::vector<Placement> places;
         for (const Primitive& primitive : mesh.primitives)
@@ -75,55 +60,52 @@ public:
         return places;
     }
 
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> previous; ///< as long as positions, or empty: nothing has moved
-    std::vector<VertexAttributes> attributes;
-    std::vector<uint32_t> indices;
-    std::vector<uint32_t> groups; ///< as long as positions, or empty: nobody asked for them
+    size_t vertices() const { return vertices_; }
+    size_t indices() const { return indices_; }
+    bool moved() const { return moved_; } ///< a primitive was elsewhere before
+
+    /// `write(primitive, to)`: one T for each of the primitive's vertices.
+    template <class T, class Write>
+    gpu::Buffer of_vertices(const gpu::Context& context, std::string_view name, VkBufferUsageFlags usage,
+                            const Write& write) const {
+        return make<T>(context, name, usage, vertices_,
+                       [&](const Part& part, T* all) { write(*part.primitive, all + part.first_vertex); });
+    }
+    gpu::Buffer of_indices(const gpu::Context& context, std::string_view name, VkBufferUsageFlags usage) const {
+        return make<uint32_t>(context, name, usage, indices_, [](const Part& part, uint32_t* all) {
+            std::copy(part.primitive->indices.begin(), part.primitive->indices.end(), all + part.first_index);
+        });
+    }
 
 private:
+    struct Part {
+        const Primitive* primitive;
+        size_t first_vertex, first_index;
+    };
+
     Placement add(const Primitive& primitive) {
-        Placement place;
-        place.first_index = static_cast<uint32_t>(indices.size());
-        place.vertex_offset = static_cast<int32_t>(positions.size());
+        Placement place{static_cast<uint32_t>(indices_), static_cast<int32_t>(vertices_)};
         std::tie(place.low, place.high) = box_of(primitive.positions);
-        if (motion_ && !primitive.previous_positions.empty() && !moved_) {
-            previous = positions;
-            moved_ = true;
-        }
-        if (moved_) {
-            const auto& source =
-                primitive.previous_positions.empty() ? primitive.positions : primitive.previous_positions;
-            previous.insert(previous.end(), source.begin(), source.end());
-        }
-        positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
-        append_attributes(primitive, attributes);
-        indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
-        if (grouped_) {
-            const std::vector<uint32_t> smooth = smooth_groups(primitive);
-            groups.insert(groups.end(), smooth.begin(), smooth.end());
-        }
+        parts_.push_back({&primitive, vertices_, indices_});
+        vertices_ += primitive.positions.size();
+        indices_ += primitive.indices.size();
+        moved_ = moved_ || !primitive.previous_positions.empty();
         return place;
     }
 
-    bool motion_, grouped_;
-    bool moved_ = false; ///< a primitive was elsewhere before
-};
-
-void reserve_for(const World& world, Vertices& vertices) {
-    std::set<std::pair<const Mesh*, std::optional<uint32_t>>> shown;
-    size_t vertex_count = 0, index_count = 0;
-    for (const Instance& instance : world.instances) {
-        const Mesh& mesh = drawn_mesh(world, instance);
-        if (!shown.insert({&mesh, instance.deformed}).second)
-            continue;
-        for (const Primitive& primitive : mesh.primitives) {
-            vertex_count += primitive.positions.size();
-            index_count += primitive.indices.size();
-        }
+    template <class T, class Write>
+    gpu::Buffer make(const gpu::Context& context, std::string_view name, VkBufferUsageFlags usage, size_t count,
+                     const Write& write) const {
+        return gpu::make_device_buffer(context, name, count * sizeof(T), usage, [&](std::byte* bytes) {
+            auto* all = reinterpret_cast<T*>(bytes);
+            parallel_for(static_cast<uint32_t>(parts_.size()), [&](uint32_t i) { write(parts_[i], all); });
+        });
     }
-    vertices.reserve(vertex_count, index_count);
-}
+
+    std::vector<Part> parts_;
+    size_t vertices_ = 0, indices_ = 0;
+    bool moved_ = false;
+};
 
 bool device_deforms(const World& world) {
     for (const Instance& instance : world.instances)
@@ -146,8 +128,8 @@ bool VertexRange::fits(const Primitive& primitive) const {
 }
 
 std::vector<VertexAttributes> attributes_of(const Primitive& primitive) {
-    std::vector<VertexAttributes> all;
-    append_attributes(primitive, all);
+    std::vector<VertexAttributes> all(primitive.positions.size());
+    write_attributes(primitive, all.data());
     return all;
 }
 
@@ -180,8 +162,7 @@ void Draw::place(const Instance& instance) {
 
 Geometry upload_geometry(const gpu::Context& context, const World& world, const GpuSceneSettings& settings,
                          const MaterialShaders& shaders, std::span<const DecalBox> decals) {
-    Vertices vertices(settings.motion, settings.surface_ids);
-    reserve_for(world, vertices);
+    Parts parts;
     // Of the meshes that are shown; the device writes vertices of its own for each deformed one.
     std::map<std::pair<const Mesh*, std::optional<uint32_t>>, std::vector<Placement>> placements;
     const bool on_device = device_deforms(world);
@@ -194,7 +175,7 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, const 
         const bool turned = shaped && world.deformations[*instance.deformed].turned;
         const auto [places, is_new] = placements.try_emplace({&mesh, instance.deformed});
         if (is_new) {
-            places->second = vertices.add(mesh);
+            places->second = parts.add(mesh);
             if (instance.deformed)
                 for (size_t p = 0; p < mesh.primitives.size(); ++p)
                     geometry.deformed[*instance.deformed].push_back(
@@ -229,9 +210,9 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, const 
                 draw.features |= FEATURE_SOFT;
         }
     }
-    if (vertices.positions.size() > 0x7fffffffu || vertices.indices.size() > 0xffffffffu)
+    if (parts.vertices() > 0x7fffffffu || parts.indices() > 0xffffffffu)
         throw Error(fmt::format("{}: {} vertices and {} indices are more than one buffer addresses", world.scene->name,
-                                vertices.positions.size(), vertices.indices.size()));
+                                parts.vertices(), parts.indices()));
     std::stable_sort(geometry.draws.begin(), geometry.draws.end(), [](const Draw& a, const Draw& b) {
         return std::tie(a.shader, a.features, a.material, a.mirrored, a.first_index) <
                std::tie(b.shader, b.features, b.material, b.mirrored, b.first_index);
@@ -242,19 +223,29 @@ Geometry upload_geometry(const gpu::Context& context, const World& world, const 
     constexpr VkBufferUsageFlags vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
     const VkBufferUsageFlags storage = settings.trimmed ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0,
                              deforms = on_device ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : 0;
+    const auto write_positions = [](const Primitive& primitive, glm::vec3* to) {
+        std::copy(primitive.positions.begin(), primitive.positions.end(), to);
+    };
     geometry.positions =
-        gpu::make_device_buffer(context, "positions", bytes(vertices.positions), vertex | storage | deforms);
+        parts.of_vertices<glm::vec3>(context, "positions", vertex | storage | deforms, write_positions);
     geometry.attributes =
-        gpu::make_device_buffer(context, "vertex attributes", bytes(vertices.attributes), vertex | deforms);
-    if (settings.motion && on_device && vertices.previous.empty())
-        vertices.previous = vertices.positions; // the device fills in what moves
-    if (!vertices.previous.empty())
-        geometry.previous_positions =
-            gpu::make_device_buffer(context, "previous positions", bytes(vertices.previous), vertex | deforms);
+        parts.of_vertices<VertexAttributes>(context, "vertex attributes", vertex | deforms, write_attributes);
+    if (settings.motion && (on_device || parts.moved())) // the device fills in what it moves
+        geometry.previous_positions = parts.of_vertices<glm::vec3>(
+            context, "previous positions", vertex | deforms, [&](const Primitive& primitive, glm::vec3* to) {
+                const auto& before = primitive.previous_positions;
+                if (before.empty())
+                    write_positions(primitive, to);
+                else
+                    std::copy(before.begin(), before.end(), to);
+            });
     if (settings.surface_ids)
-        geometry.groups = gpu::make_device_buffer(context, "smooth groups", bytes(vertices.groups), vertex);
-    geometry.indices = gpu::make_device_buffer(context, "indices", bytes(vertices.indices),
-                                               VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
+        geometry.groups =
+            parts.of_vertices<uint32_t>(context, "smooth groups", vertex, [](const Primitive& primitive, uint32_t* to) {
+                const std::vector<uint32_t> smooth = smooth_groups(primitive);
+                std::copy(smooth.begin(), smooth.end(), to);
+            });
+    geometry.indices = parts.of_indices(context, "indices", VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
     return geometry;
 }
 

@@ -2,6 +2,7 @@
 #include "devices.hpp"
 #include "programs.hpp"
 #include <gmock/gmock.h>
+#include <gpu/buffer.hpp>
 #include <gpu/texture.hpp>
 #include <map>
 #include <shared/raster.h>
@@ -33,6 +34,33 @@ TEST_P(DeviceMemory, BuffersAreCountedUntilTheyGo) {
         a = gpu::Buffer();
     }
     EXPECT_EQ(held(), start);
+}
+
+TEST_P(DeviceMemory, DeviceBuffersHoldWhatFilledThem) {
+    const std::unique_ptr<gpu::Context> device = make_device(GetParam());
+    for (const bool hidden : {false, true}) {
+        if (hidden)
+            device->hide_device_memory();
+        for (const uint64_t size : {0, 3, 4, 70001}) {
+            const uint64_t buffers = device->created(gpu::Context::Kind::buffer);
+            const gpu::Buffer buffer =
+                gpu::make_device_buffer(*device, "filled", size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, [&](std::byte* to) {
+                    for (uint64_t i = 0; i < size; ++i)
+                        to[i] = static_cast<std::byte>(i * 7 + 1);
+                });
+            EXPECT_EQ(buffer.mapped<std::byte>() == nullptr, hidden);
+            EXPECT_EQ(device->created(gpu::Context::Kind::buffer) - buffers, hidden ? 2u : 1u) << "staging memory";
+            ASSERT_EQ(buffer.size(), std::max<uint64_t>(size, 4));
+            const gpu::Buffer back(*device, "back", buffer.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                   gpu::BufferPlace::readback);
+            device->run("read", [&](VkCommandBuffer commands) {
+                const VkBufferCopy all{0, 0, buffer.size()};
+                vkCmdCopyBuffer(commands, buffer.handle(), back.handle(), 1, &all);
+            });
+            for (uint64_t i = 0; i < back.size(); ++i)
+                ASSERT_EQ(back.mapped<std::byte>()[i], static_cast<std::byte>(i < size ? i * 7 + 1 : 0)) << i;
+        }
+    }
 }
 
 TEST_P(DeviceMemory, AFrameGraphGivesItsMemoryBack) {
