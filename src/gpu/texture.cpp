@@ -97,14 +97,15 @@ Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, c
     finish(uploader.commands(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, count);
 }
 
-Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const std::vector<TextureImage>& levels,
-                 TextureEncoding encoding) {
-    const auto count = static_cast<uint32_t>(levels.size());
-    check_size(context, levels[0]);
-    make(context, pool, name_of(levels[0]), format_of(encoding), levels[0].width, levels[0].height, count);
-    for (uint32_t level = 0; level < count; ++level)
-        copy_level(uploader, stage_texels(uploader, levels[level], encoding), level,
-                   {levels[level].width, levels[level].height});
+Texture::Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const TextureImage& image,
+                 std::span<const TextureImage> smaller, TextureEncoding encoding) {
+    const auto count = static_cast<uint32_t>(1 + smaller.size());
+    check_size(context, image);
+    make(context, pool, name_of(image), format_of(encoding), image.width, image.height, count);
+    for (uint32_t level = 0; level < count; ++level) {
+        const TextureImage& texels = level == 0 ? image : smaller[level - 1];
+        copy_level(uploader, stage_texels(uploader, texels, encoding), level, {texels.width, texels.height});
+    }
     finish(uploader.commands(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, count);
 }
 

@@ -2,6 +2,7 @@
 #include "uploader.hpp"
 #include <prelight/image.hpp>
 #include <prelight/scene.hpp>
+#include <span>
 
 namespace prelight::gpu {
 
@@ -20,12 +21,14 @@ public:
     /// limit.
     Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const TextureImage& image,
             TextureEncoding encoding);
-    /// Level by level as given: each half as wide and high as the one before, at least 1.
-    Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const std::vector<TextureImage>& levels,
-            TextureEncoding encoding);
+    /// Level by level as given, `image` and the `smaller` ones: each half as wide and high as the one before, at
+    /// least 1.
+    Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const TextureImage& image,
+            std::span<const TextureImage> smaller, TextureEncoding encoding);
     /// Half floats, level by level as given: each half as wide and high as the one before, at least 1.
     Texture(const Context& context, MemoryPool& pool, Uploader& uploader, const std::string& name,
             const std::vector<Image>& levels);
+    VkImage image() const { return image_; }
     VkImageView view() const { return view_; }
 
 private:

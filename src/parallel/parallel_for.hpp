@@ -36,4 +36,14 @@ void parallel_for(uint32_t count, Work&& work) {
         std::rethrow_exception(failure);
 }
 
+/// parallel_for() over the rows of a picture, some in each turn: a small picture is not worth a thread.
+template <typename Work>
+void parallel_rows(uint32_t count, Work&& work) {
+    constexpr uint32_t rows = 32;
+    parallel_for((count + rows - 1) / rows, [&](uint32_t turn) {
+        for (uint32_t y = turn * rows; y < count && y < (turn + 1) * rows; ++y)
+            work(y);
+    });
+}
+
 } // namespace prelight

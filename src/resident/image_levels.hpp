@@ -20,7 +20,7 @@ template <class Texel, class TexelAt>
 ImageLevel<Texel> halved(uint32_t width, uint32_t height, const TexelAt& texel_at) {
     ImageLevel<Texel> level{std::max(width / 2, 1u), std::max(height / 2, 1u)};
     level.texels.resize(size_t(level.width) * level.height);
-    parallel_for(level.height, [&](uint32_t y) {
+    parallel_rows(level.height, [&](uint32_t y) {
         const uint32_t bottom = y + 1 == level.height ? height : 2 * y + 2;
         for (uint32_t x = 0; x < level.width; ++x) {
             const uint32_t right = x + 1 == level.width ? width : 2 * x + 2;

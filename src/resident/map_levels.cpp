@@ -4,15 +4,14 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <image/srgb_codes.hpp>
 
 namespace prelight::resident {
 namespace {
 
 Image decoded(const TextureImage& image, uint32_t left, uint32_t width) {
     Image out(width, image.height);
-    std::array<float, 256> linear;
-    for (size_t code = 0; code < linear.size(); ++code)
-        linear[code] = srgb_decode(static_cast<float>(code) / 255);
+    const std::array<float, 256>& linear = srgb_linear();
     for (uint32_t y = 0; y < image.height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             const uint8_t* code = &image.rgba[(size_t(y) * image.width + left + x) * 4];

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/vec4.hpp>
+#include <image/srgb_codes.hpp>
 #include <numeric>
 #include <prelight/image.hpp>
 
@@ -16,11 +17,9 @@ constexpr double slack = 0.1, least_slack = 0.002;
 using MaskLevel = ImageLevel<glm::vec4>; ///< linear
 
 MaskLevel linear_texels(const TextureImage& image) {
-    std::array<float, 256> linear;
-    for (size_t code = 0; code < linear.size(); ++code)
-        linear[code] = srgb_decode(static_cast<float>(code) / 255.0f);
+    const std::array<float, 256>& linear = srgb_linear();
     MaskLevel level{image.width, image.height, std::vector<glm::vec4>(size_t(image.width) * image.height)};
-    parallel_for(image.height, [&](uint32_t y) {
+    parallel_rows(image.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * image.width, end = i + image.width; i < end; ++i)
             for (int c = 0; c < 4; ++c)
                 level.texels[i][c] =
@@ -31,7 +30,7 @@ MaskLevel linear_texels(const TextureImage& image) {
 
 TextureImage with_colours_of(const MaskLevel& level, const std::string& name) {
     TextureImage image{name, level.width, level.height, std::vector<uint8_t>(level.texels.size() * 4)};
-    parallel_for(level.height, [&](uint32_t y) {
+    parallel_rows(level.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * level.width, end = i + level.width; i < end; ++i)
             for (int c = 0; c < 3; ++c)
                 image.rgba[4 * i + c] = unorm_byte(srgb_encode(level.texels[i][c]));
@@ -44,45 +43,66 @@ void scale_alpha(TextureImage& image, const MaskLevel& level, float factor) {
         image.rgba[4 * i + 3] = unorm_byte(level.texels[i].a * factor);
 }
 
-/// Alpha in codes at a place 0 … 1.
-float alpha_at(const TextureImage& image, const Sampler& sampler, double u, double v) {
-    const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+/// Where a texture is read at one place: between four texels, from their alpha's bytes.
+struct Footprint {
+    std::array<size_t, 4> alpha; ///< left and right above, left and right below
+    float s, t;                  ///< of the way to the right, and down
+};
+
+/// At a place 0 … 1.
+Footprint footprint(uint32_t image_width, uint32_t image_height, const Sampler& sampler, double u, double v) {
+    const auto width = static_cast<int>(image_width), height = static_cast<int>(image_height);
     const auto inside = [](int i, int size, Wrap wrap) {
         return wrap == Wrap::repeat ? (i + size) % size : std::clamp(i, 0, size - 1);
     };
     const auto alpha = [&](int x, int y) {
-        return static_cast<float>(image.rgba[4 * (size_t(inside(y, height, sampler.wrap_t)) * image.width +
-                                                  size_t(inside(x, width, sampler.wrap_s))) +
-                                             3]);
+        return 4 * (size_t(inside(y, height, sampler.wrap_t)) * image_width +
+                    size_t(inside(x, width, sampler.wrap_s))) +
+               3;
     };
     const auto x = static_cast<float>(u * width), y = static_cast<float>(v * height);
-    if (sampler.min == Filter::nearest)
-        return alpha(static_cast<int>(x), static_cast<int>(y));
-    const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f), s = x - 0.5f - left, t = y - 0.5f - top;
-    const auto row = [&](int line) {
-        return (1 - s) * alpha(static_cast<int>(left), line) + s * alpha(static_cast<int>(left) + 1, line);
-    };
-    return (1 - t) * row(static_cast<int>(top)) + t * row(static_cast<int>(top) + 1);
+    if (sampler.min == Filter::nearest) {
+        const size_t nearest = alpha(static_cast<int>(x), static_cast<int>(y));
+        return {{nearest, nearest, nearest, nearest}, 0, 0};
+    }
+    const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
+    const auto column = static_cast<int>(left), row = static_cast<int>(top);
+    return {{alpha(column, row), alpha(column + 1, row), alpha(column, row + 1), alpha(column + 1, row + 1)},
+            x - 0.5f - left,
+            y - 0.5f - top};
 }
 
-/// Alpha in codes at points that are spread evenly (M. Roberts' R2 sequence).
-std::vector<float> alpha_at_points(const TextureImage& image, const Sampler& sampler) {
-    std::vector<float> alpha(8192);
-    for (size_t i = 0; i < alpha.size(); ++i) {
+/// At points that are spread evenly (M. Roberts' R2 sequence).
+std::vector<Footprint> footprints(const TextureImage& image, const Sampler& sampler) {
+    std::vector<Footprint> points(8192);
+    for (size_t i = 0; i < points.size(); ++i) {
         const double number = static_cast<double>(i + 1), u = number * 0.7548776662466927,
                      v = number * 0.5698402909980532;
-        alpha[i] = alpha_at(image, sampler, u - std::floor(u), v - std::floor(v));
+        points[i] = footprint(image.width, image.height, sampler, u - std::floor(u), v - std::floor(v));
     }
+    return points;
+}
+
+/// Alpha in codes.
+float alpha_at(const TextureImage& image, const Footprint& point) {
+    const auto alpha = [&](size_t i) { return static_cast<float>(image.rgba[point.alpha[i]]); };
+    const auto row = [&](size_t i) { return (1 - point.s) * alpha(i) + point.s * alpha(i + 1); };
+    return (1 - point.t) * row(0) + point.t * row(2);
+}
+
+std::vector<float> alpha_at_points(const TextureImage& image, const Sampler& sampler) {
+    std::vector<float> alpha;
+    for (const Footprint& point : footprints(image, sampler))
+        alpha.push_back(alpha_at(image, point));
     return alpha;
 }
 
 /// Coverage half-way between two levels; `fine`: at the points.
-double coverage_between(const std::vector<float>& fine, const TextureImage& coarse, float cutoff,
-                        const Sampler& sampler) {
-    const std::vector<float> other = alpha_at_points(coarse, sampler);
+double coverage_between(const std::vector<float>& fine, const TextureImage& coarse,
+                        const std::vector<Footprint>& points, float cutoff) {
     uint32_t passed = 0;
     for (size_t i = 0; i < fine.size(); ++i)
-        passed += fine[i] + other[i] >= 2 * cutoff * 255.0f ? 1 : 0;
+        passed += fine[i] + alpha_at(coarse, points[i]) >= 2 * cutoff * 255.0f ? 1 : 0;
     return static_cast<double>(passed) / static_cast<double>(fine.size());
 }
 
@@ -96,10 +116,11 @@ bool keep_coverage(TextureImage& image, const MaskLevel& level, const TextureIma
     bool good = false;
     const bool mixed = sampler.mip == MipFilter::linear;
     const std::vector<float> fine = mixed ? alpha_at_points(finer, sampler) : std::vector<float>();
+    const std::vector<Footprint> points = mixed ? footprints(image, sampler) : std::vector<Footprint>();
     const auto coverage = [&](float factor) {
         scale_alpha(image, level, factor);
         const double here = mask_coverage(image, cutoff, sampler, sampler.min);
-        const double between = mixed ? coverage_between(fine, image, cutoff, sampler) : here;
+        const double between = mixed ? coverage_between(fine, image, points, cutoff) : here;
         const double mean = (2 * here + between) / 3;
         if (std::abs(mean - wanted) < off) {
             off = std::abs(mean - wanted);
@@ -134,7 +155,7 @@ double mask_coverage(const TextureImage& image, float cutoff, const Sampler& sam
         return i + 1 < size ? i + 1 : wrap == Wrap::repeat ? 0 : i;
     };
     std::vector<uint64_t> passed(height, 0);
-    parallel_for(height, [&](uint32_t y) {
+    const auto count_row = [&](uint32_t y) {
         const uint32_t below = next(y, height, sampler.wrap_t);
         for (uint32_t x = 0; x < width; ++x) {
             const float a = alpha(x, y);
@@ -158,7 +179,8 @@ double mask_coverage(const TextureImage& image, float cutoff, const Sampler& sam
                         from + (static_cast<float>(u) + 0.5f) / static_cast<float>(side) * (to - from) >= least ? 1 : 0;
             }
         }
-    });
+    };
+    parallel_rows(height, count_row);
     return static_cast<double>(std::accumulate(passed.begin(), passed.end(), uint64_t(0))) /
            (static_cast<double>(cells) * side * side);
 }

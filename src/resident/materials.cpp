@@ -1,5 +1,6 @@
 #include "environment.hpp"
 #include "mask_levels.hpp"
+#include "mip_levels.hpp"
 #include "normal_map_levels.hpp"
 #include "reflectance_table.hpp"
 #include "scene.hpp"
@@ -142,11 +143,18 @@ private:
                                                                           : images::Texels::values,
                                              context_.limits().maxImageDimension2D);
         const TextureImage& texels = smaller ? *smaller : source;
+        return out_.textures.emplace(key, make_texture(texels, use, encoding)).first->second;
+    }
+    gpu::Texture make_texture(const TextureImage& texels, TextureUse use, gpu::TextureEncoding encoding) {
         if (use == TextureUse::normals)
-            return out_.textures
-                .emplace(key, gpu::Texture(context_, out_.pool, uploader_, normal_map_levels(texels), encoding))
-                .first->second;
-        return out_.textures.emplace(key, gpu::Texture(context_, out_.pool, uploader_, texels, encoding)).first->second;
+            return with_levels(normal_map_levels(texels), encoding);
+        // A software device compiles its blit between levels at every start, which takes longer than the levels here.
+        if (context_.is_software())
+            return {context_, out_.pool, uploader_, texels, mip_levels(texels, use == TextureUse::colour), encoding};
+        return {context_, out_.pool, uploader_, texels, encoding};
+    }
+    gpu::Texture with_levels(const std::vector<TextureImage>& levels, gpu::TextureEncoding encoding) {
+        return {context_, out_.pool, uploader_, levels[0], std::span(levels).subspan(1), encoding};
     }
     /// One for each cut-off and way of filtering.
     const gpu::Texture& find_mask(const TextureRef& ref, float cutoff) {
@@ -158,9 +166,7 @@ private:
         const auto found = out_.masks.find(key);
         if (found != out_.masks.end())
             return found->second;
-        return out_.masks
-            .emplace(key, gpu::Texture(context_, out_.pool, uploader_, mask_levels(source, cutoff, s),
-                                       gpu::TextureEncoding::srgb8))
+        return out_.masks.emplace(key, with_levels(mask_levels(source, cutoff, s), gpu::TextureEncoding::srgb8))
             .first->second;
     }
     VkSampler find_sampler(const Sampler& sampler) {

@@ -18,7 +18,7 @@ glm::vec3 unit_normal(const uint8_t* texel) {
 
 TextureImage texels_of(const NormalLevel& level, const std::string& name) {
     TextureImage image{name, level.width, level.height, std::vector<uint8_t>(level.texels.size() * 4)};
-    parallel_for(level.height, [&](uint32_t y) {
+    parallel_rows(level.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * level.width, end = i + level.width; i < end; ++i) {
             const glm::vec3 n = level.texels[i];
             const float length = std::clamp(glm::length(n), 1e-6f, 1.0f);

@@ -3,18 +3,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <image/srgb_codes.hpp>
 #include <scene/images/scaled_picture.hpp>
 
 namespace prelight::images {
 namespace {
-
-std::array<float, 256> make_linear() {
-    std::array<float, 256> linear;
-    for (size_t code = 0; code < linear.size(); ++code)
-        linear[code] = srgb_decode(static_cast<float>(code) / 255);
-    return linear;
-}
-const std::array<float, 256> linear = make_linear();
 
 /// Linear light from which on the next code is nearer.
 std::array<float, 255> make_bounds() {
@@ -55,6 +48,7 @@ void ScaledPicture::row_done() {
 }
 
 void ScaledPicture::add(const uint8_t* rgba) {
+    const std::array<float, 256>& linear = srgb_linear();
     ++rows_in_box_;
     for (uint32_t x = 0; x < width_; ++x, rgba += 4) {
         float* sum = &sums_[size_t(std::min(x >> halvings_, out_.width - 1)) * 4];

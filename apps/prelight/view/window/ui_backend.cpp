@@ -33,7 +33,8 @@ TextureImage font_image() {
 
 UiBackend::UiBackend(const gpu::Context& context, VkFormat format) : context_(context), memory_(context) {
     gpu::Uploader uploader(context);
-    font_.emplace(context, memory_, uploader, font_image(), gpu::TextureEncoding::linear8);
+    font_.emplace(context, memory_, uploader, font_image(), std::span<const TextureImage>(), // drawn at its size
+                  gpu::TextureEncoding::linear8);
     uploader.finish();
     const Sampler linear{.wrap_s = Wrap::clamp_to_edge, .wrap_t = Wrap::clamp_to_edge, .mip = MipFilter::none};
     sampler_ = gpu::make_sampler(context, linear, gpu::TextureFilter::trilinear);
