@@ -59,13 +59,15 @@
 #define INPUT_EDGE_COUNTS 60
 #define INPUT_SAMPLE_DIFFUSE 61
 #define INPUT_SAMPLE_SPECULAR 62
-// light lists
-// Of the window's own shaders (ui.vert, ui.frag), which have one set
+
+// Of the window's own shaders (window_picture.frag, ui.vert, ui.frag), which have one set
+#define WINDOW_PICTURE 0
 #define UI_TEXTURE 0
 #define UI_POSITION 0
 #define UI_TEXCOORD 1
 #define UI_COLOUR 2
 
+// light lists
 #define INPUT_LIGHT_CELLS 8
 #define INPUT_LIGHT_ENTRIES 9
 #define INPUT_COARSE_CELLS 10

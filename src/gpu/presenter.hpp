@@ -1,7 +1,9 @@
 #pragma once
 #include "buffer.hpp"
 #include "command_slot.hpp"
+#include "descriptors.hpp"
 #include "frames_in_flight.hpp"
+#include "pipeline.hpp"
 #include "shown_image.hpp"
 #include "swapchain.hpp"
 #include <functional>
@@ -45,7 +47,10 @@ private:
         uint64_t value = 0; ///< of the timeline, at its end; 0: not in flight
     };
     void wait(Slot& slot);
+    void make_pipeline();
     void make_picture(VkExtent2D extent);
+    void make_set();
+    void draw_picture(VkCommandBuffer commands, VkExtent2D window) const;
     void copy_taken(VkCommandBuffer commands);
     void record(VkCommandBuffer commands, uint32_t index, uint32_t slot,
                 const std::function<void(const OverlayContext&)>& overlay);
@@ -57,6 +62,12 @@ private:
     std::optional<ShownImage> taken_;
     UniqueImage picture_;
     Allocation memory_;
+    UniqueImageView view_;
+    UniqueSampler sampler_;
+    VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
+    DescriptorSets set_;
+    GraphicsPipeline pipeline_; ///< of the picture in the window; what the driver makes of it is kept between starts,
+                                ///< which what a blit needs would not be
     VkExtent2D extent_{};
     bool filled_ = false; ///< the picture has been copied once
 };

@@ -48,7 +48,7 @@ void Swapchain::choose_format() {
                   "window");
     for (const VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM}) {
         const auto found = std::ranges::find(formats, wanted, &VkSurfaceFormatKHR::format);
-        if (found == formats.end() || !context_.supports(wanted, VK_FORMAT_FEATURE_BLIT_DST_BIT))
+        if (found == formats.end() || !context_.supports(wanted, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT))
             continue;
         format_ = *found;
         return;
@@ -59,8 +59,6 @@ void Swapchain::choose_format() {
 void Swapchain::make(VkExtent2D window) {
     VkSurfaceCapabilitiesKHR can{};
     check_surface(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical(), surface_, &can), "window");
-    if (!(can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
-        throw Error(context_.name() + ": pictures cannot be copied into the window");
     VkExtent2D extent = can.currentExtent;
     if (extent.width == 0xffffffffu) // the window takes the images' size
         extent = {std::clamp(window.width, can.minImageExtent.width, can.maxImageExtent.width),
@@ -80,7 +78,7 @@ void Swapchain::make(VkExtent2D window) {
     info.imageColorSpace = format_.colorSpace;
     info.imageExtent = extent;
     info.imageArrayLayers = 1;
-    info.imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    info.imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT; // which every surface has
     info.preTransform = can.currentTransform;
     info.compositeAlpha = can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
                               ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
