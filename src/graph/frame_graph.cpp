@@ -3,6 +3,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <gpu/check.hpp>
+#include <parallel/parallel_for.hpp>
 #include <prelight/error.hpp>
 #include <shared/bindings.h>
 #include <shared/raster.h>
@@ -312,6 +313,7 @@ void FrameGraph::write_rasters() {
 
 void FrameGraph::prepare_passes() {
     write_rasters();
+    std::vector<PassInterface> interfaces;
     for (size_t p = 0; p < passes_.size(); ++p) {
         const auto& pass = passes_[p];
         std::vector<std::vector<gpu::Binding>> sets;
@@ -334,9 +336,13 @@ void FrameGraph::prepare_passes() {
             interface.attachments.stencil = interface.attachments.depth;
         if (pass->target())
             interface.attachments.samples = raster(*pass->target()).samples;
-        if (pass->prepare_)
-            pass->prepare_(interface);
+        interfaces.push_back(std::move(interface));
     }
+    // Drivers take most of the time here, to compile pipelines.
+    parallel_for(static_cast<uint32_t>(passes_.size()), [&](uint32_t p) {
+        if (passes_[p]->prepare_)
+            passes_[p]->prepare_(interfaces[p]);
+    });
 }
 
 } // namespace prelight::graph

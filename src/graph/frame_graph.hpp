@@ -79,6 +79,7 @@ public:
     Pass& raster(const gpu::Raster& raster);
     /// The pass stays even where nothing that the graph knows needs it.
     Pass& always();
+    /// Makes what the pass draws with; called in any thread, beside other passes'.
     Pass& prepare(std::function<void(const PassInterface&)> callback);
     /// Commands that may not stand inside of rendering, recorded before it begins.
     Pass& before_rendering(std::function<void(const PassContext&)> callback);

@@ -32,10 +32,14 @@ std::span<const uint32_t> MaterialShaders::code(uint32_t index, const gpu::Shade
     const MaterialShader& shader = *shaders_[index];
     if (shader.file.empty())
         return gpu::find_shader({stage.file, stage.variants | gpu::Variant::own_material, names_[index]});
-    auto found = compiled_.find({index, stage});
-    if (found == compiled_.end())
-        found = compiled_.emplace(std::pair(index, stage), gpu::compile_material(shader, stage)).first;
-    return found->second;
+    {
+        const std::scoped_lock lock(*mutex_);
+        if (const auto found = compiled_.find({index, stage}); found != compiled_.end())
+            return found->second;
+    }
+    std::vector<uint32_t> code = gpu::compile_material(shader, stage); // beside other stages
+    const std::scoped_lock lock(*mutex_);
+    return compiled_.emplace(std::pair(index, stage), std::move(code)).first->second;
 }
 
 } // namespace prelight::resident

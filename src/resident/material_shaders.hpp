@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <gpu/shader_key.hpp>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <prelight/material_shader.hpp>
 #include <prelight/scene.hpp>
 #include <span>
@@ -11,7 +13,7 @@
 namespace prelight::resident {
 
 /// The shaders that a scene's materials are shaded with: 0 is the renderer's own, the others come in the order
-/// of the materials. What is not built in is compiled once a stage, when it is asked for.
+/// of the materials. What is not built in is compiled once a stage, when it is asked for, by any thread.
 class MaterialShaders {
 public:
     MaterialShaders() = default;
@@ -26,6 +28,7 @@ private:
     std::vector<std::shared_ptr<const MaterialShader>> shaders_{nullptr};
     std::vector<std::string> names_{""};
     mutable std::map<std::pair<uint32_t, gpu::ShaderKey>, std::vector<uint32_t>> compiled_;
+    std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>(); ///< of `compiled_`
 };
 
 } // namespace prelight::resident

@@ -1,8 +1,12 @@
 // Renderers on one device share what is built of equal descriptions, and nothing else.
 #include "devices.hpp"
+#include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <gpu/descriptors.hpp>
 #include <gpu/pipeline_library.hpp>
+#include <mutex>
+#include <thread>
 
 namespace prelight {
 namespace {
@@ -67,6 +71,30 @@ TEST_F(Library, EqualPipelinesAreBuiltOnce) {
         EXPECT_NE(others.back(), first) << others.size();
     }
     EXPECT_EQ(calls, 1 + int(others.size()));
+}
+
+TEST_F(Library, BuildsDifferentPipelinesAtOnceAndEqualOnesOnce) {
+    std::mutex mutex;
+    std::condition_variable both;
+    int building = 0, calls = 0;
+    bool met = true;
+    const auto find = [&](const char* name) {
+        context().pipelines().find(gpu::ComputePipelineDesc{.name = name, .shader = "at_once.comp"}, [&] {
+            std::unique_lock lock(mutex);
+            ++calls;
+            ++building;
+            both.notify_all();
+            met = both.wait_for(lock, std::chrono::seconds(20), [&] { return building == 2; }) && met;
+            return std::make_shared<const gpu::BuiltPipeline>();
+        });
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (const char* name : {"one", "two", "one", "two"})
+            threads.emplace_back(find, name);
+    }
+    EXPECT_TRUE(met) << "one waited for the other to be built";
+    EXPECT_EQ(calls, 2);
 }
 
 TEST_F(Library, KeepsWhatNobodyUsesAnyMore) {
