@@ -156,9 +156,11 @@ std::vector<double> sample(const AnimationSampler& sampler, double time, size_t 
     return out;
 }
 
-Pose::Pose(const Scene& scene, double time, std::optional<uint32_t> animation) : scene_(scene) {
-    if (!std::isfinite(time))
-        throw Error(fmt::format("{}: the time {} is not finite", scene.name, time));
+Pose::Pose(const Scene& scene, std::span<const double> times, std::optional<uint32_t> animation)
+    : scene_(scene), times_(times.size()) {
+    for (const double time : times)
+        if (!std::isfinite(time))
+            throw Error(fmt::format("{}: the time {} is not finite", scene.name, time));
     if (animation && *animation >= scene.animations.size())
         throw Error(fmt::format("{}: animation {}: the file has {}", scene.name, *animation, scene.animations.size()));
     size_t channels = 0;
@@ -167,10 +169,10 @@ Pose::Pose(const Scene& scene, double time, std::optional<uint32_t> animation) :
     moved_.reserve(std::min(channels, scene.nodes.size()));
     for (uint32_t i = 0; i < scene.animations.size(); ++i)
         if (!animation || *animation == i)
-            apply(i, time);
+            apply(i, times);
 }
 
-void Pose::apply(uint32_t index, double time) {
+void Pose::apply(uint32_t index, std::span<const double> times) {
     const Animation& animation = scene_.animations[index];
     for (size_t c = 0; c < animation.channels.size(); ++c) {
         const AnimationChannel& channel = animation.channels[c];
@@ -195,17 +197,21 @@ void Pose::apply(uint32_t index, double time) {
         if (sampler.times.empty() || sampler.values.size() != sampler.times.size() * width * parts)
             fail(fmt::format("its sampler has {} values for {} keyframes of {}", sampler.values.size(),
                              sampler.times.size(), width * parts));
-        if (weights) {
-            moved.weights.resize(width);
+        if (weights)
             moved.weights_sampler = &sampler;
-            sample_values(sampler, time, moved.weights);
-        } else if (rotation) {
-            const Quaternion q = sample_rotation(sampler, time);
-            moved.trs.rotation = glm::dquat(q[3], q[0], q[1], q[2]);
-        } else {
-            std::array<double, 3> v;
-            sample_values(sampler, time, v);
-            (channel.path == AnimationPath::scale ? moved.trs.scale : moved.trs.translation) = {v[0], v[1], v[2]};
+        for (size_t t = 0; t < times.size(); ++t) {
+            Trs& trs = moved.trs[t];
+            if (weights) {
+                moved.weights[t].resize(width);
+                sample_values(sampler, times[t], moved.weights[t]);
+            } else if (rotation) {
+                const Quaternion q = sample_rotation(sampler, times[t]);
+                trs.rotation = glm::dquat(q[3], q[0], q[1], q[2]);
+            } else {
+                std::array<double, 3> v;
+                sample_values(sampler, times[t], v);
+                (channel.path == AnimationPath::scale ? trs.scale : trs.translation) = {v[0], v[1], v[2]};
+            }
         }
     }
 }
@@ -215,7 +221,7 @@ Pose::Moved& Pose::moved_at(uint32_t node) {
         at_.resize(scene_.nodes.size(), still);
     if (at_[node] == still) {
         at_[node] = static_cast<uint32_t>(moved_.size());
-        moved_.push_back({.trs = scene_.nodes[node].trs.value_or(Trs{})});
+        moved_.emplace_back().trs.fill(scene_.nodes[node].trs.value_or(Trs{}));
     }
     return moved_[at_[node]];
 }
@@ -224,9 +230,9 @@ const Pose::Moved* Pose::find(uint32_t node) const {
     return at_.empty() || at_[node] == still ? nullptr : &moved_[at_[node]];
 }
 
-glm::dmat4 Pose::local(uint32_t node) const {
+glm::dmat4 Pose::local(uint32_t node, size_t time) const {
     const Moved* const moved = find(node);
-    return moved && moved->is_placed() ? moved->trs.matrix() : scene_.nodes[node].local;
+    return moved && moved->is_placed() ? moved->trs[time].matrix() : scene_.nodes[node].local;
 }
 
 const AnimationSampler* Pose::weights_sampler(uint32_t node) const {
@@ -234,11 +240,11 @@ const AnimationSampler* Pose::weights_sampler(uint32_t node) const {
     return moved ? moved->weights_sampler : nullptr;
 }
 
-std::vector<double> Pose::weights(uint32_t index) const {
+std::vector<double> Pose::weights(uint32_t index, size_t time) const {
     const Node& node = scene_.nodes[index];
     const size_t count = node.mesh ? morph_targets(scene_.meshes[*node.mesh]) : 0;
     if (const Moved* const moved = find(index); moved && moved->weights_sampler)
-        return moved->weights;
+        return moved->weights[time];
     std::vector<double> weights(count);
     const auto& given = !node.weights.empty() || count == 0 ? node.weights : scene_.meshes[*node.mesh].weights;
     for (size_t i = 0; i < std::min(count, given.size()); ++i)

@@ -2,6 +2,7 @@
 #include <array>
 #include <prelight/animation.hpp>
 #include <prelight/scene.hpp>
+#include <span>
 #include <vector>
 
 namespace prelight {
@@ -10,27 +11,30 @@ namespace prelight {
 /// which come out of unit length.
 std::vector<double> sample(const AnimationSampler& sampler, double time, size_t width, bool rotation);
 
-/// What animations make of the nodes at one time.
+/// What animations make of the nodes at one time, or at two: now, and the moment before. Two cost little more than one:
+/// most of the time goes into waiting for the memory that holds keyframes.
 class Pose {
 public:
+    static constexpr size_t most_times = 2;
     /// The scene at rest.
-    explicit Pose(const Scene& scene) : scene_(scene) {}
-    /// `animation`: the only one to take; absent: all, the first that changes a property wins.
+    explicit Pose(const Scene& scene) : scene_(scene), times_(1) {}
+    /// `times`: one or two. `animation`: the only one to take; absent: all, the first that changes a property wins.
     /// Throws Error when a channel does not fit its node or its sampler.
-    Pose(const Scene& scene, double time, std::optional<uint32_t> animation);
+    Pose(const Scene& scene, std::span<const double> times, std::optional<uint32_t> animation);
 
-    /// Node → parent.
-    glm::dmat4 local(uint32_t node) const;
+    size_t times() const { return times_; }
+    /// Node → parent, at one of the times.
+    glm::dmat4 local(uint32_t node, size_t time) const;
     /// One for each morph target of the node's mesh; missing ones are 0.
-    std::vector<double> weights(uint32_t node) const;
+    std::vector<double> weights(uint32_t node, size_t time) const;
     /// What moves them; null: nothing does.
     const AnimationSampler* weights_sampler(uint32_t node) const;
 
 private:
-    /// What a channel has changed of a node.
+    /// What channels have changed of a node.
     struct Moved {
-        Trs trs;
-        std::vector<double> weights;
+        std::array<Trs, most_times> trs;
+        std::array<std::vector<double>, most_times> weights;
         const AnimationSampler* weights_sampler = nullptr;
         std::array<bool, 4> taken{}; ///< by AnimationPath
         bool is_placed() const {
@@ -39,10 +43,11 @@ private:
         }
     };
     static constexpr uint32_t still = 0xffffffffu;
-    void apply(uint32_t animation, double time);
+    void apply(uint32_t animation, std::span<const double> times);
     Moved& moved_at(uint32_t node);
     const Moved* find(uint32_t node) const;
     const Scene& scene_;
+    size_t times_;
     std::vector<uint32_t> at_; ///< by node: where in `moved_`, or `still`; empty: nothing moves
     std::vector<Moved> moved_;
 };

@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <future>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
@@ -15,6 +15,7 @@
 #include <scene/mesh_facts.hpp>
 #include <scene/node_tree.hpp>
 #include <scene/place_camera.hpp>
+#include <span>
 #include <tuple>
 
 namespace prelight {
@@ -59,31 +60,24 @@ bool finite_shape(const Deformation& made) {
            std::all_of(made.previous_joints.begin(), made.previous_joints.end(), finite);
 }
 
-/// Fewer nodes are placed before another thread has begun.
-constexpr size_t few_nodes = 512;
+/// The times at which nodes are wanted.
+constexpr size_t now = 0, before = 1;
 
-/// All nodes as they are at the moment, and as they were at its previous state; many of them at the same time.
-struct PlacedNodes {
-    PlacedNodes(const Scene& scene, uint32_t root, const std::optional<Moment>& moment,
-                std::optional<uint32_t> animation) {
-        const auto at = [&](double time) { return NodeTree(scene, root, Pose(scene, time, animation)); };
-        std::future<NodeTree> earlier;
-        if (moment && moment->interval != 0)
-            earlier = std::async(scene.nodes.size() > few_nodes ? std::launch::async : std::launch::deferred, at,
-                                 moment->time - moment->interval);
-        now.emplace(moment ? at(moment->time) : NodeTree(scene, root, Pose(scene)));
-        if (earlier.valid())
-            before.emplace(earlier.get());
-    }
-    std::optional<NodeTree> now, before;
-};
+/// All nodes as they are at the moment, and as they were at its previous state.
+NodeTree placed_nodes(const Scene& scene, uint32_t root, const std::optional<Moment>& moment,
+                      std::optional<uint32_t> animation) {
+    if (!moment)
+        return {scene, root, Pose(scene)};
+    const std::array times{moment->time, moment->time - moment->interval};
+    return {scene, root, Pose(scene, std::span(times).first(moment->interval != 0 ? 2 : 1), animation)};
+}
 
 class Resolver {
 public:
     Resolver(const Scene& scene, const std::vector<MeshFacts>& facts, uint32_t scene_index,
-             const std::optional<Moment>& moment, PlacedNodes nodes, bool host_vertices)
+             const std::optional<Moment>& moment, NodeTree nodes, bool host_vertices)
         : scene_(scene), scene_index_(scene_index), host_vertices_(host_vertices), facts_(facts),
-          now_(std::move(*nodes.now)), before_(std::move(nodes.before)) {
+          nodes_(std::move(nodes)) {
         if (moment) {
             time_ = moment->time;
             interval_ = moment->interval;
@@ -108,9 +102,8 @@ public:
             const auto [index, above] = stack.back();
             stack.pop_back();
             const Node& node = scene_.nodes[index];
-            check_finite(now_.world(index), index);
-            if (before_)
-                check_finite(before_->world(index), index);
+            for (size_t time = 0; time < nodes_.times(); ++time)
+                check_finite(nodes_.world(index, time), index);
             const bool visible = above && node.visible;
             if (visible)
                 show_contents(node, index);
@@ -133,6 +126,9 @@ public:
     }
 
 private:
+    /// Else nothing has moved.
+    bool has_before() const { return nodes_.times() > before; }
+
     void check_finite(const glm::dmat4& transform, uint32_t node) const {
         if (!is_finite(transform))
             throw Error(fmt::format("{}: node {}: its world transform is not finite", scene_.name, node));
@@ -140,7 +136,7 @@ private:
 
     /// All that KHR_node_visibility may hide.
     void show_contents(const Node& node, uint32_t index) {
-        const glm::dmat4& world = now_.world(index);
+        const glm::dmat4& world = nodes_.world(index, now);
         if (node.mesh && facts_[*node.mesh].triangles > 0)
             show(node, index);
         if (node.light)
@@ -154,9 +150,9 @@ private:
     }
 
     void add_camera(const Camera& camera, uint32_t node) {
-        PlacedCamera placed = place_camera(camera, now_.world(node));
-        if (before_) {
-            const PlacedCamera previous = place_camera(camera, before_->world(node));
+        PlacedCamera placed = place_camera(camera, nodes_.world(node, now));
+        if (has_before()) {
+            const PlacedCamera previous = place_camera(camera, nodes_.world(node, before));
             if (previous.position != placed.position || previous.axes != placed.axes)
                 placed.previous = CameraPose{previous.position, previous.axes};
         }
@@ -167,22 +163,22 @@ private:
     void show(const Node& node, uint32_t index) {
         const Mesh& mesh = scene_.meshes[*node.mesh];
         const bool skinned = node.skin && has_joints(mesh);
-        const Shape shape = shape_of(now_, node, index, skinned);
-        const Shape previous = before_ ? shape_of(*before_, node, index, skinned) : shape;
+        const Shape shape = shape_of(node, index, skinned, now);
+        const Shape previous = has_before() ? shape_of(node, index, skinned, before) : shape;
         Instance instance{.mesh = *node.mesh, .node = index, .receives_decals = node.receives_decals};
         glm::dvec3 origin(0);
-        if (now_.weights_sampler(index) || !is_plain(mesh, shape) || !is_plain(mesh, previous))
+        if (nodes_.weights_sampler(index) || !is_plain(mesh, shape) || !is_plain(mesh, previous))
             std::tie(instance.deformed, origin) = deformed(node, index, shape, previous);
         if (skinned) {
             instance.transform[3] = glm::dvec4(origin, 1);
             add_instance(instance);
             return;
         }
-        const bool moved = before_ && before_->world(index) != now_.world(index);
+        const bool moved = has_before() && nodes_.world(index, before) != nodes_.world(index, now);
         const auto place = [&](const glm::dmat4& in_node) {
-            instance.transform = now_.world(index) * in_node;
+            instance.transform = nodes_.world(index, now) * in_node;
             if (moved)
-                instance.previous_transform = before_->world(index) * in_node;
+                instance.previous_transform = nodes_.world(index, before) * in_node;
             add_instance(instance);
         };
         if (node.instances.empty())
@@ -191,10 +187,10 @@ private:
             place(in_node);
     }
 
-    Shape shape_of(NodeTree& tree, const Node& node, uint32_t index, bool skinned) const {
-        Shape shape{.weights = tree.weights(index)};
+    Shape shape_of(const Node& node, uint32_t index, bool skinned, size_t time) {
+        Shape shape{.weights = nodes_.weights(index, time)};
         if (skinned)
-            shape.joints = tree.joints(*node.skin);
+            shape.joints = nodes_.joints(*node.skin, time);
         return shape;
     }
 
@@ -203,7 +199,7 @@ private:
     std::pair<uint32_t, glm::dvec3> deformed(const Node& node, uint32_t index, const Shape& shape,
                                              const Shape& previous) {
         const std::optional<uint32_t> skin = shape.joints.empty() ? std::nullopt : node.skin;
-        const AnimationSampler* const moving = now_.weights_sampler(index);
+        const AnimationSampler* const moving = nodes_.weights_sampler(index);
         const auto [found, is_new] =
             made_.try_emplace(moving ? Key{*node.mesh, skin, moving, {}, {}}
                                      : Key{*node.mesh, skin, moving, shape.weights, previous.weights});
@@ -218,7 +214,7 @@ private:
         const Deformation& made = world_.deformations.emplace_back(std::move(described));
         if (!host_vertices_ && !finite_shape(made)) // else each vertex is looked at
             throw Error(fmt::format("{}: it is deformed to a place that is not finite", object()));
-        const uint64_t vertices = vertex_count(mesh), work = host_vertices_ ? deform_work(mesh) * (before_ ? 2 : 1) : 0;
+        const uint64_t vertices = vertex_count(mesh), work = host_vertices_ ? deform_work(mesh) * nodes_.times() : 0;
         if (vertices > max_deformed_vertices - deformed_vertices_ || work > max_deform_work - deform_work_)
             throw Error(fmt::format("{}: the scene's skins and morph targets move more vertices than "
                                     "can be deformed ({} million, {} million steps)",
@@ -227,7 +223,7 @@ private:
         deform_work_ += work;
         if (host_vertices_) {
             world_.deformed.push_back(
-                deform(mesh, shape, before_ ? &previous : nullptr, origin, made.turned, object()));
+                deform(mesh, shape, has_before() ? &previous : nullptr, origin, made.turned, object()));
             deformed_boxes_.push_back(facts_of(world_.deformed.back()).box);
         } else {
             world_.deformed.push_back({.name = mesh.name, .primitives = {}});
@@ -275,9 +271,9 @@ private:
             throw Error(
                 fmt::format("{}: node {}: the scene's emitters have more particles than fit", scene_.name, node));
         deformed_vertices_ += uint64_t(6) * emitter.count;
-        Emission emission =
-            emit(emitter, now_.world(node), time_, before_ ? std::optional(before_->world(node)) : std::nullopt,
-                 interval_, fmt::format("{}: node {}", scene_.name, node));
+        Emission emission = emit(emitter, nodes_.world(node, now), time_,
+                                 has_before() ? std::optional(nodes_.world(node, before)) : std::nullopt, interval_,
+                                 fmt::format("{}: node {}", scene_.name, node));
         particle_lights_.insert(particle_lights_.end(), emission.lights.begin(), emission.lights.end());
         if (!emission.shapes)
             return;
@@ -325,8 +321,7 @@ private:
     uint32_t scene_index_;
     bool host_vertices_;                  ///< fill World::deformed; else only what makes them
     const std::vector<MeshFacts>& facts_; ///< by mesh
-    NodeTree now_;
-    std::optional<NodeTree> before_; ///< absent: nothing has moved
+    NodeTree nodes_;
     /// Mesh, skin, what moves its weights, and weights now and before where nothing does.
     using Key = std::tuple<uint32_t, std::optional<uint32_t>, const AnimationSampler*, std::vector<double>,
                            std::vector<double>>;
@@ -346,7 +341,7 @@ World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, std::opti
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
         throw Error(fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
-    return Resolver(scene, facts, index, moment, {scene, index, moment, animation}, host_vertices).run();
+    return Resolver(scene, facts, index, moment, placed_nodes(scene, index, moment, animation), host_vertices).run();
 }
 
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
