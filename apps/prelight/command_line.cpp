@@ -30,13 +30,18 @@ void check_scenes(const RenderCommand& command) {
                                          fmt::join(command.more_scenes, ", ")));
 }
 
+/// A preset draws as its source text does.
+bool leaves_edges_open(const Given& given, const RenderCommand& command) {
+    return !given.has("--msaa") && command.options.preset.empty() && !command.options.settings.contains("antialiasing");
+}
+
 RenderCommand parse_render(const Given& given) {
     RenderCommand command = parse_picture(given);
     command.frames = parse_count("--frames", given.text("--frames", "1"), 1);
     command.moment = parse_moment(given.text("--time"), command.animation);
     command.watch = given.has("--watch");
-    command.smooth_edges =
-        !given.has("--msaa") && command.options.preset.empty() && !command.options.settings.contains("antialiasing");
+    if (leaves_edges_open(given, command))
+        command.edges = Edges::samples;
     check_outputs(command);
     const std::vector<std::string>& scenes = given.all("SCENE");
     command.scene = scenes.front();
@@ -52,6 +57,8 @@ RenderCommand parse_render(const Given& given) {
 SequenceCommand parse_series(const Given& given) {
     SequenceCommand command{.render = parse_picture(given), .sequence = parse_sequence(given)};
     refuse_see_through(command.render.environment, given);
+    if (leaves_edges_open(given, command.render))
+        command.render.edges = Edges::filtered;
     check_sequence(command);
     return command;
 }

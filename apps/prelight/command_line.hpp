@@ -21,6 +21,13 @@ struct ViewFile {
     std::filesystem::path file;
 };
 
+/// What becomes of stairs along edges: open_session().
+enum class Edges {
+    as_told,  ///< something was said of samples or anti-aliasing
+    samples,  ///< nothing was, of a picture
+    filtered, ///< nothing was, of many, which are to take little longer
+};
+
 /// `prelight render`
 struct RenderCommand {
     bool quiet = false; ///< set_quiet()
@@ -48,7 +55,7 @@ struct RenderCommand {
     SceneReading reading;
     std::optional<Framing> framing;                 ///< absent: the scene's camera
     ExposureChoice exposure = ExposureChoice::open; ///< whether options.exposure holds
-    bool smooth_edges = false; ///< nothing was said of samples or anti-aliasing: see open_session()
+    Edges edges = Edges::as_told;
 };
 
 /// `prelight sequence`: what `render` makes of each of many moments.

@@ -39,7 +39,8 @@ std::unique_ptr<Renderer> smooth_renderer(RenderCommand& command, Device* device
     constexpr uint32_t samples = 4;
     RenderOptions options = command.options;
     options.msaa = samples;
-    if (device->has_samples(samples) && fits_frame(options.width, options.height, samples))
+    if (command.edges == Edges::samples && device->has_samples(samples) &&
+        fits_frame(options.width, options.height, samples))
         if (auto renderer = sampled_renderer(command, device, options)) {
             command.options.msaa = samples;
             return renderer;
@@ -75,7 +76,7 @@ Session open_session(RenderCommand& command, const RendererInfo& info) {
     if (info.needs_device)
         session.device = open_device({.select = command.device, .validate = command.validate}, command.options.width,
                                      command.options.height, command.options.msaa);
-    session.renderer = command.smooth_edges && session.device
+    session.renderer = command.edges != Edges::as_told && session.device
                            ? smooth_renderer(command, session.device.get(), info)
                            : create_renderer(command.renderer, session.device.get(), command.options);
     return session;

@@ -13,9 +13,9 @@ struct Session {
     double exposure = 0; ///< of the renderer
 };
 
-/// The device and the renderer that the command asks for. With `smooth_edges` options.msaa becomes 4 if the device has
-/// so many, there is memory for them, and no setting that was asked for gives way to them; else
-/// options.settings["antialiasing"] becomes smaa, where the renderer has it. Throws UsageError, Error.
+/// The device and the renderer that the command asks for. With Edges::samples options.msaa becomes 4 if the device has
+/// so many, there is memory for them, and no setting that was asked for gives way to them; else, and with
+/// Edges::filtered, options.settings["antialiasing"] becomes smaa, where the renderer has it. Throws UsageError, Error.
 Session open_session(RenderCommand& command, const RendererInfo& info);
 
 /// What the picture itself decides of the command (take_first_sight()). `edit` does that to the world's scene.
