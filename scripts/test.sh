@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every test: installs what is missing, builds Release and the fuzz target, runs all test binaries.
 #   scripts/test.sh [NAME…]   only these, of: format image scene reference gpu render cli python slurm gpu-report package clang docs sanitized …
-#                             and pip, which only runs when it is named
+#                             and pip and tidy, which only run when they are named
 # One line for each binary; the last line counts the tests. "sanitized": the fastest binary and the fuzz targets under the address
 # and undefined-behaviour sanitizers. Fuzz targets do a fixed number of runs from a fixed seed: scripts/fuzz.sh fuzzes freely.
 set -euo pipefail
@@ -185,6 +185,8 @@ run_one() { # NAME: runs it, then prints its line
         run_command clang tests/compilers/clang_test.sh
     elif [ "$1" = pip ]; then # the Python module, built by pip
         run_command pip tests/package/pip_test.sh
+    elif [ "$1" = tidy ]; then # clang-tidy with .clang-tidy's list
+        run_command tidy scripts/tidy.sh
     elif [ "$1" = format ]; then # all C++ as .clang-format says
         run_command format scripts/format.sh --check
     else

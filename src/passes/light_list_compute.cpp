@@ -33,7 +33,8 @@ BlockList find_lit_blocks(graph::FrameGraph& graph, const resident::View& view, 
     const LightLists& lists = *inputs.lists;
     const bool keeps = inputs.target.load == graph::Load::keep;
     const uint64_t blocks = uint64_t(round.constants->blocks.x) * round.constants->blocks.y, words = (blocks + 31) / 32;
-    const BlockList lit(graph, view, "lit blocks", blocks), stale(graph, view, "stale blocks", blocks + words);
+    BlockList lit(graph, view, "lit blocks", blocks);
+    const BlockList stale(graph, view, "stale blocks", blocks + words);
     const auto before = inputs.target.lit_before ? inputs.target.lit_before : std::make_shared<gpu::Buffer>();
     if (!before->handle())
         *before = gpu::make_device_buffer(view.context(), "blocks lit before",

@@ -36,7 +36,7 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
         return image;
     };
     const bool transmittance = transmits(view), extremes = has_shadow_extremes(view.shadows()->options());
-    const Shadows shadows{.atlas = atlas,
+    Shadows shadows{.atlas = atlas,
                           .transmittance = beside("shadow transmittance", transmittance_format, transmittance, 1),
                           .extremes = beside("shadow extremes", extremes_format, extremes, SHADOW_CELL),
                           .counts = &counts,

@@ -187,7 +187,7 @@ glm::dvec3 environment_share(glm::dvec3 f0, double f90, double roughness, double
     const double x = std::clamp(nv, 0.0, 1.0) * (table_size - 1),
                  y = std::clamp(roughness, 0.0, 1.0) * (table_size - 1);
     const int left = std::min(int(x), table_size - 2), top = std::min(int(y), table_size - 2);
-    const glm::dvec2* corner = &table[size_t(top * table_size + left)];
+    const glm::dvec2* corner = &table[size_t(top) * table_size + size_t(left)];
     const glm::dvec2 integrals = glm::mix(glm::mix(corner[0], corner[1], x - left),
                                           glm::mix(corner[table_size], corner[table_size + 1], x - left), y - top);
     return f0 * (integrals.x - integrals.y) + f90 * integrals.y;

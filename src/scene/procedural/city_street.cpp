@@ -162,9 +162,11 @@ void surroundings(Plan& plan) {
         }
     b.patch(points, columns);
     Mesh mesh = b.finish("sky");
-    for (uint32_t i = 0; i < points.size(); ++i)
-        mesh.primitives[0].texcoords[0][i] = {3 * static_cast<float>(i % columns) / (columns - 1),
-                                              1 - 0.98f * static_cast<float>(i / columns) / (rows - 1) - 0.01f};
+    for (uint32_t i = 0; i < points.size(); ++i) {
+        const uint32_t row = i / columns, column = i % columns;
+        mesh.primitives[0].texcoords[0][i] = {3 * static_cast<float>(column) / (columns - 1),
+                                              1 - 0.98f * static_cast<float>(row) / (rows - 1) - 0.01f};
+    }
     plan.place(plan.add_mesh(std::move(mesh)), {0, 0, -40});
     b.use(Surface::roofing);
     b.frame = {};

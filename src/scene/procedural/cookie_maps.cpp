@@ -23,8 +23,9 @@ TextureImage painted(const char* name, uint32_t width, uint32_t height, Colour c
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             glm::dvec3 sum(0);
-            for (int i = 0; i < fine * fine; ++i)
-                sum += colour((x + (i % fine + 0.5) / fine) / width, (y + (i / fine + 0.5) / fine) / height);
+            for (int v = 0; v < fine; ++v)
+                for (int u = 0; u < fine; ++u)
+                    sum += colour((x + (u + 0.5) / fine) / width, (y + (v + 0.5) / fine) / height);
             sum /= fine * fine;
             image.rgba.insert(image.rgba.end(), {code(sum.x), code(sum.y), code(sum.z), 255});
         }

@@ -108,8 +108,8 @@ Scene make_materials_scene(uint32_t lights, uint64_t seed) {
     generate_tangents(mapped, 0);
     for (int i = 0; const Material& material : row(scene)) {
         const auto index = append(scene.materials, material);
-        const glm::dvec3 centre(shelf_spacing * (i % shelf_columns - 0.5 * (shelf_columns - 1)),
-                                0.5 + rise * (1 - i / shelf_columns), 0);
+        const int column = i % shelf_columns, shelf = i / shelf_columns;
+        const glm::dvec3 centre(shelf_spacing * (column - 0.5 * (shelf_columns - 1)), 0.5 + rise * (1 - shelf), 0);
         add_root(scene, material.name, translation(centre)).mesh =
             add_mesh(scene, material.name, material.shader || material.normal_texture ? mapped : plain, index);
         ++i;
