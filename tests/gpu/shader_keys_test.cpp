@@ -8,6 +8,7 @@
 #include <prelight/error.hpp>
 #include <prelight/material_shader.hpp>
 #include <sstream>
+#include <string_view>
 
 namespace prelight {
 namespace {
@@ -31,6 +32,21 @@ TEST(ShaderKeys, TheTableIsSortedAndHoldsWhatItNames) {
         ASSERT_EQ(code.size(), all[i].words);
         EXPECT_EQ(code[0], 0x07230203u) << key.text() << ": SPIR-V's magic number";
     }
+}
+
+TEST(ShaderKeys, WhatComesOutTheSameIsStoredOnce) {
+    std::map<std::string_view, const uint32_t*> places;
+    size_t shared = 0;
+    for (const gpu::EmbeddedShader& one : gpu::all_shaders()) {
+        const ShaderKey key(std::string(one.file), gpu::Variants::from_bits(one.variants), std::string(one.material));
+        const std::span<const uint32_t> code = gpu::find_shader(key);
+        const auto [place, is_new] = places.emplace(
+            std::string_view(reinterpret_cast<const char*>(code.data()), code.size_bytes()), code.data());
+        EXPECT_EQ(place->second, code.data()) << key.text();
+        shared += !is_new;
+    }
+    EXPECT_GT(shared, 0u)
+        << "a material that leaves normals as they are writes depth and normal as the built-in one does";
 }
 
 // A shader takes another pass's value where two constants share a number.
@@ -57,6 +73,12 @@ TEST(ShaderKeys, AnotherCombinationIsAnErrorThatNamesIt) {
         EXPECT_STREQ(error.what(), "shader light.frag COUNT_TARGET SHADOWS: not one of this build's");
     }
     EXPECT_THROW(gpu::find_shader("lights.frag"), Error);
+}
+
+TEST(ShaderKeys, WhatNoPassAsksForIsNotThere) {
+    for (const gpu::Variants own : {gpu::Variants(), gpu::Variants(Variant::own_material)}) // decals of several samples
+        EXPECT_FALSE(gpu::has_shader(
+            {"material.frag", own | Variant::sample_light | Variant::decals, own.empty() ? "" : "skin"}));
 }
 
 TEST(ShaderKeys, OfPassesThatEvaluateLights) {
@@ -132,6 +154,8 @@ TEST(ShaderKeys, OfPassesThatDrawObjectsWithEachMaterial) {
             }
         }
         own("depth_normal.frag", Variant::no_normal_target | Variant::depth_target);
+        own("material.frag", Variant::sample_light);
+        own("material.frag", Variant::sample_light | Variant::decals | Variant::samples);
         own("depth_mask.frag", {});
     }
     for (const gpu::Variants world : {gpu::Variants(), gpu::Variants(Variant::no_world)})

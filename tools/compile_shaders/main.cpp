@@ -171,8 +171,7 @@ private:
         const fs::path path = folder_ / key.file;
         const std::string& source = *files_.find(path);
         const shaderc_shader_kind kind = kinds_.at(path.extension().string());
-        const shaderc::Compiler compiler;
-        const auto text = compiler.PreprocessGlsl(source, kind, path.c_str(), options);
+        const auto text = compiler_.PreprocessGlsl(source, kind, path.c_str(), options);
         if (text.GetCompilationStatus() != shaderc_compilation_status_success)
             throw std::runtime_error(text.GetErrorMessage());
         gpu::CacheKey all;
@@ -186,7 +185,7 @@ private:
         }
         if (std::vector<std::byte> code = gpu::read_cache(kept); !code.empty())
             return code;
-        const auto result = compiler.CompileGlslToSpv(source, kind, path.c_str(), options);
+        const auto result = compiler_.CompileGlslToSpv(source, kind, path.c_str(), options);
         if (result.GetCompilationStatus() != shaderc_compilation_status_success)
             throw std::runtime_error(result.GetErrorMessage());
         ++compiled_;
@@ -197,11 +196,15 @@ private:
 
     void write_all(const std::string& function) const {
         std::string blob, table;
+        std::map<std::string_view, size_t> places; // what several keys have stands there once
         for (size_t k = 0; k < keys_.size(); ++k) {
+            const std::string_view code(reinterpret_cast<const char*>(codes_[k].data()), codes_[k].size());
+            const auto [place, is_new] = places.emplace(code, blob.size() / 4);
+            if (is_new)
+                blob += code;
             table += "    {\"" + keys_[k].file + "\", \"" + keys_[k].material + "\", " +
-                     std::to_string(keys_[k].variants.bits()) + ", " + std::to_string(blob.size() / 4) + ", " +
-                     std::to_string(codes_[k].size() / 4) + "},\n";
-            blob.append(reinterpret_cast<const char*>(codes_[k].data()), codes_[k].size());
+                     std::to_string(keys_[k].variants.bits()) + ", " + std::to_string(place->second) + ", " +
+                     std::to_string(code.size() / 4) + "},\n";
         }
         const fs::path bin = out_ / (function + ".bin"), cpp = out_ / (function + ".cpp");
         write(bin, blob);
@@ -244,6 +247,7 @@ const EmbeddedShader table[] = {
     static inline const std::map<std::string, shaderc_shader_kind> kinds_{
         {".vert", shaderc_vertex_shader}, {".frag", shaderc_fragment_shader}, {".comp", shaderc_compute_shader}};
     fs::path folder_, includes_, out_;
+    const shaderc::Compiler compiler_; // one for all: without any, glslang forgets what GLSL itself declares
     Files files_;
     std::vector<gpu::ShaderKey> keys_;
     std::vector<std::vector<std::byte>> codes_;
