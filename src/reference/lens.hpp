@@ -13,7 +13,7 @@ namespace prelight::reference {
 inline constexpr glm::dvec2 pixel_centre{0.5, 0.5};
 
 /// Vulkan's standard sample positions ("Multisampling" in its specification); of one sample the pixel's centre.
-/// `count`: 1, 2 or 4.
+/// `count`: one of sample_counts.
 inline std::span<const glm::dvec2> sample_positions(uint32_t count) {
     static constexpr std::array one{pixel_centre};
     static constexpr std::array two{glm::dvec2(0.75, 0.75), glm::dvec2(0.25, 0.25)};

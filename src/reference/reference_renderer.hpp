@@ -8,7 +8,7 @@ namespace prelight {
 RendererInfo reference_info();
 
 /// Throws UsageError for an unknown setting, value, view or preset, for a zero-size picture, and
-/// for samples a pixel other than 1, 2 and 4.
+/// for samples a pixel that are none of sample_counts.
 std::unique_ptr<Renderer> make_reference_renderer(const RenderOptions& options);
 
 } // namespace prelight

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <optional>
 #include <parallel/parallel_for.hpp>
 #include <prelight/error.hpp>
+#include <prelight/renderer.hpp>
 #include <reference/doubts.hpp>
 #include <reference/trace.hpp>
 #include <reference/visibility.hpp>
@@ -25,8 +28,9 @@ glm::dvec3 previous_position(const Draw& draw, const Hit& hit) {
 
 /// The form without what has no effect in it.
 ReferenceForm plain_form(ReferenceForm form) {
-    if (form.samples.count != 1 && form.samples.count != 2 && form.samples.count != 4)
-        throw Error(fmt::format("reference: {} samples a pixel: there are 1, 2 and 4", form.samples.count));
+    if (std::ranges::count(sample_counts, form.samples.count) == 0)
+        throw Error(fmt::format("reference: {} samples a pixel: not one of {}", form.samples.count,
+                                fmt::join(sample_counts, ", ")));
     if (form.half_samples && form.samples.count != 4)
         throw Error(
             fmt::format("reference: layers in half of {} samples a pixel: there have to be 4", form.samples.count));

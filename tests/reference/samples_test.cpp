@@ -64,7 +64,7 @@ TEST(Samples, AreOneTwoOrFour) {
     const PlacedCamera camera = metre_camera(ProjectionKind::perspective);
     for (const uint32_t count : {0u, 3u, 8u, 16u})
         EXPECT_THAT([&] { sampled(test, camera, {.count = count}); },
-                    testing::ThrowsMessage<Error>(testing::HasSubstr("there are 1, 2 and 4")));
+                    testing::ThrowsMessage<Error>(testing::HasSubstr("not one of 1, 2, 4")));
 }
 
 TEST(Samples, CoverageOfASlopingEdgeIsThatOfItsSamples) {
