@@ -82,21 +82,26 @@ struct Seen {
 
 float depth_of(Stored s) { return view_depth(max(s.depth, 1e-30)); }
 
-Seen seen_of(Stored s, vec3 viewer) {
+// All but `within`, of a sample at view depth `z`.
+Seen seen_of(Stored s, float z) {
     Seen seen;
     seen.stored = s;
     seen.there = s.depth > 0.0;
-    seen.z = depth_of(s);
+    seen.z = z;
     seen.normal = stored_normal(s.normal);
 #ifdef ROUGHNESS_TARGET
     seen.roughness = s.roughness;
 #else
     seen.roughness = roughness_decode(s.normal.a);
 #endif
-    float nv = max(abs(dot(seen.normal, viewer)), 1e-9);
-    seen.within = pixel_metres(seen.z) * (1.0 + 2.0 * min(sqrt(max(1.0 - nv * nv, 0.0)) / nv, most_slope));
+    seen.within = 0.0;
     seen.number = 3u;
     return seen;
+}
+
+float within(Seen seen, vec3 viewer) {
+    float nv = max(abs(dot(seen.normal, viewer)), 1e-9);
+    return pixel_metres(seen.z) * (1.0 + 2.0 * min(sqrt(max(1.0 - nv * nv, 0.0)) / nv, most_slope));
 }
 
 bool share_surface(Seen a, Seen b, float cosine, float roughness) {
@@ -138,23 +143,28 @@ void main() {
     bool four = samples == 4;
     bool all_there = min(p.depth, q.depth) > 0.0 && (!four || min(r.depth, s.depth) > 0.0);
     bool none_there = max(max(p.depth, q.depth), max(r.depth, s.depth)) <= 0.0;
-    Seen a = seen_of(p, viewer);
-    vec3 away = abs(vec3(depth_of(q), four ? vec2(depth_of(r), depth_of(s)) : vec2(a.z)) - a.z);
+    Seen a = seen_of(p, depth_of(p));
+    a.within = within(a, viewer);
+    vec3 z = vec3(depth_of(q), four ? vec2(depth_of(r), depth_of(s)) : vec2(a.z)), away = abs(z - a.z);
     bool all_share = all_there && same(p, q) && (!four || (same(p, r) && same(p, s))) && all(lessThanEqual(away, vec3(a.within)));
     uint edge = 0u;
     Stored own = p; // the first that shows something
-    // A loop: a software device runs both sides of an `if`.
+    // Loops: a software device runs both sides of an `if`.
     for (bool once = !all_share && !none_there; once; once = false) {
-        Seen b = seen_of(q, viewer), c = seen_of(r, viewer), d = seen_of(s, viewer);
+        Seen b = seen_of(q, z.x), c = seen_of(r, z.y), d = seen_of(s, z.z);
+        all_share = all_there && are_one(a, b) && (!four || (are_one(a, c) && are_one(a, d)));
+        if (all_share)
+            break;
+        b.within = within(b, viewer);
+        c.within = within(c, viewer);
         uint surfaces = 0u;
         number(a, 3u, surfaces);
         number(b, known(share_light(a, b), a, 3u), surfaces);
         number(c, known(share_light(a, c), a, known(share_light(b, c), b, 3u)), surfaces);
         number(d, known(share_light(a, d), a, known(share_light(b, d), b, known(share_light(c, d), c, 3u))), surfaces);
-        all_share = all_there && are_one(a, b) && (!four || (are_one(a, c) && are_one(a, d)));
         if (!a.there)
             own = b.there ? q : c.there ? r : s;
-        edge = all_share ? 0u : a.number | b.number << 2 | c.number << 4 | d.number << 6 | surfaces << 8;
+        edge = a.number | b.number << 2 | c.number << 4 | d.number << 6 | surfaces << 8;
     }
     out_normal = own.normal;
 #ifdef ROUGHNESS_TARGET

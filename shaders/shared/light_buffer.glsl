@@ -75,9 +75,13 @@ LightTexels unpacked(StoredLight texels) {
 }
 
 #ifdef SAMPLE_LIGHT
+layout(constant_id = CONSTANT_POST_DEPTH_COVERAGE) const bool post_depth_coverage = false; // is gl_SampleMaskIn
+
 // The samples that the fragment covers and that nothing nearer covers: there its own plane has the depth that is stored.
 // gl_SampleMaskIn is what it covers before the depth test; what stands before it there would lend it its light.
 uint owned_samples(ivec2 pixel, vec2 slope) {
+    if (post_depth_coverage)
+        return uint(gl_SampleMaskIn[0]);
     float most = 0.002 * (abs(slope.x) + abs(slope.y)) + 1e-6 * gl_FragCoord.z; // rounding
     uint covered = uint(gl_SampleMaskIn[0]), owned = 0u;
     for (int i = 0; i < samples; ++i) {
@@ -95,10 +99,13 @@ LightTexels light_of_sample(uint slot, uint edge, int i) {
 // that it owns, for its samples share a surface; or where every sample has its own, the mean of them.
 LightTexels read_light() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)); // device depth is linear over a triangle
+    vec2 slope = vec2(0.0); // device depth is linear over a triangle
+    if (!post_depth_coverage)
+        slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
     LightTexels light = unpacked(fetched(diffuse_light, specular_light, pixel));
     uint edge = one_sample_read(edges, pixel).r;
-    for (bool once = edge > 0u; once; once = false) { // a loop: a software device runs both sides of an `if`
+    // A loop: a software device runs both sides of an `if`. Nor for pixels beside the triangle, which run along.
+    for (bool once = edge > 0u && gl_SampleMaskIn[0] != 0; once; once = false) {
         uint slot = one_sample_read(edge_index, pixel).r;
         if (slot + surfaces_of(edge) > edge_tiles * TILE_SLOTS)
             break; // there was no room

@@ -72,6 +72,7 @@ Context::Context(const DeviceOptions& options)
     };
     chosen_.optional.conditional_rendering &= !hides(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     chosen_.optional.stencil_export &= !hides(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
+    chosen_.optional.post_depth_coverage &= !hides(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME);
     presents_ = !options.window_extensions.empty();
     create_device();
     vkGetDeviceQueue(device_, queue_family(), 0, &queue_);

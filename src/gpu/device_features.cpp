@@ -60,6 +60,8 @@ DeviceFeatures features_to_enable(const OptionalFeatures& optional) {
     }
     if (optional.stencil_export)
         features.extensions.push_back(VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
+    if (optional.post_depth_coverage)
+        features.extensions.push_back(VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME);
     return features;
 }
 
@@ -69,6 +71,7 @@ std::string keep_enabled(OptionalFeatures& optional, const DeviceFeatures& enabl
     optional.conditional_rendering &= enabled.conditional_rendering.conditionalRendering &&
                                       has_name(enabled.extensions, VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     optional.stencil_export &= has_name(enabled.extensions, VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
+    optional.post_depth_coverage &= has_name(enabled.extensions, VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME);
     DeviceFeatures copy = enabled;
     std::string lacks;
     for (const NeededFeature& needed : needed_features)

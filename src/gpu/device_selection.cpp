@@ -142,6 +142,8 @@ Candidate examine(VkPhysicalDevice physical, uint32_t index, std::optional<uint3
     candidate.optional.stencil_export = driver.driverID != VK_DRIVER_ID_GOOGLE_SWIFTSHADER &&
                                         has_extension(physical, VK_EXT_SHADER_STENCIL_EXPORT_EXTENSION_NAME);
     (candidate.optional.stencil_export ? info.features : info.missing).push_back("stencil export");
+    candidate.optional.post_depth_coverage = has_extension(physical, VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME);
+    (candidate.optional.post_depth_coverage ? info.features : info.missing).push_back("post-depth coverage");
     // SwiftShader's gl_FragCoord.z is that of the first sample.
     candidate.optional.centre_depth = driver.driverID != VK_DRIVER_ID_GOOGLE_SWIFTSHADER;
     // lavapipe loads from a storage buffer lane by lane, and fetches a texel for all lanes at once.

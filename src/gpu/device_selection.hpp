@@ -17,6 +17,7 @@ struct OptionalFeatures {
     bool conditional_rendering = false; ///< VK_EXT_conditional_rendering
     bool store_without_format = false;  ///< shaders write storage images of any format
     bool stencil_export = false;        ///< VK_EXT_shader_stencil_export
+    bool post_depth_coverage = false;   ///< VK_EXT_post_depth_coverage
     bool centre_depth = false;          ///< a fragment's depth is that under the pixel's centre, however many samples
     /// Shaders read texel buffers of any size faster than storage buffers.
     bool fast_texel_buffers = false;

@@ -90,6 +90,8 @@ std::shared_ptr<const BuiltPipeline> build(const Context& context, const Graphic
     std::vector<uint32_t> code = desc.fragment_code;
     if (per_sample)
         code = with_sample_inputs(code.empty() ? find_shader(desc.fragment) : code);
+    else if (desc.post_depth_coverage)
+        code = with_post_depth_coverage(code.empty() ? find_shader(desc.fragment) : code);
     std::optional<ShaderStage> fragment;
     if (!desc.fragment.empty())
         stages.push_back(

@@ -70,7 +70,8 @@ struct GraphicsPipelineDesc {
     Stencil stencil = Stencil::none;
     bool depth_clamp = false;                               ///< where the device has it
     SampleShading sample_shading = SampleShading::fragment; ///< matters with several samples
-    uint32_t sample_mask = ~0u;                             ///< of those, a bit for each that is drawn into
+    bool post_depth_coverage = false; ///< with_post_depth_coverage(), where each fragment is shaded
+    uint32_t sample_mask = ~0u;       ///< of those, a bit for each that is drawn into
     std::vector<VkDescriptorSetLayout> sets;
     uint32_t push_bytes = 0;                                      ///< push constants; at most 128
     VkShaderStageFlags push_stage = VK_SHADER_STAGE_FRAGMENT_BIT; ///< the one that reads them

@@ -64,6 +64,7 @@ SurfaceDraws::Desc declare(graph::FrameGraph& graph, graph::Pass& pass, const re
             .vertex = ids | gpu::when(!at_nv && !all_of_a_point, Variant::no_world | Variant::no_normal) |
                       gpu::when(!all_of_a_point, Variant::no_textures),
             .sample_shading = inputs.sample_shading,
+            .post_depth_coverage = inputs.edges.has_value(),
             .decals = decal_use(inputs.decals)};
 }
 

@@ -146,7 +146,11 @@ void SurfaceDraws::set_shaders(gpu::GraphicsPipelineDesc& pipeline, const Desc& 
     pipeline.sample_shading =
         by_sample || (features & FEATURE_ALPHA_MASK) ? gpu::SampleShading::sample : desc.sample_shading;
     pipeline.attributes = positions_alone ? position_attributes(facing) : surface_attributes(vertex);
+    pipeline.post_depth_coverage = desc.post_depth_coverage && view_.context().features().post_depth_coverage &&
+                                   pipeline.sample_shading == gpu::SampleShading::fragment;
     pipeline.constants = desc.constants;
+    if (desc.post_depth_coverage)
+        pipeline.constants.emplace_back(CONSTANT_POST_DEPTH_COVERAGE, pipeline.post_depth_coverage);
     pipeline.constants.emplace_back(CONSTANT_MATERIAL_FEATURES, features);
 }
 

@@ -30,8 +30,9 @@ public:
         /// What has an alpha mask is shaded once a sample wherever the mask is asked, and so is what reads decals or
         /// the depth behind it.
         gpu::SampleShading sample_shading = gpu::SampleShading::fragment;
-        uint32_t sample_mask = ~0u; ///< gpu::GraphicsPipelineDesc::sample_mask
-        bool depth_only = false;    ///< materials without mask get positions and no shader
+        bool post_depth_coverage = false; ///< gpu::GraphicsPipelineDesc::post_depth_coverage, where a device can
+        uint32_t sample_mask = ~0u;       ///< gpu::GraphicsPipelineDesc::sample_mask
+        bool depth_only = false;          ///< materials without mask get positions and no shader
         /// Every material gets positions, and `fragment`, which reads nothing of it.
         bool positions_only = false;
         Decals decals = Decals::none;

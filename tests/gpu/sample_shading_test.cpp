@@ -1,4 +1,4 @@
-// SPIR-V that was made to run once a sample is still valid SPIR-V.
+// SPIR-V that was made to run once a sample, or to know its coverage after the depth test, is still valid SPIR-V.
 #include <algorithm>
 #include <gpu/sample_shading.hpp>
 #include <gpu/shaders.hpp>
@@ -97,6 +97,35 @@ TEST(SampleShading, EveryShaderOfObjectsStaysValid) {
         EXPECT_EQ(faults_of(gpu::with_sample_inputs(gpu::find_shader(key))), "") << key.text();
     }
     EXPECT_GT(seen, 20u);
+}
+
+TEST(SampleShading, CoverageAfterTheDepthTestIsTwoModesAndACapability) {
+    const Code code = assembled(shader(has_samples)), made = gpu::with_post_depth_coverage(code);
+    const std::string text = text_of(made);
+    EXPECT_EQ(faults_of(made), "");
+    EXPECT_EQ(times(text, "OpCapability SampleMaskPostDepthCoverage\n"), 1u) << text;
+    EXPECT_EQ(times(text, "OpExtension \"SPV_KHR_post_depth_coverage\"\n"), 1u) << text;
+    EXPECT_EQ(times(text, " EarlyFragmentTests\n"), 1u) << text;
+    EXPECT_EQ(times(text, " PostDepthCoverage\n"), 1u) << text;
+    std::string early = shader(has_samples);
+    early.insert(early.find("OpDecorate"), "OpExecutionMode %main EarlyFragmentTests\n");
+    const std::string same = text_of(gpu::with_post_depth_coverage(assembled(early)));
+    EXPECT_EQ(same, text) << "it tested early by itself";
+}
+
+// The material pass of edge pixels, as the build compiled it.
+TEST(SampleShading, EveryMaterialOfEdgePixelsMayKnowItsCoverageAfterTheDepthTest) {
+    size_t seen = 0;
+    for (const gpu::EmbeddedShader& one : gpu::all_shaders()) {
+        const gpu::ShaderKey key(std::string(one.file), gpu::Variants::from_bits(one.variants),
+                                 std::string(one.material));
+        if (one.file != "material.frag" || !key.variants.has(Variant::sample_light) ||
+            key.variants.has(Variant::decals) || (!one.material.empty() && one.material != "skin"))
+            continue;
+        ++seen;
+        EXPECT_EQ(faults_of(gpu::with_post_depth_coverage(gpu::find_shader(key))), "") << key.text();
+    }
+    EXPECT_GT(seen, 4u);
 }
 
 } // namespace
