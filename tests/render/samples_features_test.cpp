@@ -3,9 +3,11 @@
 #include "decal_world.hpp"
 #include "every_way.hpp"
 #include "garden.hpp"
+#include <algorithm>
 #include <cmath>
 #include <prelight/material_shader.hpp>
 #include <scene/procedural/cookie_maps.hpp>
+#include <vulkan/vulkan_core.h>
 
 namespace prelight {
 namespace {
@@ -36,6 +38,26 @@ void expect_agree(const Shot& shot, std::span<const Way> ways = architectures, c
         }
         expect(one);
     }
+}
+
+// The default device's coverage is that after the depth test; without it fragments compare depths.
+TEST(SamplesWith, CoverageBeforeTheDepthTestAlone) {
+    const auto device = Device::create(
+        {.select = "cpu", .validate = true, .hidden_extensions = {VK_EXT_POST_DEPTH_COVERAGE_EXTENSION_NAME}});
+    Garden garden;
+    garden.add_lights(8, 4, 6);
+    Shot shot = in_way(with_samples(garden.shot()), {"light-prepass", {{"msaa-light", "edges"}}});
+    References references;
+    const Image picture = render_linear(*device, shot);
+    expect_within_on_edges(picture, references.of(shot), half_float_bound, few_edges);
+    expect_validation_clean(*device);
+    const Image after = render_linear(test_device(), shot);
+    size_t apart = 0;
+    for (size_t i = 0; i < picture.pixels.size(); ++i) {
+        const glm::vec3 off = glm::abs(picture.pixels[i] - after.pixels[i]);
+        apart += std::max({off.x, off.y, off.z}) > 0.01f ? 1 : 0;
+    }
+    EXPECT_LT(apart, picture.pixels.size() / 1000) << "the two ways find the same samples";
 }
 
 TEST(SamplesWith, Shadows) {
