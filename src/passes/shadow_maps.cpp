@@ -37,11 +37,11 @@ Shadows shadow_pass(graph::FrameGraph& graph, const resident::View& view, Shadow
     };
     const bool transmittance = transmits(view), extremes = has_shadow_extremes(view.shadows()->options());
     Shadows shadows{.atlas = atlas,
-                          .transmittance = beside("shadow transmittance", transmittance_format, transmittance, 1),
-                          .extremes = beside("shadow extremes", extremes_format, extremes, SHADOW_CELL),
-                          .counts = &counts,
-                          .held = std::make_shared<HeldMaps>(),
-                          .reused = view.shadows()->options().reuse};
+                    .transmittance = beside("shadow transmittance", transmittance_format, transmittance, 1),
+                    .extremes = beside("shadow extremes", extremes_format, extremes, SHADOW_CELL),
+                    .counts = &counts,
+                    .held = std::make_shared<HeldMaps>(),
+                    .reused = view.shadows()->options().reuse};
     if (shadows.reused)
         return shadows;
     graph::Pass& pass = graph.pass("shadows");
