@@ -17,6 +17,8 @@
 // FRAME_LIGHTS as texels
 #define FRAME_LIGHT_TEXELS 10
 #define FRAME_SHADOW_TEXELS 11 // and FRAME_SHADOWS
+// and the next two: uniform buffers that no shader has (docs/notes/software-devices.md#uniform-buffers)
+#define FRAME_UNREAD 12
 
 #define SET_INPUTS 1
 #define INPUT_RASTER 63  // in every pass

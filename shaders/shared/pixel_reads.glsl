@@ -5,7 +5,8 @@
 #include "shared/pixel_images.glsl"
 #include "shared/raster.h"
 
-layout(set = SET_INPUTS, binding = INPUT_RASTER, std430) readonly buffer RasterBlock { RasterConstants raster; };
+// A uniform buffer: a software device loads from a storage buffer lane by lane, although all lanes want the same.
+layout(set = SET_INPUTS, binding = INPUT_RASTER, std140) uniform RasterBlock { RasterConstants raster; };
 
 ivec2 last_pixel() { return ivec2(raster.size.xy) - 1; }
 

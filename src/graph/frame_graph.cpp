@@ -300,7 +300,7 @@ gpu::Raster FrameGraph::raster_of(const Pass& pass) const {
 
 void FrameGraph::write_rasters() {
     raster_stride_ = std::max<uint64_t>(sizeof(shared::RasterConstants),
-                                        context_.limits().minStorageBufferOffsetAlignment); // both powers of two
+                                        context_.limits().minUniformBufferOffsetAlignment); // both powers of two
     std::vector<std::byte> bytes(raster_stride_ * std::max<size_t>(passes_.size(), 1));
     for (size_t p = 0; p < passes_.size(); ++p) {
         const VkExtent2D extent = raster_of(*passes_[p]).extent;
@@ -308,7 +308,7 @@ void FrameGraph::write_rasters() {
         const shared::RasterConstants constants{glm::vec4(size, 1.0 / glm::max(size, 1.0))};
         std::memcpy(&bytes[p * raster_stride_], &constants, sizeof constants);
     }
-    rasters_ = gpu::make_device_buffer(context_, "rasters", bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    rasters_ = gpu::make_device_buffer(context_, "rasters", bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 }
 
 void FrameGraph::prepare_passes() {
@@ -319,7 +319,7 @@ void FrameGraph::prepare_passes() {
         std::vector<std::vector<gpu::Binding>> sets;
         for (uint32_t slot = 0; slot < gpu::frames_in_flight; ++slot) {
             sets.push_back(bindings(*pass, slot));
-            sets.back().push_back(gpu::Binding::storage(INPUT_RASTER, rasters_.handle(), p * raster_stride_,
+            sets.back().push_back(gpu::Binding::uniform(INPUT_RASTER, rasters_.handle(), p * raster_stride_,
                                                         sizeof(shared::RasterConstants)));
         }
         pass->layout_ = gpu::make_set_layout(context_, pass->name_, sets[0]);

@@ -131,6 +131,10 @@ void View::make_light_buffers(const LightSet& lights) {
                         gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
                         gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle()),
                         gpu::Binding::texel_buffer(FRAME_LIGHT_TEXELS, made[s].light_texels)});
+    // lavapipe takes what decides branches out of the first four uniform buffers, and the fourth breaks it.
+    for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
+        for (uint32_t unread = 0; unread < 3; ++unread)
+            sets[s].push_back(gpu::Binding::uniform(FRAME_UNREAD + unread, constants_[s].handle()));
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s) {
         // Every binding is written, with whatever is there where no shader looks.
         const gpu::Texture* picture = lights.distribution_picture();

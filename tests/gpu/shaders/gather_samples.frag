@@ -5,7 +5,7 @@
 #include "shared/raster.h"
 // The bits of the samples that hold 1, and what the pass knows of its raster.
 layout(set = 0, binding = 0) uniform texture2DMS four;
-layout(set = 0, binding = INPUT_RASTER, std430) readonly buffer RasterBlock { RasterConstants raster; };
+layout(set = 0, binding = INPUT_RASTER, std140) uniform RasterBlock { RasterConstants raster; };
 layout(location = 0) out vec4 result;
 
 void main() {
