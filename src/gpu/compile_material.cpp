@@ -85,7 +85,7 @@ ShaderKey stage_of(const MaterialShader& shader, ShaderKey stage) {
 }
 
 std::vector<uint32_t> compile(const MaterialShader& shader, const ShaderKey& stage, Aim aim) {
-    shaderc::CompileOptions options = glsl_options(stage, aim == Aim::draw);
+    shaderc::CompileOptions options = glsl_options(stage);
     options.SetSuppressWarnings();
     options.SetIncluder(std::make_unique<Includer>(shader));
     const std::string_view source = find_source(stage.file).value();
@@ -93,7 +93,8 @@ std::vector<uint32_t> compile(const MaterialShader& shader, const ShaderKey& sta
         source.data(), source.size(), shaderc_fragment_shader, stage.file.c_str(), options);
     if (result.GetCompilationStatus() != shaderc_compilation_status_success)
         throw Error(first_mistake(result.GetErrorMessage(), shader));
-    return {result.begin(), result.end()};
+    const std::vector<uint32_t> code(result.begin(), result.end());
+    return aim == Aim::draw ? optimize_spirv(code) : code;
 }
 
 std::string hash_of(std::string_view text) {
@@ -115,8 +116,8 @@ const std::string& hash_of_own_sources() {
 
 /// All that decides what comes out: the compiler, its options, every source. The file's name does not.
 std::string key_of(const MaterialShader& shader, const ShaderKey& stage, Aim aim) {
-    return fmt::format("{}\n{}\n{}\n{}", glsl_compiler_name(aim == Aim::draw), hash_of_own_sources(), stage.text(),
-                       shader.source);
+    return fmt::format("{}, {}\n{}\n{}\n{}", glsl_compiler_name(), aim == Aim::draw ? "to draw" : "to check",
+                       hash_of_own_sources(), stage.text(), shader.source);
 }
 
 /// A file holds the length of its key, the key, and then SPIR-V: two keys of one hash don't meet.

@@ -189,7 +189,8 @@ private:
         if (result.GetCompilationStatus() != shaderc_compilation_status_success)
             throw std::runtime_error(result.GetErrorMessage());
         ++compiled_;
-        const std::span<const std::byte> code = std::as_bytes(std::span(result.begin(), result.end()));
+        const std::vector<uint32_t> optimized = gpu::optimize_spirv({result.begin(), result.end()});
+        const std::span<const std::byte> code = std::as_bytes(std::span(optimized));
         gpu::write_cache(kept, code);
         return {code.begin(), code.end()};
     }
