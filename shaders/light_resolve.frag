@@ -11,7 +11,6 @@ layout(set = SET_INPUTS, binding = INPUT_COLOUR) uniform PIXEL_IMAGE accumulated
 #ifdef SAMPLE_LIGHT // edge pixels' samples have light of their own
 #include "shared/edge_samples.glsl"
 layout(set = SET_INPUTS, binding = INPUT_EDGE_FLAGS) uniform ONE_SAMPLE_IMAGE_BITS edges;
-layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX) uniform ONE_SAMPLE_IMAGE_BITS edge_index;
 layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DIFFUSE) uniform ONE_SAMPLE_IMAGE sample_light;
 #endif
 layout(location = 0) out vec4 out_colour;
@@ -20,13 +19,11 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 stored = pixel_read(accumulated, pixel);
 #ifdef SAMPLE_LIGHT
-    uint edge = one_sample_read(edges, pixel).r;
-    for (bool once = edge > 0u; once; once = false) { // a loop: a software device runs both sides of an `if`
-        uint slot = one_sample_read(edge_index, pixel).r;
-        if (slot + surfaces_of(edge) > edge_tiles * TILE_SLOTS)
-            break; // there was no room
-        uint surface = surface_of(edge, gl_SampleID);
-        stored = surface < surfaces_of(edge) ? one_sample_read(sample_light, edge_texel(slot + surface)) : vec4(0.0);
+    uvec4 edge = one_sample_read(edges, pixel);
+    if (has_slots(edge)) {
+        uint surface = surface_of(edge.r, gl_SampleID);
+        ivec2 texel = edge_texel(first_slot(edge) + surface);
+        stored = surface < surfaces_of(edge.r) ? one_sample_read(sample_light, texel) : vec4(0.0);
     }
 #endif
     vec3 light = stored.rgb * frame.light_buffer.x;

@@ -56,8 +56,7 @@ vec4 mean_of_all(ivec2 pixel) {
     vec4 mean = vec4(stored_encoded ? a.rgb : light_of(a.rgb), a.a);
     if (stored_encoded)
         mean = most_apart > 0.0 ? 0.25 * (a + b + c + d) : a;
-    // A loop: a software device runs both sides of an `if`.
-    for (bool once = most_apart > (stored_encoded ? most_difference : 0.0); once; once = false) {
+    if (most_apart > (stored_encoded ? most_difference : 0.0)) {
         mean = 0.25 * (shown(a) + shown(b) + shown(c) + shown(d));
         mean.rgb = stored_encoded ? srgb_encode(mean.rgb) : mean.rgb;
     }

@@ -8,8 +8,8 @@
 
 layout(local_size_x = LIST_GROUP) in;
 layout(set = SET_INPUTS, binding = INPUT_EDGES) uniform PIXEL_IMAGE_BITS edges;
-// The number of the pixel's first slot; only of edges.
-layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX, r32ui) uniform writeonly uimage2D edge_index;
+// The same image; only texels of edges are written.
+layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX, rgba16ui) uniform writeonly uimage2D edge_index;
 layout(set = SET_INPUTS, binding = INPUT_LIT_BLOCKS, std430) buffer TileBlock { LitBlocks tiles; uint tile_blocks[]; };
 layout(set = SET_INPUTS, binding = INPUT_EDGE_PIXELS, std430) writeonly buffer PixelBlock { uint edge_pixels[]; };
 layout(set = SET_INPUTS, binding = INPUT_EDGE_COUNTS, std430) buffer CountBlock { uint tile_count; }; // needed, for the host
@@ -58,7 +58,7 @@ void main() {
         uint place = bit + (lower ? 0u : 32u);
         ivec2 pixel = pixel_of(low, place);
         uint edge = pixel_read(edges, pixel).r, surfaces = surfaces_of(edge);
-        imageStore(edge_index, pixel, uvec4(slot));
+        imageStore(edge_index, pixel, edge_with_slot(edge, slot));
         for (uint s = 0u; s < surfaces; ++s, ++slot)
             if (slot < end)
                 edge_pixels[slot] = samples_of(edge, s) * BLOCK_PIXELS + place;

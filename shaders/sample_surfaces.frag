@@ -11,7 +11,7 @@
 
 layout(constant_id = CONSTANT_EVERY_EDGE) const bool every_pixel = false; // is an edge, where a surface is
 layout(location = 0) out vec4 out_normal;
-layout(location = 1) out uint out_edge; // as shared/edge_samples.glsl reads it
+layout(location = 1) out uvec4 out_edge; // as shared/edge_samples.glsl reads it
 #ifdef ROUGHNESS_TARGET
 layout(location = 2) out float out_roughness;
 #endif
@@ -149,12 +149,9 @@ void main() {
     bool all_share = all_there && same(p, q) && (!four || (same(p, r) && same(p, s))) && all(lessThanEqual(away, vec3(a.within)));
     uint edge = 0u;
     Stored own = p; // the first that shows something
-    // Loops: a software device runs both sides of an `if`.
-    for (bool once = !all_share && !none_there; once; once = false) {
+    if (!all_share && !none_there) {
         Seen b = seen_of(q, z.x), c = seen_of(r, z.y), d = seen_of(s, z.z);
         all_share = all_there && are_one(a, b) && (!four || (are_one(a, c) && are_one(a, d)));
-        if (all_share)
-            break;
         b.within = within(b, viewer);
         c.within = within(c, viewer);
         uint surfaces = 0u;
@@ -162,9 +159,9 @@ void main() {
         number(b, known(share_light(a, b), a, 3u), surfaces);
         number(c, known(share_light(a, c), a, known(share_light(b, c), b, 3u)), surfaces);
         number(d, known(share_light(a, d), a, known(share_light(b, d), b, known(share_light(c, d), c, 3u))), surfaces);
-        if (!a.there)
+        if (!all_share && !a.there)
             own = b.there ? q : c.there ? r : s;
-        edge = a.number | b.number << 2 | c.number << 4 | d.number << 6 | surfaces << 8;
+        edge = all_share ? 0u : a.number | b.number << 2 | c.number << 4 | d.number << 6 | surfaces << 8;
     }
     out_normal = own.normal;
 #ifdef ROUGHNESS_TARGET
@@ -177,5 +174,5 @@ void main() {
 #endif
     gl_FragDepth = all_share ? (p.depth + q.depth + r.depth + s.depth) / float(samples) : own.depth;
     uint each = 0xe4u | uint(samples) << 8; // 3, 2, 1, 0: a surface a sample
-    out_edge = every_pixel && !none_there ? each : edge;
+    out_edge = uvec4(every_pixel && !none_there ? each : edge, 0u, 0u, 0u);
 }

@@ -13,13 +13,21 @@ layout(constant_id = CONSTANT_EVERY_EDGE) const bool every_sample = false; // is
 
 const uint TILE_SLOTS = uint(LIT_BLOCK * EDGE_TILE_ROWS), BLOCK_PIXELS = uint(LIT_BLOCK * LIT_BLOCK);
 
-// What sample_surfaces.frag says of a pixel: two bits a sample, the number of its surface (3, where it has none, is
-// never another's), and above them how many surfaces there are; 0: the pixel is no edge.
+// What is said of a pixel, in one texel, for one fetch. r, by sample_surfaces.frag: two bits a sample, the number of
+// its surface (3, where it has none, is never another's), and above them how many surfaces there are; 0: the pixel is
+// no edge. g and b, of edges alone, by sample_edges.comp: its first slot in the sample light buffer.
 uint surfaces_of(uint edge) { return edge >> 8; }
 uint surface_of(uint edge, int i) { return edge >> (2 * i) & 3u; }
+uvec4 edge_with_slot(uint edge, uint slot) { return uvec4(edge, slot & 0xffffu, slot >> 16, 0u); }
+uint first_slot(uvec4 texel) { return texel.g | texel.b << 16; }
 
 // What fills a slot of the buffer: a pixel of its block, and above six bits the samples that share the surface.
 const uint NO_SURFACE = 0xffffffffu;
+
+// Whether an edge pixel's surfaces have light of their own: no, where there was no room.
+bool has_slots(uvec4 texel) {
+    return texel.r > 0u && first_slot(texel) + surfaces_of(texel.r) <= edge_tiles * TILE_SLOTS;
+}
 
 // Slots are counted through all tiles, in a tile along its rows.
 ivec2 edge_texel(uint slot) {

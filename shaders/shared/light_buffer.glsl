@@ -18,7 +18,6 @@ layout(set = SET_INPUTS, binding = INPUT_SPECULAR_LIGHT) uniform LIGHT_IMAGE spe
 #ifdef SAMPLE_LIGHT
 #include "shared/edge_samples.glsl"
 layout(set = SET_INPUTS, binding = INPUT_EDGE_FLAGS) uniform ONE_SAMPLE_IMAGE_BITS edges;
-layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX) uniform ONE_SAMPLE_IMAGE_BITS edge_index;
 layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DEPTH) uniform texture2DMS sample_depth;
 layout(set = SET_INPUTS, binding = INPUT_SAMPLE_DIFFUSE) uniform LIGHT_IMAGE sample_diffuse;
 layout(set = SET_INPUTS, binding = INPUT_SAMPLE_SPECULAR) uniform LIGHT_IMAGE sample_specular;
@@ -91,34 +90,35 @@ uint owned_samples(ivec2 pixel, vec2 slope) {
     return bitCount(covered) == 1 || (owned & covered) == 0u ? covered : owned & covered;
 }
 
-LightTexels light_of_sample(uint slot, uint edge, int i) {
-    return unpacked(fetched(sample_diffuse, sample_specular, edge_texel(slot + surface_of(edge, i))));
+// Its light as it is stored.
+StoredLight stored_of_sample(uvec4 edge, int i) {
+    return fetched(sample_diffuse, sample_specular, edge_texel(first_slot(edge) + surface_of(edge.r, i)));
 }
 
 // An edge pixel's surfaces have their own light in the sample light buffer. A fragment sees that of the first sample
-// that it owns, for its samples share a surface; or where every sample has its own, the mean of them.
+// that it owns, for its samples share a surface; or where every sample has its own, the mean of them. Not in a loop of
+// one turn: a software device runs its body for all pixels, as that of an `if`, and once more where one is an edge.
 LightTexels read_light() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec2 slope = vec2(0.0); // device depth is linear over a triangle
     if (!post_depth_coverage)
         slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
-    LightTexels light = unpacked(fetched(diffuse_light, specular_light, pixel));
-    uint edge = one_sample_read(edges, pixel).r;
-    // A loop: a software device runs both sides of an `if`. Nor for pixels beside the triangle, which run along.
-    for (bool once = edge > 0u && gl_SampleMaskIn[0] != 0; once; once = false) {
-        uint slot = one_sample_read(edge_index, pixel).r;
-        if (slot + surfaces_of(edge) > edge_tiles * TILE_SLOTS)
-            break; // there was no room
+    StoredLight stored = fetched(diffuse_light, specular_light, pixel);
+    uvec4 edge = one_sample_read(edges, pixel);
+    bool apart = has_slots(edge) && gl_SampleMaskIn[0] != 0; // pixels beside the triangle run along
+    if (!every_sample) {
+        if (apart)
+            stored = stored_of_sample(edge, findLSB(owned_samples(pixel, slope)));
+        return unpacked(stored);
+    }
+    LightTexels light = unpacked(stored);
+    if (apart) {
         uint owned = owned_samples(pixel, slope);
-        if (!every_sample) {
-            light = light_of_sample(slot, edge, findLSB(owned));
-            break;
-        }
         light = LightTexels(vec4(0.0), vec4(0.0), 0.0);
         float share = 1.0 / float(max(bitCount(owned), 1));
         for (int i = 0; i < samples; ++i) {
             float own = float(owned >> i & 1u) * share;
-            LightTexels one = light_of_sample(slot, edge, i);
+            LightTexels one = unpacked(stored_of_sample(edge, i));
             light = LightTexels(light.diffuse + own * one.diffuse, light.specular + own * one.specular,
                                 light.weight + own * one.weight);
         }

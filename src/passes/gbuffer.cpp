@@ -103,9 +103,7 @@ graph::ImageId light_resolve_pass(graph::FrameGraph& graph, const resident::View
     graph::Pass& pass = graph.pass("resolve");
     pass.colour(target, graph::Load::discard).sample(INPUT_COLOUR, gbuffer.light);
     if (samples)
-        pass.sample(INPUT_EDGE_FLAGS, samples->edges.flags)
-            .sample(INPUT_EDGE_INDEX, samples->edges.index)
-            .sample(INPUT_SAMPLE_DIFFUSE, samples->light);
+        pass.sample(INPUT_EDGE_FLAGS, samples->edges.flags).sample(INPUT_SAMPLE_DIFFUSE, samples->light);
     const bool bytes = graph.desc(gbuffer.light).format == VK_FORMAT_R8G8B8A8_UNORM;
     gpu::Constants constants = display_constants(display, graph.desc(target).format);
     constants.emplace_back(CONSTANT_CLIPPED_LIGHT, bytes);

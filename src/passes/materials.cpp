@@ -22,9 +22,7 @@ SurfaceDraws::Desc declare(graph::FrameGraph& graph, graph::Pass& pass, const re
     (pass.*sample)(INPUT_DIFFUSE_LIGHT, inputs.light.diffuse);
     (pass.*sample)(INPUT_SPECULAR_LIGHT, inputs.light.specular);
     if (inputs.edges) {
-        pass.sample(INPUT_SAMPLE_DEPTH, inputs.depth)
-            .sample(INPUT_EDGE_FLAGS, inputs.edges->flags)
-            .sample(INPUT_EDGE_INDEX, inputs.edges->index);
+        pass.sample(INPUT_SAMPLE_DEPTH, inputs.depth).sample(INPUT_EDGE_FLAGS, inputs.edges->flags);
         (pass.*sample)(INPUT_SAMPLE_DIFFUSE, inputs.sample_light.diffuse);
         (pass.*sample)(INPUT_SAMPLE_SPECULAR, inputs.sample_light.specular);
     }

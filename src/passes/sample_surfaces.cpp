@@ -88,7 +88,9 @@ bool EdgeCounter::take(uint32_t slot) {
 SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
                                  SampleLight light, EdgeCounter& counter, GBufferColours* colours) {
     const uint32_t samples = graph.raster(surface.depth).samples;
-    const graph::ImageId flags = graph.image("edges", {VK_FORMAT_R16_UINT, view.raster()});
+    // Slots lie beside the flags, so that a material has both by one fetch. In RGBA16UI, which every device stores.
+    const VkFormat format = light == SampleLight::pixel ? VK_FORMAT_R16_UINT : VK_FORMAT_R16G16B16A16_UINT;
+    const graph::ImageId flags = graph.image("edges", {format, view.raster()});
     SampledSurfaces out{
         surface, resolve_surfaces(graph, view, surface, flags, light == SampleLight::samples, colours), {}};
     if (light == SampleLight::pixel)
@@ -106,7 +108,6 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     edges.tile_count = counter.room_ = rows * edges.row;
     edges.every_sample = light == SampleLight::samples;
     edges.flags = flags;
-    edges.index = graph.image("edge index", {VK_FORMAT_R32_UINT, view.raster()});
     const auto make = [&](const char* name, uint64_t words, VkBufferUsageFlags more) {
         return std::make_shared<gpu::Buffer>(view.context(), name, words * sizeof(uint32_t),
                                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more, gpu::BufferPlace::device);
@@ -135,7 +136,7 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     graph::Pass& pass = graph.pass("sample-edges");
     pass.raster(view.raster())
         .sample(INPUT_EDGES, flags)
-        .store(INPUT_EDGE_INDEX, edges.index)
+        .store(INPUT_EDGE_INDEX, flags)
         .storage(INPUT_LIT_BLOCKS, edges.tiles, true)
         .storage(INPUT_EDGE_PIXELS, edges.pixels, true)
         .storage(INPUT_EDGE_COUNTS, counts, true);

@@ -15,8 +15,9 @@ enum class SampleLight {
 
 /// Where the samples of edge pixels lie in the sample light buffer (shaders/shared/edge_samples.glsl).
 struct SampleEdges {
-    graph::ImageId flags; ///< R16_UINT: which samples of a pixel share surfaces; 0: it is no edge
-    graph::ImageId index; ///< R32_UINT: of an edge pixel, where its surfaces begin in the sample light buffer
+    /// R16G16B16A16_UINT. r: which samples of a pixel share surfaces, 0: it is no edge; g and b: of an edge, where its
+    /// surfaces begin in the sample light buffer.
+    graph::ImageId flags;
     std::shared_ptr<const gpu::Buffer> tile_buffer;
     graph::BufferId tiles;   ///< its id: LitBlocks, then the block of each tile of 8 × 8 texels
     graph::BufferId pixels;  ///< what fills each texel: a pixel of the block, and some of its samples
