@@ -68,6 +68,7 @@ struct ObjectData {
 };
 
 struct MaterialConstants {
+    vec4 unread;  // what lies first is not read: docs/notes/software-devices.md#uniform-buffers
     vec4 base_colour;
     vec4 emissive;              // rgb × exposure; w: alpha cut-off; of what is blended its softness, metres
     vec4 factors;               // metallic, roughness, normal scale, occlusion strength

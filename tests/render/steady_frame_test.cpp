@@ -2,7 +2,10 @@
 #include "every_way.hpp"
 #include "garden.hpp"
 #include "vulkan_calls.hpp"
+#include <fstream>
+#include <prelight/scene_io.hpp>
 #include <prelight/vary.hpp>
+#include <unistd.h>
 
 namespace prelight {
 namespace {
@@ -81,6 +84,31 @@ TEST(SteadyFrame, MakesNothingWhileLightsAndCameraMove) {
         }
     }
     expect_validation_clean(test_device());
+}
+
+uint64_t resident_bytes() {
+    uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages >> pages; // the second number
+    return pages * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+// lavapipe makes some shaders again at every bind and keeps the old ones (docs/notes/software-devices.md): not ours.
+TEST(SteadyFrame, LeavesNoMemoryInTheDriver) {
+    const Scene scene = make_scene("materials", 9, 1);
+    const World world = resolve(scene);
+    for (const char* name : {"light-prepass", "deferred", "z-prepass"}) {
+        Shot shot{.world = &world, .camera = find_camera(world, "0"), .width = 64, .height = 36};
+        shot.renderer = name;
+        const auto renderer = create_renderer(shot.renderer, &test_device(), options_of(shot));
+        renderer->set_world(world);
+        const auto draw = [&](int frames) {
+            for (int frame = 0; frame < frames; ++frame)
+                renderer->render(shot.camera);
+            return resident_bytes();
+        };
+        const uint64_t before = draw(10);
+        EXPECT_LT(draw(40), before + (12u << 20)) << name; // with one such shader 30 MiB and more
+    }
 }
 
 // The count would be 0 as well if nobody counted: a frame whose lights need more room makes it.
