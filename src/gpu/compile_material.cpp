@@ -1,5 +1,5 @@
 // A user's material, compiled at run time: `#include "material.glsl"` means the user's file, everything else
-// is what this build was made of. What comes out is kept on disk, for the compiler takes a third of a second a stage.
+// is what this build was made of. What comes out is kept on disk, for the compiler takes an eighth of a second a stage.
 #include "compile_material.hpp"
 #include "cache_file.hpp"
 #include "glsl_compiler.hpp"

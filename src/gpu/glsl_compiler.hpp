@@ -22,28 +22,31 @@ inline shaderc::CompileOptions glsl_options(const ShaderKey& key) {
     return options;
 }
 
-/// The same SPIR-V without names and without functions, variables and code that nothing needs. Functions are not
+/// spirv-opt's passes that take out names, and functions, variables and code that nothing needs. Functions are not
 /// inlined: drivers do that anyway, and with it this takes ten times as long (docs/notes/performance-log.md#shaders).
+inline const std::vector<std::string> spirv_passes = {
+    "--strip-debug",
+    "--eliminate-dead-branches",
+    "--eliminate-dead-functions",
+    "--private-to-local",
+    "--eliminate-local-single-block",
+    "--eliminate-local-single-store",
+    "--eliminate-dead-code-aggressive",
+    "--scalar-replacement=100",
+    "--ssa-rewrite",
+    "--ccp",
+    "--eliminate-dead-branches",
+    "--simplify-instructions",
+    "--eliminate-dead-code-aggressive",
+    "--merge-blocks",
+};
+
 inline std::vector<uint32_t> optimize_spirv(std::span<const uint32_t> code) {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
-    optimizer.RegisterPass(spvtools::CreateStripDebugInfoPass())
-        .RegisterPass(spvtools::CreateDeadBranchElimPass())
-        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
-        .RegisterPass(spvtools::CreatePrivateToLocalPass())
-        .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
-        .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass())
-        .RegisterPass(spvtools::CreateScalarReplacementPass(100))
-        .RegisterPass(spvtools::CreateSSARewritePass())
-        .RegisterPass(spvtools::CreateCCPPass())
-        .RegisterPass(spvtools::CreateDeadBranchElimPass())
-        .RegisterPass(spvtools::CreateSimplificationPass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass())
-        .RegisterPass(spvtools::CreateBlockMergePass());
     spvtools::OptimizerOptions options;
     options.set_run_validator(false); // the compiler's output, not a file's
     std::vector<uint32_t> out;
-    if (!optimizer.Run(code.data(), code.size(), &out, options))
+    if (!optimizer.RegisterPassesFromFlags(spirv_passes) || !optimizer.Run(code.data(), code.size(), &out, options))
         throw Error("SPIR-V of the GLSL compiler cannot be optimised");
     return out;
 }
@@ -51,8 +54,8 @@ inline std::vector<uint32_t> optimize_spirv(std::span<const uint32_t> code) {
 /// What beside source and macros decides what comes out: the compiler, its options and the passes above, for keys of
 /// caches.
 inline std::string glsl_compiler_name() {
-    return fmt::format("glslang {}.{}.{}, {}, vulkan1.3, optimize_spirv 1", GLSLANG_VERSION_MAJOR,
-                       GLSLANG_VERSION_MINOR, GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString());
+    return fmt::format("glslang {}.{}.{}, {}, vulkan1.3, {}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR,
+                       GLSLANG_VERSION_PATCH, spvSoftwareVersionDetailsString(), fmt::join(spirv_passes, " "));
 }
 
 } // namespace prelight::gpu

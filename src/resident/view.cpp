@@ -125,17 +125,17 @@ void View::make_light_buffers(const LightSet& lights) {
             slot.shadow_texels = gpu::make_texel_view(context(), "shadow tiles as texels", slot.shadows);
     }
     std::vector<std::vector<gpu::Binding>> sets;
-    for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
-        sets.push_back({gpu::Binding::uniform(FRAME_CONSTANTS, constants_[s].handle()),
-                        gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
-                        gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
-                        gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle()),
-                        gpu::Binding::texel_buffer(FRAME_LIGHT_TEXELS, made[s].light_texels)});
-    // lavapipe takes what decides branches out of the first four uniform buffers, and the fourth breaks it.
-    for (uint32_t s = 0; s < gpu::frames_in_flight; ++s)
-        for (uint32_t unread = 0; unread < 3; ++unread)
-            sets[s].push_back(gpu::Binding::uniform(FRAME_UNREAD + unread, constants_[s].handle()));
     for (uint32_t s = 0; s < gpu::frames_in_flight; ++s) {
+        // FRAME_UNREAD: lavapipe notes which values of a stage's first four uniform buffers decide branches, and its
+        // notes of the fourth overwrite others. With three that no shader reads, nothing that is read is the fourth.
+        const VkBuffer constants = constants_[s].handle();
+        sets.push_back(
+            {gpu::Binding::uniform(FRAME_CONSTANTS, constants), gpu::Binding::uniform(FRAME_UNREAD, constants),
+             gpu::Binding::uniform(FRAME_UNREAD + 1, constants), gpu::Binding::uniform(FRAME_UNREAD + 2, constants),
+             gpu::Binding::storage(FRAME_LIGHTS, made[s].lights.handle()),
+             gpu::Binding::storage(FRAME_LIGHT_ORDER, made[s].order.handle()),
+             gpu::Binding::storage(FRAME_LIGHT_BOUNDS, made[s].bounds.handle()),
+             gpu::Binding::texel_buffer(FRAME_LIGHT_TEXELS, made[s].light_texels)});
         // Every binding is written, with whatever is there where no shader looks.
         const gpu::Texture* picture = lights.distribution_picture();
         const Materials& materials = scene_.materials();
