@@ -61,8 +61,8 @@ Taps find_taps() {
     for (int i = 0; i < 4; ++i)
         taps.share[i] = taps.unmatched ? plain[i] : taps.share[i] / total;
     // Of the texels around it that show the same object, the one that is nearest, in depth above all; where there is
-    // none, whatever light there is. A loop: a software device runs both sides of an `if`.
-    for (bool once = taps.unmatched; once; once = false) {
+    // none, whatever light there is.
+    if (taps.unmatched) {
         ivec2 middle = ivec2(floor(place + 0.5)), found = ivec2(-1);
         float least = 3e38;
         for (int i = 0; i < 9; ++i) {
@@ -75,18 +75,17 @@ Taps find_taps() {
                 found = at;
             }
         }
-        if (found.x < 0)
-            break;
-        taps.at[0] = found;
-        for (int i = 0; i < 4; ++i)
-            taps.share[i] = i == 0 ? 1.0 : 0.0;
+        if (found.x >= 0) {
+            taps.at[0] = found;
+            taps.share = float[4](1.0, 0.0, 0.0, 0.0);
+        }
     }
     return taps;
 }
 
 // Adds the pixel to those that found no texel of their surface.
 void count_unmatched(Taps taps) {
-    for (bool once = taps.unmatched; once; once = false)
+    if (taps.unmatched)
         atomicAdd(unmatched_pixels, 1u);
 }
 #endif

@@ -50,7 +50,7 @@ vec3 cookie_at(uint index, vec4 place, float spread) {
     uint first = uint(cookie.y + place.w * (cookie.z + 1.0) + level);
     vec4 finer = distribution_levels[first].rectangle;
     vec3 colour = map_texel(finer.xy + place.xy * finer.zw);
-    for (bool once = lod > level; once; once = false) {
+    if (lod > level) {
         vec4 coarser = distribution_levels[first + 1u].rectangle;
         colour = mix(colour, map_texel(coarser.xy + place.xy * coarser.zw), lod - level);
     }
@@ -69,21 +69,20 @@ float profile_at(uint index, vec3 d) {
 // Factor of the light's colour; `number`: that of its record, from 1. `direction`: unit, from the light; `spread`: radians
 // that a pixel at the lit point covers, seen from the light.
 //
-// Loops of one turn: a software device leaves out a loop that no invocation enters, but runs both sides of an `if`.
-// Members are read where they are needed: each costs it a load for each invocation.
+// Members are read where they are needed: each costs a software device a load for each invocation.
 vec3 light_distribution(uint number, vec3 direction, float spread) {
     uint index = number - 1u;
     vec3 right = distributions[index].right.xyz, up = distributions[index].up.xyz;
     vec3 d = vec3(dot(direction, right), dot(direction, up), dot(direction, cross(right, up)));
     int kind = int(distributions[index].cookie.x);
     vec3 factor = vec3(1.0);
-    for (bool once = kind == COOKIE_SPOT; once; once = false)
+    if (kind == COOKIE_SPOT)
         factor = d.z < 0.0 ? cookie_at(index, spot_place(d, distributions[index].cookie.w), spread) : vec3(0.0);
-    for (bool once = kind == COOKIE_SPHERE; once; once = false)
+    if (kind == COOKIE_SPHERE)
         factor = cookie_at(index, sphere_place(d), spread);
-    for (bool once = kind == COOKIE_CUBE; once; once = false)
+    if (kind == COOKIE_CUBE)
         factor = cookie_at(index, cube_place(d), spread);
-    for (bool once = distributions[index].detail.y > 0.0; once; once = false)
+    if (distributions[index].detail.y > 0.0)
         factor *= profile_at(index, d);
     return factor;
 }

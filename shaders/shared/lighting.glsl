@@ -194,7 +194,7 @@ LightTerms light_terms(inout LightSource source, LitPoint p) {
     float att = r.attenuation, nl = r.nl;
     bool contributes = r.contributes;
     if (may_be(LIGHT_KIND_DISTRIBUTION)) {
-        for (bool once = contributes && source.distribution > 0u; once; once = false)
+        if (contributes && source.distribution > 0u)
             source.colour *= light_distribution(source.distribution, -l, pixel_on_surface(p.world, p.nv) * r.inverse);
         source.luminance = luminance(source.colour);
     }
