@@ -89,7 +89,7 @@ World half_of(const World& world) {
     return half;
 }
 
-/// The yardstick scene with as many objects and lights as Kircher and Lawrance counted: 101 and 81.
+/// The baseline scene with as many objects and lights as Kircher and Lawrance counted: 101 and 81.
 std::unique_ptr<LoadedScene> counted_by_kircher() {
     constexpr size_t objects = 101, lights = 81;
     auto loaded = load_scene("lights", lights, 1, lights);

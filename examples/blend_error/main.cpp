@@ -101,7 +101,7 @@ void equal_lights(Device& device) {
     }
 }
 
-void yardstick(Device& device) {
+void baseline(Device& device) {
     fmt::print("\n{:>6} {:>10} {:>8} {:>10}\n", "lights", "error", "PSNR", "block");
     for (const uint32_t count : {256u, 1024u, 4096u, 16384u, 65536u}) {
         const Scene scene = make_scene("lights", count, 1);
@@ -120,7 +120,7 @@ int main() {
         const auto device = Device::create({});
         fmt::print("{}\n", device->name());
         equal_lights(*device);
-        yardstick(*device);
+        baseline(*device);
         return 0;
     } catch (const Error& error) {
         fmt::print(stderr, "{}\n", error.what());

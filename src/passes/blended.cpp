@@ -90,7 +90,7 @@ gpu::DepthTest depth_test_of(BlendedPart part) {
                                          : gpu::DepthTest::behind_or_at;
 }
 
-/// An object's draws, in one way to find lights.
+/// An object's draws, with one kind of light culling.
 class BlendedDraws {
 public:
     BlendedDraws(const resident::View& view, const graph::PassInterface& interface, const ForwardInputs& inputs,

@@ -70,7 +70,7 @@ TEST(Deferred, TenKilometresFromTheOrigin) {
     expect_agrees(deferred(garden.shot()));
 }
 
-TEST(Deferred, ManyLightsOfTheYardstickSceneAgree) {
+TEST(Deferred, ManyLightsOfTheBaselineSceneAgree) {
     const Scene scene = make_scene("lights", 256, 1);
     const World world = resolve(scene);
     Shot shot = deferred({.world = &world, .camera = world.cameras.at(0)});
@@ -154,7 +154,7 @@ TEST(Deferred, EveryCullingMethodLightsTheSamePixels) {
         for (const Light& light : {garden.point(4, 12), garden.spot(0.4f, 6, 60)})
             garden.add_light(light, garden.camera.position - garden.camera.axes[2] * (share * light.range),
                              {0, -1, -0.3});
-        Image yardstick;
+        Image baseline;
         uint64_t contributing = 0;
         const auto expect_same = [&](const std::string& method) {
             RenderOptions options = options_of(deferred(garden.shot(), {{"light-culling", method}}));
@@ -165,12 +165,12 @@ TEST(Deferred, EveryCullingMethodLightsTheSamePixels) {
             renderer->set_world(garden.world);
             renderer->render(garden.camera);
             const Image picture = renderer->read("linear");
-            if (yardstick.pixels.empty()) {
-                yardstick = picture;
+            if (baseline.pixels.empty()) {
+                baseline = picture;
                 contributing = renderer->stats().pairs_contributing;
             }
             EXPECT_EQ(renderer->stats().pairs_contributing, contributing) << method << " at " << share;
-            EXPECT_GE(compare_pixels(picture, yardstick).psnr, 70) << method << " at " << share;
+            EXPECT_GE(compare_pixels(picture, baseline).psnr, 70) << method << " at " << share;
         };
         expect_same("fullscreen");
         for (const std::string& method : culling_methods())

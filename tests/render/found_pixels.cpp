@@ -26,22 +26,22 @@ std::vector<Found> find_pixels(const World& world, std::span<const PlacedCamera>
 std::vector<std::vector<Found>> expect_same_as_fullscreen(const World& world, std::span<const PlacedCamera> cameras,
                                                           std::span<const SettingMap> settings, Device& device) {
     std::vector<std::vector<Found>> all;
-    const std::vector<Found> yardstick = find_pixels(world, cameras, {{"light-culling", "fullscreen"}}, device);
+    const std::vector<Found> baseline = find_pixels(world, cameras, {{"light-culling", "fullscreen"}}, device);
     uint64_t lit = 0;
-    for (const Found& one : yardstick)
+    for (const Found& one : baseline)
         lit += one.contributing;
     EXPECT_GT(lit, 0u) << "nothing is lit, nothing is tested";
     for (const SettingMap& setting : settings) {
         const std::vector<Found>& found = all.emplace_back(find_pixels(world, cameras, setting, device));
         for (size_t i = 0; i < found.size(); ++i) {
             const auto where = [&] { return testing::PrintToString(setting) + " from camera " + std::to_string(i); };
-            EXPECT_EQ(found[i].contributing, yardstick[i].contributing) << where();
+            EXPECT_EQ(found[i].contributing, baseline[i].contributing) << where();
             EXPECT_LE(found[i].evaluated, world.lights.size() * found_width * found_height) << where();
-            EXPECT_TRUE(found[i].counts.pixels == yardstick[i].counts.pixels) << where();
+            EXPECT_TRUE(found[i].counts.pixels == baseline[i].counts.pixels) << where();
             if (world.lights.size() == 1)
-                EXPECT_TRUE(found[i].linear.pixels == yardstick[i].linear.pixels) << where();
+                EXPECT_TRUE(found[i].linear.pixels == baseline[i].linear.pixels) << where();
             else
-                EXPECT_GE(compare_pixels(found[i].linear, yardstick[i].linear).psnr, 70) << where();
+                EXPECT_GE(compare_pixels(found[i].linear, baseline[i].linear).psnr, 70) << where();
         }
     }
     expect_validation_clean(device);

@@ -5,7 +5,7 @@
 namespace prelight {
 namespace {
 
-/// A frame of the yardstick scene.
+/// A frame of the baseline scene.
 Stats frame_of(uint32_t lights, uint32_t width, uint32_t height) {
     const Scene scene = make_scene("lights", lights, 1);
     const World world = resolve(scene);

@@ -1,4 +1,4 @@
-// The yardstick scene with few and many lights, and the built-in scenes, against the reference.
+// The baseline scene with few and many lights, and the built-in scenes, against the reference.
 #include "against_reference.hpp"
 #include <prelight/scene_io.hpp>
 

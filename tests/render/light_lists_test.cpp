@@ -21,11 +21,11 @@ uint64_t expect_every_contributing_light(const Shot& shot, const std::string& cu
     full.settings["light-culling"] = "fullscreen";
     full.settings.erase("tile-size"); // refused where there are no tiles
     lists.settings["light-culling"] = culling;
-    const Rendered yardstick = render_counting_pairs(full), found = render_counting_pairs(lists);
-    EXPECT_EQ(found.stats.pairs_contributing, yardstick.stats.pairs_contributing) << culling << ", " << where;
-    EXPECT_LE(found.stats.pairs_evaluated, yardstick.stats.pairs_evaluated) << culling << ", " << where;
+    const Rendered baseline = render_counting_pairs(full), found = render_counting_pairs(lists);
+    EXPECT_EQ(found.stats.pairs_contributing, baseline.stats.pairs_contributing) << culling << ", " << where;
+    EXPECT_LE(found.stats.pairs_evaluated, baseline.stats.pairs_evaluated) << culling << ", " << where;
     // Blended half floats are rounded light by light, sums of a list once.
-    EXPECT_GE(compare_pixels(found.linear, yardstick.linear).psnr, 60) << culling << ", " << where;
+    EXPECT_GE(compare_pixels(found.linear, baseline.linear).psnr, 60) << culling << ", " << where;
     return found.stats.pairs_evaluated;
 }
 

@@ -130,7 +130,7 @@ TEST(Multipass, ALightThatReachesNothingCostsNoDraw) {
     }
 }
 
-TEST(Multipass, ManyLightsOfTheYardstickSceneAgree) {
+TEST(Multipass, ManyLightsOfTheBaselineSceneAgree) {
     const Scene scene = make_scene("lights", 256, 1);
     const World world = resolve(scene);
     Shot shot =

@@ -49,7 +49,7 @@ TEST(SunOcclusion, ThePictureIsThatOfMapsReadInTheLightPass) {
             const Comparison c = compare_pixels(channel, render_linear(test_device(), shot));
             expect_within(c, {.psnr = 60, .off_share = 0, .block = 0.25}); // 256 steps of one light of four
             if (std::string(filter) != "pcf")
-                break; // ways to find lights differ in nothing but where the shader stands
+                break; // kinds of light culling differ in nothing but where the shader stands
         }
     expect_validation_clean(test_device());
 }

@@ -226,7 +226,7 @@ TEST(VisibleDraws, OnSwiftShadersCoarserGridOfPixels) {
 }
 
 /// 266 objects of three meshes; 50 of them are behind the camera or beside the picture.
-TEST(VisibleDraws, CountsOfTheYardstickScene) {
+TEST(VisibleDraws, CountsOfTheBaselineScene) {
     const Scene scene = make_scene("lights", 4, 1);
     const World world = resolve(scene);
     const auto stats = [&](SettingMap settings) { return drawn_with(world, world.cameras.at(0), settings).stats; };

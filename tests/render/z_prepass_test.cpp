@@ -112,7 +112,7 @@ TEST(ZPrepass, ListsGoByStrength) {
     EXPECT_THAT(list(ObjectLights::none), testing::IsEmpty());
 }
 
-TEST(ZPrepass, ManyLightsOfTheYardstickSceneAgree) {
+TEST(ZPrepass, ManyLightsOfTheBaselineSceneAgree) {
     const Scene scene = make_scene("lights", 256, 1);
     const World world = resolve(scene);
     Shot shot = z_prepass({.world = &world, .camera = world.cameras.at(0)});

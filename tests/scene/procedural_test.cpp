@@ -102,7 +102,7 @@ void expect_unit_normals(const Primitive& primitive) {
         ASSERT_NEAR(glm::length(glm::dvec3(normal)), 1, 1e-6);
 }
 
-TEST(Procedural, LightsIsTheYardstick) {
+TEST(Procedural, LightsIsTheBaseline) {
     const Scene scene = make_scene("lights", 1024, 7);
     const Counts counts = count(scene);
     EXPECT_EQ(counts.triangles, 250284u);

@@ -8,7 +8,7 @@ namespace prelight {
 /// `light_by_light`: its light passes may draw one light after the other.
 std::vector<SettingInfo> shadow_settings(bool light_by_light = false);
 /// Where maps of one light after the other share their memory, lights are drawn one by one: chooses
-/// light-culling=volumes where it is still `auto`. Throws UsageError for ways to find lights that read all maps at
+/// light-culling=volumes where it is still `auto`. Throws UsageError for light culling that reads all maps at
 /// once, but lets a preset's value give way to them, with a note.
 void choose_shadow_memory(Settings& settings);
 /// What they say; no shadows where a renderer has none of them.

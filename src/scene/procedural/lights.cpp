@@ -8,7 +8,7 @@ namespace {
 
 constexpr double spacing = 7; // metres between spheres, and between columns
 
-/// Untextured materials need no texture coordinates: the yardstick's vertices stay small.
+/// Untextured materials need no texture coordinates: the baseline's vertices stay small.
 Primitive untextured(Primitive primitive) {
     primitive.texcoords[0].clear();
     return primitive;
@@ -40,7 +40,7 @@ Scene make_lights_scene(uint32_t lights, uint64_t seed) {
     scene.name = "lights";
     scene.scenes = {{.name = "lights", .nodes = {}}};
     scene.ambient = glm::vec3(0.02f);
-    add_camera(scene, {.name = "yardstick", .yfov = 0.87}, {0, 14, 48}, {0, 0, 0});
+    add_camera(scene, {.name = "baseline", .yfov = 0.87}, {0, 14, 48}, {0, 0, 0});
     add_objects(scene);
     Random random(seed);
     for (uint32_t i = 0; i < lights; ++i) {

@@ -4,7 +4,7 @@
 
 namespace prelight {
 
-/// The yardstick for speed: 250,284 triangles in 266 objects (a ground, 144 spheres, 121 columns)
+/// The baseline for speed: 250,284 triangles in 266 objects (a ground, 144 spheres, 121 columns)
 /// under `lights` point lights of range 5 m and 12 cd with hues from `seed`.
 Scene make_lights_scene(uint32_t lights, uint64_t seed);
 

@@ -35,7 +35,7 @@ constexpr auto entries = std::to_array<Entry>({
      make_city_smoke},
     {{"city-glass", "the same street with glass shelters and canopies of cloth, blended", 1024}, make_city_glass},
     {{"spheres", "shininess x metalness grid of spheres", 8}, make_spheres_scene},
-    {{"lights", "yardstick for speed: 144 spheres, 121 columns, small point lights", 1024}, make_lights_scene},
+    {{"lights", "baseline for speed: 144 spheres, 121 columns, small point lights", 1024}, make_lights_scene},
     {{"motion", "all that moves: turning boxes, a bent column, a morphing sphere, camera, lights", 24},
      make_motion_scene},
     {{"shadows", "thin walls, poles, a fence, columns far away: sun, point light, narrow and wide spot", 4},
