@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+// variants: WIDE_SLOTS
 // Gathers the surfaces of edge pixels, so that they can be lit evenly: those of a block of 8 × 8 pixels fill tiles
 // of the sample light buffer, as many as they need. An invocation looks after a block: barriers between those
 // of a block cost a software device more than all else here.
@@ -9,7 +10,11 @@
 layout(local_size_x = LIST_GROUP) in;
 layout(set = SET_INPUTS, binding = INPUT_EDGES) uniform PIXEL_IMAGE_BITS edges;
 // The same image; only texels of edges are written.
-layout(set = SET_INPUTS, binding = INPUT_EDGE_INDEX, rgba16ui) uniform writeonly uimage2D edge_index;
+#ifdef WIDE_SLOTS
+layout(set = SET_INPUTS, binding = INPUT_EDGE_TARGET, rgba32ui) uniform writeonly uimage2D edge_target;
+#else
+layout(set = SET_INPUTS, binding = INPUT_EDGE_TARGET, r32ui) uniform writeonly uimage2D edge_target;
+#endif
 layout(set = SET_INPUTS, binding = INPUT_LIT_BLOCKS, std430) buffer TileBlock { LitBlocks tiles; uint tile_blocks[]; };
 layout(set = SET_INPUTS, binding = INPUT_EDGE_PIXELS, std430) writeonly buffer PixelBlock { uint edge_pixels[]; };
 layout(set = SET_INPUTS, binding = INPUT_EDGE_COUNTS, std430) buffer CountBlock { uint tile_count; }; // needed, for the host
@@ -58,7 +63,7 @@ void main() {
         uint place = bit + (lower ? 0u : 32u);
         ivec2 pixel = pixel_of(low, place);
         uint edge = pixel_read(edges, pixel).r, surfaces = surfaces_of(edge);
-        imageStore(edge_index, pixel, edge_with_slot(edge, slot));
+        imageStore(edge_target, pixel, edge_with_slot(edge, min(slot, end)));
         for (uint s = 0u; s < surfaces; ++s, ++slot)
             if (slot < end)
                 edge_pixels[slot] = samples_of(edge, s) * BLOCK_PIXELS + place;

@@ -12,6 +12,7 @@ layout(constant_id = CONSTANT_VIEW_SAMPLE) const int view_sample = 0;
 #endif
 layout(location = 0) out vec4 out_colour;
 #ifdef LIGHT_PAIR
+#include "shared/edge_samples.glsl"
 #include "shared/light_pair.glsl"
 layout(set = SET_INPUTS, binding = INPUT_MATERIAL) uniform PIXEL_IMAGE_BITS pair_buffer;
 #endif
@@ -83,7 +84,7 @@ void main() {
         colour = vec3(!surface ? 0.0 : gbuffer_layout == GBUFFER_KILLZONE2 ? value.a : 1.0);
 #ifdef LIGHT_PAIR
     } else if (view == VIEW_EDGES) {
-        colour = vec3(float(bits.r >> 8) / 4.0); // shared/edge_samples.glsl
+        colour = vec3(float(surfaces_of(bits.r)) / 4.0);
 #endif
     } else if (view == VIEW_COUNT) {
         colour = heat(value.g);

@@ -16,8 +16,10 @@ vec3 srgb_encode(vec3 linear) {
     return mix(1.055 * power - 0.055, linear * 12.92, lessThanEqual(linear, vec3(0.0031308)));
 }
 
+// ((x + 0.055) / 1.055)^2.4 above 0.04045, by a polynomial that is within 0.004/255 of the code.
 vec3 srgb_decode(vec3 code) {
-    return mix(pow((code + 0.055) / 1.055, vec3(2.4)), code / 12.92, lessThanEqual(code, vec3(0.04045)));
+    vec3 power = 0.00087161 + code * (0.03450124 + code * (0.49812459 + code * (0.77189283 + code * (-0.54117675 + code * (0.32343494 + code * -0.08767987)))));
+    return mix(power, code / 12.92, lessThanEqual(code, vec3(0.04045)));
 }
 
 // Khronos PBR Neutral tone mapper, by its specification.

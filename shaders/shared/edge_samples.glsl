@@ -8,18 +8,21 @@
 
 layout(constant_id = CONSTANT_EDGE_TILES) const uint edge_tiles = 1u; // that the buffer has room for
 layout(constant_id = CONSTANT_EDGE_ROW) const uint edge_row = 1u;     // of them along x
+layout(constant_id = CONSTANT_EDGE_FIRST_ROW) const int edge_first_row = 0; // of texels: above it lies the light buffer
 
 layout(constant_id = CONSTANT_EVERY_EDGE) const bool every_sample = false; // is a surface of its own
 
 const uint TILE_SLOTS = uint(LIT_BLOCK * EDGE_TILE_ROWS), BLOCK_PIXELS = uint(LIT_BLOCK * LIT_BLOCK);
 
-// What is said of a pixel, in one texel, for one fetch. r, by sample_surfaces.frag: two bits a sample, the number of
-// its surface (3, where it has none, is never another's), and above them how many surfaces there are; 0: the pixel is
-// no edge. g and b, of edges alone, by sample_edges.comp: its first slot in the sample light buffer.
-uint surfaces_of(uint edge) { return edge >> 8; }
+// What is said of a pixel, in one texel, for one fetch. By sample_surfaces.frag: two bits a sample, the number of its
+// surface (3, where it has none, is never another's), and above them how many surfaces there are; 0: the pixel is no
+// edge. Above these 11 bits, of edges alone, by sample_edges.comp: its first slot in the sample light buffer, whose bits
+// past the 21st are in g, if the image has one.
+const int edge_bits = 11;
+uint surfaces_of(uint edge) { return edge >> 8 & 7u; }
 uint surface_of(uint edge, int i) { return edge >> (2 * i) & 3u; }
-uvec4 edge_with_slot(uint edge, uint slot) { return uvec4(edge, slot & 0xffffu, slot >> 16, 0u); }
-uint first_slot(uvec4 texel) { return texel.g | texel.b << 16; }
+uvec4 edge_with_slot(uint edge, uint slot) { return uvec4(edge | slot << edge_bits, slot >> (32 - edge_bits), 0u, 0u); }
+uint first_slot(uvec4 texel) { return texel.r >> edge_bits | texel.g << (32 - edge_bits); }
 
 // What fills a slot of the buffer: a pixel of its block, and above six bits the samples that share the surface.
 const uint NO_SURFACE = 0xffffffffu;
@@ -32,6 +35,7 @@ bool has_slots(uvec4 texel) {
 // Slots are counted through all tiles, in a tile along its rows.
 ivec2 edge_texel(uint slot) {
     uint tile = slot / TILE_SLOTS, within = slot % TILE_SLOTS;
-    return ivec2(tile % edge_row, tile / edge_row) * ivec2(LIT_BLOCK, EDGE_TILE_ROWS) + ivec2(within % LIT_BLOCK, within / LIT_BLOCK);
+    return ivec2(tile % edge_row, tile / edge_row) * ivec2(LIT_BLOCK, EDGE_TILE_ROWS) +
+           ivec2(within % LIT_BLOCK, edge_first_row + int(within / LIT_BLOCK));
 }
 #endif

@@ -90,35 +90,36 @@ uint owned_samples(ivec2 pixel, vec2 slope) {
     return bitCount(covered) == 1 || (owned & covered) == 0u ? covered : owned & covered;
 }
 
-// Its light as it is stored.
-StoredLight stored_of_sample(uvec4 edge, int i) {
-    return fetched(sample_diffuse, sample_specular, edge_texel(first_slot(edge) + surface_of(edge.r, i)));
-}
+// Where its light lies.
+ivec2 texel_of_sample(uvec4 edge, int i) { return edge_texel(first_slot(edge) + surface_of(edge.r, i)); }
 
 // An edge pixel's surfaces have their own light in the sample light buffer. A fragment sees that of the first sample
-// that it owns, for its samples share a surface; or where every sample has its own, the mean of them. Not in a loop of
-// one turn: a software device runs its body for all pixels, as that of an `if`, and once more where one is an edge.
+// that it owns, for its samples share a surface; or where every sample has its own, the mean of them. With both buffers
+// in one image it fetches once: a software device runs both sides of an `if` for all pixels.
 LightTexels read_light() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec2 slope = vec2(0.0); // device depth is linear over a triangle
     if (!post_depth_coverage)
         slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
-    StoredLight stored = fetched(diffuse_light, specular_light, pixel);
     uvec4 edge = one_sample_read(edges, pixel);
     bool apart = has_slots(edge) && gl_SampleMaskIn[0] != 0; // pixels beside the triangle run along
     if (!every_sample) {
+        ivec2 texel = pixel;
         if (apart)
-            stored = stored_of_sample(edge, findLSB(owned_samples(pixel, slope)));
+            texel = texel_of_sample(edge, findLSB(owned_samples(pixel, slope)));
+        StoredLight stored = fetched(diffuse_light, specular_light, edge_first_row > 0 ? texel : pixel);
+        if (edge_first_row == 0 && apart)
+            stored = fetched(sample_diffuse, sample_specular, texel);
         return unpacked(stored);
     }
-    LightTexels light = unpacked(stored);
+    LightTexels light = unpacked(fetched(diffuse_light, specular_light, pixel));
     if (apart) {
         uint owned = owned_samples(pixel, slope);
         light = LightTexels(vec4(0.0), vec4(0.0), 0.0);
         float share = 1.0 / float(max(bitCount(owned), 1));
         for (int i = 0; i < samples; ++i) {
             float own = float(owned >> i & 1u) * share;
-            LightTexels one = unpacked(stored_of_sample(edge, i));
+            LightTexels one = unpacked(fetched(sample_diffuse, sample_specular, texel_of_sample(edge, i)));
             light = LightTexels(light.diffuse + own * one.diffuse, light.specular + own * one.specular,
                                 light.weight + own * one.weight);
         }

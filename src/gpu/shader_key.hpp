@@ -33,6 +33,7 @@ namespace prelight::gpu {
     X(by_depth, "BY_DEPTH")                                                                                            \
     X(samples, "SAMPLES")           /* images of the frame hold several samples a pixel */                             \
     X(sample_light, "SAMPLE_LIGHT") /* edge pixels' samples have light of their own */                                 \
+    X(wide_slots, "WIDE_SLOTS")     /* of the sample light buffer: more than two million */                            \
     X(textured, "TEXTURED")                                                                                            \
     X(motion, "MOTION")                                                                                                \
     X(shadow_tile, "SHADOW_TILE")         /* a caster, as a light sees it */                                           \

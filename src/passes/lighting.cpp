@@ -49,8 +49,9 @@ bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
 
 LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model, bool pair,
                               bool wide, const SampleEdges* edges) {
-    const gpu::Raster raster = edges ? edges->raster : view.raster();
-    const std::string of = edges ? "sample " : "";
+    const bool both = edges && edges->first_row > 0;
+    const gpu::Raster raster = both ? edges->whole_raster(view) : edges ? edges->raster : view.raster();
+    const std::string of = edges && !both ? "sample " : "";
     LightBuffer out;
     if (pair) {
         out.diffuse = out.specular = graph.image(of + "light", {VK_FORMAT_R32G32B32A32_UINT, raster});

@@ -52,7 +52,8 @@ struct LightBuffer {
 bool is_pair_of_halves(const LightModel& model);
 /// `pair`: one image of pairs (is_light_pair()), where is_pair_of_halves() and compute_walks(). `wide`: full floats in
 /// the place of half floats and smaller ones, for sums of many lights.
-/// `edges`: the sample light buffer instead of the light buffer.
+/// `edges`: the sample light buffer instead of the light buffer, or both in one image of pairs
+/// (SampleEdges::first_row).
 LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model,
                               bool pair = false, bool wide = false, const SampleEdges* edges = nullptr);
 /// An image of pairs: four half floats of diffuse and four of specular light as the bits of one RGBA32UI texel

@@ -48,13 +48,35 @@ SurfaceBuffers resolve_surfaces(graph::FrameGraph& graph, const resident::View& 
     return out;
 }
 
+/// A sample light buffer for so many tiles: as wide as the picture, unless that were higher than an image may be.
+SampleEdges room_for(const resident::View& view, uint32_t tiles) {
+    const uint32_t most_rows = view.context().limits().maxImageDimension2D / EDGE_TILE_ROWS;
+    SampleEdges edges{.row = std::max(blocks_along(view.raster().extent.width), (tiles + most_rows - 1) / most_rows)};
+    const uint32_t rows = (tiles + edges.row - 1) / edges.row;
+    edges.raster = {{edges.row * LIT_BLOCK, rows * EDGE_TILE_ROWS}};
+    edges.tile_count = rows * edges.row;
+    return edges;
+}
+
 } // namespace
 
 gpu::Constants SampleEdges::constants() const {
     return {{CONSTANT_SAMPLES, samples},
             {CONSTANT_EDGE_TILES, tile_count},
             {CONSTANT_EDGE_ROW, row},
+            {CONSTANT_EDGE_FIRST_ROW, first_row},
             {CONSTANT_EVERY_EDGE, every_sample}};
+}
+
+void SampleEdges::lay_beneath(const resident::View& view) {
+    first_row = view.raster().extent.height;
+    const VkExtent2D extent = whole_raster(view).extent;
+    if (std::max(extent.width, extent.height) > view.context().limits().maxImageDimension2D)
+        first_row = 0;
+}
+
+gpu::Raster SampleEdges::whole_raster(const resident::View& view) const {
+    return {{std::max(view.raster().extent.width, raster.extent.width), first_row + raster.extent.height}};
 }
 
 EdgeCounter::EdgeCounter(const gpu::Context& context) {
@@ -88,26 +110,23 @@ bool EdgeCounter::take(uint32_t slot) {
 SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View& view, const SurfaceBuffers& surface,
                                  SampleLight light, EdgeCounter& counter, GBufferColours* colours) {
     const uint32_t samples = graph.raster(surface.depth).samples;
-    // Slots lie beside the flags, so that a material has both by one fetch. In RGBA16UI, which every device stores.
-    const VkFormat format = light == SampleLight::pixel ? VK_FORMAT_R16_UINT : VK_FORMAT_R16G16B16A16_UINT;
-    const graph::ImageId flags = graph.image("edges", {format, view.raster()});
-    SampledSurfaces out{
-        surface, resolve_surfaces(graph, view, surface, flags, light == SampleLight::samples, colours), {}};
-    if (light == SampleLight::pixel)
-        return out;
-
+    if (light == SampleLight::pixel) {
+        const graph::ImageId flags = graph.image("edges", {VK_FORMAT_R16_UINT, view.raster()});
+        return {surface, resolve_surfaces(graph, view, surface, flags, false, colours), {}};
+    }
     const auto [width, height] = view.raster().extent;
     const uint32_t across = blocks_along(width), down = blocks_along(height);
     const uint32_t all = across * down * samples * LIT_BLOCK / EDGE_TILE_ROWS, guess = counter.room(all);
-    const uint32_t room = light == SampleLight::samples ? all : guess;
-    // As wide as the picture, unless that were higher than an image may be.
-    const uint32_t most_rows = view.context().limits().maxImageDimension2D / EDGE_TILE_ROWS;
-    SampleEdges edges{.row = std::max(across, (room + most_rows - 1) / most_rows), .samples = samples};
-    const uint32_t rows = (room + edges.row - 1) / edges.row;
-    edges.raster = {{edges.row * LIT_BLOCK, rows * EDGE_TILE_ROWS}};
-    edges.tile_count = counter.room_ = rows * edges.row;
+    SampleEdges edges = room_for(view, light == SampleLight::samples ? all : guess);
+    edges.samples = samples;
     edges.every_sample = light == SampleLight::samples;
+    counter.room_ = edges.tile_count;
+    // Slots lie beside the flags, so that a material has both by one fetch. In formats that every device stores.
+    const bool wide = edges.tile_count * (LIT_BLOCK * EDGE_TILE_ROWS) >= 1u << 21;
+    const graph::ImageId flags =
+        graph.image("edges", {wide ? VK_FORMAT_R32G32B32A32_UINT : VK_FORMAT_R32_UINT, view.raster()});
     edges.flags = flags;
+    SampledSurfaces out{surface, resolve_surfaces(graph, view, surface, flags, edges.every_sample, colours), {}};
     const auto make = [&](const char* name, uint64_t words, VkBufferUsageFlags more) {
         return std::make_shared<gpu::Buffer>(view.context(), name, words * sizeof(uint32_t),
                                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more, gpu::BufferPlace::device);
@@ -136,16 +155,17 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     graph::Pass& pass = graph.pass("sample-edges");
     pass.raster(view.raster())
         .sample(INPUT_EDGES, flags)
-        .store(INPUT_EDGE_INDEX, flags)
+        .store(INPUT_EDGE_TARGET, flags)
         .storage(INPUT_LIT_BLOCKS, edges.tiles, true)
         .storage(INPUT_EDGE_PIXELS, edges.pixels, true)
         .storage(INPUT_EDGE_COUNTS, counts, true);
     auto pipeline = std::make_shared<gpu::ComputePipeline>();
     pass.prepare([=, &view, constants = edges.constants()](const graph::PassInterface& interface) {
-        *pipeline = gpu::ComputePipeline(view.context(), {.name = "sample edges",
-                                                          .shader = "sample_edges.comp",
-                                                          .constants = constants,
-                                                          .sets = {view.layout(), interface.inputs}});
+        *pipeline = gpu::ComputePipeline(view.context(),
+                                         {.name = "sample edges",
+                                          .shader = {"sample_edges.comp", gpu::when(wide, gpu::Variant::wide_slots)},
+                                          .constants = constants,
+                                          .sets = {view.layout(), interface.inputs}});
     });
     pass.record([=, &view, warming = &counter.warming_,
                  kept = std::pair(tiles, pixels)](const graph::PassContext& context) { // as long as the graph

@@ -15,19 +15,24 @@ enum class SampleLight {
 
 /// Where the samples of edge pixels lie in the sample light buffer (shaders/shared/edge_samples.glsl).
 struct SampleEdges {
-    /// R16G16B16A16_UINT. r: which samples of a pixel share surfaces, 0: it is no edge; g and b: of an edge, where its
-    /// surfaces begin in the sample light buffer.
+    /// R32_UINT, or R32G32B32A32_UINT where the sample light buffer is large: which samples of a pixel share surfaces,
+    /// 0: it is no edge; and of an edge, where its surfaces begin in the sample light buffer.
     graph::ImageId flags;
     std::shared_ptr<const gpu::Buffer> tile_buffer;
     graph::BufferId tiles;   ///< its id: LitBlocks, then the block of each tile of 8 × 8 texels
     graph::BufferId pixels;  ///< what fills each texel: a pixel of the block, and some of its samples
     gpu::Raster raster;      ///< of the sample light buffer
+    uint32_t first_row = 0;  ///< of texels; above it lies the light buffer, in the same image
     uint32_t tile_count = 0; ///< that it has room for
     uint32_t row = 0;        ///< tiles of it along x
     uint32_t samples = 1;
     bool every_sample = false; ///< is a surface of its own
     /// Of shaders that find samples in it.
     gpu::Constants constants() const;
+    /// The sample light buffer goes beneath the light buffer of `view`, if one image can hold both.
+    void lay_beneath(const resident::View& view);
+    /// Of an image with both.
+    gpu::Raster whole_raster(const resident::View& view) const;
 };
 
 /// Surfaces with several samples a pixel, and one a pixel out of them; both are the same with one sample.

@@ -26,10 +26,16 @@ LightBufferRenderer::LightStage LightBufferRenderer::light_stage(graph::FrameGra
     passes::ScreenListOptions lists = screen_list_options(settings());
     if (surfaces.edges)
         lists.samples = &surfaces.samples;
-    const bool pair =
-        passes::is_pair_of_halves(model_) && !light_sums().wide() && passes::compute_walks(view, lists.shading);
+    const bool wide = light_sums().wide();
+    const bool pair = passes::is_pair_of_halves(model_) && !wide && passes::compute_walks(view, lists.shading);
     LightStage out;
-    out.light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide());
+    passes::SampledSurfaces lit = surfaces;
+    // A program's own passes expect the light buffer to be as large as the picture.
+    if (lit.edges && pair && !own_passes().any(vulkan::Stage::after_light))
+        lit.edges->lay_beneath(view);
+    out.edges = lit.edges;
+    const bool both = lit.edges && lit.edges->first_row > 0;
+    out.light = passes::make_light_buffer(graph, view, model_, pair, wide, both ? &*lit.edges : nullptr);
     out.lighting = {.surface = surfaces.pixels,
                     .model = model_,
                     .target = out.light.target,
@@ -45,9 +51,9 @@ LightBufferRenderer::LightStage LightBufferRenderer::light_stage(graph::FrameGra
     passes::light_pass(graph, view, "light", out.lighting);
     if (scale_)
         scale_->count_clipped(graph, view, out.light.diffuse, out.light.specular);
-    if (surfaces.edges) {
-        out.sample_light = passes::make_light_buffer(graph, view, model_, pair, light_sums().wide(), &*surfaces.edges);
-        passes::sample_light_pass(graph, view, "light samples", out.lighting, surfaces, out.sample_light.target);
+    if (lit.edges) {
+        out.sample_light = both ? out.light : passes::make_light_buffer(graph, view, model_, pair, wide, &*lit.edges);
+        passes::sample_light_pass(graph, view, "light samples", out.lighting, lit, out.sample_light.target);
     }
     return out;
 }

@@ -20,7 +20,8 @@ protected:
     /// Stage 2, done.
     struct LightStage {
         passes::LightBuffer light;
-        passes::LightBuffer sample_light; ///< of edge pixels' samples, where there are several
+        passes::LightBuffer sample_light;         ///< of edge pixels' samples, where there are several
+        std::optional<passes::SampleEdges> edges; ///< where they lie in it
         passes::LightingInputs lighting;
     };
     /// All lights of `view`, culled as it says, on `surfaces`.

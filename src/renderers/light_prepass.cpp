@@ -166,7 +166,7 @@ private:
                                          .model = model(),
                                          .decals = decals,
                                          .sample_shading = material_shading(settings()),
-                                         .edges = surfaces.edges,
+                                         .edges = stage.edges,
                                          .sample_light = stage.sample_light,
                                          .half_samples = halves};
         const auto visibility = this->visibility(graph, view, surfaces.pixels);

@@ -3,6 +3,7 @@
 #include "decal_world.hpp"
 #include "every_way.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace prelight {
 namespace {
@@ -120,6 +121,19 @@ TEST(SamplesBeside, EveryPresetTellsWhatGaveWay) {
     expect_validation_clean(test_device());
 }
 
+/// Quarters: how many surfaces a pixel has.
+void expect_edges(const Image& edges) {
+    size_t some = 0, two = 0;
+    for (const glm::vec3& pixel : edges.pixels) {
+        const float surfaces = 4 * pixel.r;
+        EXPECT_NEAR(surfaces, std::round(surfaces), 4 * 0.5 / 255 + 1e-4);
+        some += surfaces > 0 ? 1 : 0;
+        two += std::round(surfaces) == 2 ? 1 : 0;
+    }
+    EXPECT_GT(two, 0u);
+    EXPECT_LT(some, edges.pixels.size());
+}
+
 TEST(SamplesBeside, EveryViewOfEveryRenderer) {
     DecalGarden garden;
     garden.add_lights(4, 5, 4);
@@ -149,6 +163,8 @@ TEST(SamplesBeside, EveryViewOfEveryRenderer) {
                 EXPECT_EQ(together.width, 96u);
                 if (std::string(light) == "pixel")
                     continue;
+                if (has && view == "edges")
+                    expect_edges(together);
                 const Image alone = of({view})->read(view);
                 if (view != "final") { // which is tone mapped in another pass where a linear picture is wanted
                     EXPECT_TRUE(together.pixels == alone.pixels);

@@ -182,6 +182,20 @@ TEST(SamplesOfPictures, OfATallStrip) {
     expect_validation_clean(test_device());
 }
 
+// More slots for samples than the bits beside an edge's flags can count.
+TEST(SamplesOfPictures, OfALargeOne) {
+    Garden garden;
+    garden.add_lights(3, 5, 4);
+    Shot shot = garden.shot();
+    shot.width = 1024, shot.height = 520;
+    shot.samples = 4;
+    shot.settings["msaa-light"] = "samples";
+    const Image all = render_linear(test_device(), shot);
+    shot.settings["msaa-light"] = "edges";
+    EXPECT_GE(compare_pixels(all, render_linear(test_device(), shot)).psnr, 50);
+    expect_validation_clean(test_device());
+}
+
 TEST(SamplesOfWorlds, WithoutLightsOrWithoutAnything) {
     Garden garden;
     TestWorld empty;
