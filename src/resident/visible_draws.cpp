@@ -54,9 +54,11 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
     out.triangles = 0;
     const Frustum frustum(constants.clip_from_world);
     std::array<std::vector<VisibleDraw>, draw_classes> others; // than opaque ones
+    bool facing = false;
     for (uint32_t d = 0; d < all.size(); ++d)
         if (all[d].visible && (!options.frustum_culling || frustum.may_show(all[d], eye))) {
             const DrawClass which = all[d].draw_class();
+            facing = facing || all[d].facing();
             (which == DrawClass::opaque ? out.draws : others[static_cast<size_t>(which)])
                 .push_back({d, 0, all[d].first_index, all[d].index_count});
         }
@@ -66,13 +68,17 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
         out.draws.insert(out.draws.end(), of_class.begin(), of_class.end());
     out.place.assign(all.size(), no_image);
 
+    const auto record = [&](uint32_t draw) {
+        shared::ObjectData data = object_data(world.instances[all[draw].object], all[draw].normal_row, eye);
+        data.normal_row[1].w = static_cast<float>(draw + 1);
+        return data;
+    };
+    // Made first where triangles are chosen by them; else only where they stay.
     std::vector<shared::ObjectData>& objects = out.records;
-    objects.resize(out.draws.size());
-    for (size_t d = 0; d < out.draws.size(); ++d) {
-        const Draw& draw = all[out.draws[d].draw];
-        objects[d] = object_data(world.instances[draw.object], draw.normal_row, eye);
-        objects[d].normal_row[1].w = static_cast<float>(out.draws[d].draw + 1);
-    }
+    const bool first = options.trimming == IndexTrimming::host || facing;
+    objects.resize(first ? out.draws.size() : 0);
+    for (size_t d = 0; d < objects.size(); ++d)
+        objects[d] = record(out.draws[d].draw);
     out.trimmed = 0;
     out.helpers_ms = 0;
     if (options.trimming == IndexTrimming::host)
@@ -97,7 +103,7 @@ void find_visible(VisibleDraws& out, const Geometry& geometry, const World& worl
             device_used += one.index_count;
         }
         one.instance = kept;
-        buffers.objects[kept] = objects[d];
+        buffers.objects[kept] = first ? objects[d] : record(one.draw);
         out.place[one.draw] = kept;
         out.triangles += one.index_count / 3;
         out.draws[kept++] = one;
