@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
+#include <optional>
 #include <prelight/error.hpp>
 #include <scene/animate.hpp>
 #include <span>
@@ -27,27 +29,38 @@ Quaternion normalised(Quaternion q, const Quaternion& fallback) {
 }
 
 /// Appendix C.4: along the shorter of the two great arcs.
-Quaternion slerp(const Quaternion& a, Quaternion b, double t) {
-    double cosine = 0;
-    for (size_t i = 0; i < 4; ++i)
-        cosine += a[i] * b[i];
-    const double sign = cosine < 0 ? -1 : 1;
-    cosine = std::min(std::abs(cosine), 1.0);
-    // Close quaternions: the sines' quotient is 0 / 0, and the straight line is as good.
-    const double angle = std::acos(cosine), sine = std::sin(angle);
-    const double from = sine > 1e-6 ? std::sin((1 - t) * angle) / sine : 1 - t;
-    const double to = sine > 1e-6 ? std::sin(t * angle) / sine : t;
-    for (size_t i = 0; i < 4; ++i)
-        b[i] = from * a[i] + sign * to * b[i];
-    return normalised(b, a);
-}
+class Arc {
+public:
+    Arc(const Quaternion& a, const Quaternion& b) : a_(a), b_(b) {
+        double cosine = 0;
+        for (size_t i = 0; i < 4; ++i)
+            cosine += a[i] * b[i];
+        sign_ = cosine < 0 ? -1 : 1;
+        angle_ = std::acos(std::min(std::abs(cosine), 1.0));
+        sine_ = std::sin(angle_);
+    }
+    Quaternion at(double t) const {
+        // Close quaternions: the sines' quotient is 0 / 0, and the straight line is as good.
+        const double from = sine_ > 1e-6 ? std::sin((1 - t) * angle_) / sine_ : 1 - t;
+        const double to = sine_ > 1e-6 ? std::sin(t * angle_) / sine_ : t;
+        Quaternion q;
+        for (size_t i = 0; i < 4; ++i)
+            q[i] = from * a_[i] + sign_ * to * b_[i];
+        return normalised(q, a_);
+    }
+
+private:
+    Quaternion a_, b_;
+    double sign_, angle_, sine_;
+};
 
 /// A sampler's keyframes as lists of `width` values.
 class Keyframes {
 public:
-    Keyframes(const AnimationSampler& sampler, size_t width)
-        : values_(sampler.values.data()), width_(width),
-          parts_(sampler.interpolation == Interpolation::cubic_spline ? 3 : 1) {}
+    Keyframes(const float* values, Interpolation interpolation, size_t width)
+        : values_(values), width_(width), parts_(interpolation == Interpolation::cubic_spline ? 3 : 1) {}
+
+    Interpolation interpolation() const { return parts_ == 1 ? Interpolation::linear : Interpolation::cubic_spline; }
 
     double value(size_t keyframe, size_t i) const { return part(keyframe, parts_ / 2, i); }
     /// Of cubic splines.
@@ -95,8 +108,7 @@ size_t next_guess(const std::vector<float>& times, double time) {
         return times.size();
     return 1 + size_t((time - first) / (last - first) * double(times.size() - 1));
 }
-KeyPlace place_in(const AnimationSampler& sampler, double time) {
-    const std::vector<float>& times = sampler.times;
+KeyPlace place_in(const std::vector<float>& times, double time) {
     auto after = times.begin() + std::ptrdiff_t(next_guess(times, time));
     const bool right =
         (after == times.begin() || double(after[-1]) <= time) && (after == times.end() || time < double(*after));
@@ -106,145 +118,196 @@ KeyPlace place_in(const AnimationSampler& sampler, double time) {
     if (after == times.begin())
         return {0, false};
     const size_t k = size_t(after - times.begin()) - 1;
-    if (after == times.end() || sampler.interpolation == Interpolation::step)
+    if (after == times.end())
         return {k, false};
     const double seconds = double(times[k + 1]) - double(times[k]);
     return {k, true, (time - double(times[k])) / seconds, seconds};
 }
 
-Quaternion sample_rotation(const AnimationSampler& sampler, double time) {
-    const Keyframes keys(sampler, 4);
-    const KeyPlace at = place_in(sampler, time);
-    const Quaternion a = keys.rotation(at.k);
-    if (!at.between)
-        return a;
-    const Quaternion b = keys.rotation(at.k + 1);
-    if (sampler.interpolation != Interpolation::cubic_spline)
-        return slerp(a, b, at.t);
-    const Hermite hermite{keys, at.k, at.t, at.seconds};
-    Quaternion result;
-    for (size_t i = 0; i < 4; ++i)
-        result[i] = hermite(a[i], b[i], i);
-    return normalised(result, a);
+/// At two times between the same keyframes the arc is found once.
+void sample_rotation(const Keyframes& keys, std::span<const KeyPlace> places, std::span<Quaternion> out) {
+    std::optional<Arc> arc;
+    for (size_t t = 0; t < places.size(); ++t) {
+        const KeyPlace& at = places[t];
+        const bool same = t > 0 && at.k == places[t - 1].k;
+        const Quaternion a = keys.rotation(at.k);
+        if (!at.between) {
+            out[t] = a;
+        } else if (keys.interpolation() == Interpolation::cubic_spline) {
+            const Quaternion b = keys.rotation(at.k + 1);
+            const Hermite hermite{keys, at.k, at.t, at.seconds};
+            Quaternion result;
+            for (size_t i = 0; i < 4; ++i)
+                result[i] = hermite(a[i], b[i], i);
+            out[t] = normalised(result, a);
+        } else {
+            if (!arc || !same)
+                arc.emplace(a, keys.rotation(at.k + 1));
+            out[t] = arc->at(at.t);
+        }
+    }
 }
 
 /// One value for each of `out`.
-void sample_values(const AnimationSampler& sampler, double time, std::span<double> out) {
-    const Keyframes keys(sampler, out.size());
-    const KeyPlace at = place_in(sampler, time);
+void sample_values(const Keyframes& keys, const KeyPlace& at, std::span<double> out) {
     const Hermite hermite{keys, at.k, at.t, at.seconds};
     for (size_t i = 0; i < out.size(); ++i) {
         const double a = keys.value(at.k, i);
         if (!at.between)
             out[i] = a;
-        else if (sampler.interpolation == Interpolation::cubic_spline)
+        else if (keys.interpolation() == Interpolation::cubic_spline)
             out[i] = hermite(a, keys.value(at.k + 1, i), i);
         else
             out[i] = a + at.t * (keys.value(at.k + 1, i) - a);
     }
 }
 
+KeyPlace held(KeyPlace at, Interpolation interpolation) {
+    at.between = at.between && interpolation != Interpolation::step;
+    return at;
+}
+
 } // namespace
 
 std::vector<double> sample(const AnimationSampler& sampler, double time, size_t width, bool rotation) {
-    std::vector<double> out(width);
+    const Keyframes keys(sampler.values.data(), sampler.interpolation, width);
+    const KeyPlace at = held(place_in(sampler.times, time), sampler.interpolation);
     if (rotation) {
-        const Quaternion q = sample_rotation(sampler, time);
+        Quaternion q;
+        sample_rotation(keys, std::span(&at, 1), std::span(&q, 1));
         return {q.begin(), q.end()};
     }
-    sample_values(sampler, time, out);
+    std::vector<double> out(width);
+    sample_values(keys, at, out);
     return out;
 }
 
-Pose::Pose(const Scene& scene, std::span<const double> times, std::optional<uint32_t> animation)
-    : scene_(scene), times_(times.size()) {
-    for (const double time : times)
-        if (!std::isfinite(time))
-            throw Error(fmt::format("{}: the time {} is not finite", scene.name, time));
+Channels::Channels(const Scene& scene, std::optional<uint32_t> animation) {
     if (animation && *animation >= scene.animations.size())
         throw Error(fmt::format("{}: animation {}: the file has {}", scene.name, *animation, scene.animations.size()));
-    size_t channels = 0;
-    for (const Animation& each : scene.animations)
-        channels += each.channels.size();
-    moved_.reserve(std::min(channels, scene.nodes.size()));
     for (uint32_t i = 0; i < scene.animations.size(); ++i)
         if (!animation || *animation == i)
-            apply(i, times);
+            add(scene, i);
 }
 
-void Pose::apply(uint32_t index, std::span<const double> times) {
-    const Animation& animation = scene_.animations[index];
+void Channels::add(const Scene& scene, uint32_t index) {
+    const auto less = [](const std::vector<float>* a, const std::vector<float>* b) { return *a < *b; };
+    std::map<const std::vector<float>*, uint32_t, decltype(less)> known(less);
+    for (uint32_t t = 0; t < times_.size(); ++t)
+        known.emplace(times_[t], t);
+    const Animation& animation = scene.animations[index];
     for (size_t c = 0; c < animation.channels.size(); ++c) {
         const AnimationChannel& channel = animation.channels[c];
         const auto fail = [&](std::string_view reason) {
-            throw Error(fmt::format("{}: animation {}: channel {}: {}", scene_.name, index, c, reason));
+            throw Error(fmt::format("{}: animation {}: channel {}: {}", scene.name, index, c, reason));
         };
-        if (channel.node >= scene_.nodes.size() || channel.sampler >= animation.samplers.size())
+        if (channel.node >= scene.nodes.size() || channel.sampler >= animation.samplers.size())
             fail("its node or sampler is not there");
-        const Node& node = scene_.nodes[channel.node];
+        const Node& node = scene.nodes[channel.node];
         const AnimationSampler& sampler = animation.samplers[channel.sampler];
-        Moved& moved = moved_at(channel.node);
-        if (std::exchange(moved.taken[size_t(channel.path)], true))
+        const uint32_t moved = node_at(scene, channel.node);
+        if (std::exchange(nodes_[moved].taken[size_t(channel.path)], true))
             continue;
         const bool rotation = channel.path == AnimationPath::rotation;
         const bool weights = channel.path == AnimationPath::weights;
-        if (weights && (!node.mesh || *node.mesh >= scene_.meshes.size()))
+        if (weights && (!node.mesh || *node.mesh >= scene.meshes.size()))
             fail(fmt::format("node {} has no mesh with morph targets", channel.node));
         if (!weights && !node.trs)
             fail(fmt::format("node {} has no translation, rotation and scale", channel.node));
-        const size_t width = weights ? morph_targets(scene_.meshes[*node.mesh]) : rotation ? 4 : 3;
+        const size_t width = weights ? morph_targets(scene.meshes[*node.mesh]) : rotation ? 4 : 3;
         const size_t parts = sampler.interpolation == Interpolation::cubic_spline ? 3 : 1;
         if (sampler.times.empty() || sampler.values.size() != sampler.times.size() * width * parts)
             fail(fmt::format("its sampler has {} values for {} keyframes of {}", sampler.values.size(),
                              sampler.times.size(), width * parts));
         if (weights)
-            moved.weights_sampler = &sampler;
-        for (size_t t = 0; t < times.size(); ++t) {
-            Trs& trs = moved.trs[t];
-            if (weights) {
-                moved.weights[t].resize(width);
-                sample_values(sampler, times[t], moved.weights[t]);
-            } else if (rotation) {
-                const Quaternion q = sample_rotation(sampler, times[t]);
-                trs.rotation = glm::dquat(q[3], q[0], q[1], q[2]);
+            nodes_[moved].weights_sampler = &sampler;
+        const auto [times, is_new] = known.try_emplace(&sampler.times, static_cast<uint32_t>(times_.size()));
+        if (is_new)
+            times_.push_back(&sampler.times);
+        channels_.push_back({sampler.values.data(), moved, times->second, static_cast<uint32_t>(width), channel.path,
+                             sampler.interpolation});
+    }
+}
+
+uint32_t Channels::node_at(const Scene& scene, uint32_t node) {
+    if (at_.empty())
+        at_.resize(scene.nodes.size(), still);
+    if (at_[node] == still) {
+        at_[node] = static_cast<uint32_t>(nodes_.size());
+        nodes_.push_back({.rest = scene.nodes[node].trs.value_or(Trs{})});
+    }
+    return at_[node];
+}
+
+Pose::Pose(const Scene& scene, const Channels& channels, std::span<const double> times)
+    : scene_(scene), channels_(&channels), times_(times.size()) {
+    for (const double time : times)
+        if (!std::isfinite(time))
+            throw Error(fmt::format("{}: the time {} is not finite", scene.name, time));
+    std::vector<KeyPlace> places;
+    places.reserve(channels.times_.size() * times_);
+    for (const std::vector<float>* keyframes : channels.times_)
+        for (const double time : times)
+            places.push_back(place_in(*keyframes, time));
+    trs_.reserve(channels.nodes_.size() * times_);
+    for (const Channels::Moved& node : channels.nodes_)
+        trs_.insert(trs_.end(), times_, node.rest);
+    const auto ask_for = [&](size_t c) { // values lie all over the memory, and by now have left the caches
+        if (c >= channels.channels_.size())
+            return;
+        const Channels::Channel& channel = channels.channels_[c];
+        const size_t parts = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
+        const size_t keyframe = channel.width * parts;
+        const float* values = channel.values + places[channel.times * times_].k * keyframe;
+        __builtin_prefetch(values);
+        __builtin_prefetch(values + 2 * keyframe - 1); // of the next keyframe
+    };
+    for (size_t c = 0; c < channels.channels_.size(); ++c) {
+        ask_for(c + 12);
+        const Channels::Channel& channel = channels.channels_[c];
+        const Keyframes keys(channel.values, channel.interpolation, channel.width);
+        std::array<KeyPlace, most_times> at;
+        for (size_t t = 0; t < times_; ++t)
+            at[t] = held(places[channel.times * times_ + t], channel.interpolation);
+        Trs* const trs = &trs_[channel.moved * times_];
+        if (channel.path == AnimationPath::rotation) {
+            std::array<Quaternion, most_times> q;
+            sample_rotation(keys, std::span(at).first(times_), q);
+            for (size_t t = 0; t < times_; ++t)
+                trs[t].rotation = glm::dquat(q[t][3], q[t][0], q[t][1], q[t][2]);
+            continue;
+        }
+        for (size_t t = 0; t < times_; ++t) {
+            if (channel.path == AnimationPath::weights) {
+                weights_.resize(channels.nodes_.size() * times_);
+                std::vector<double>& weights = weights_[channel.moved * times_ + t];
+                weights.resize(channel.width);
+                sample_values(keys, at[t], weights);
             } else {
                 std::array<double, 3> v;
-                sample_values(sampler, times[t], v);
-                (channel.path == AnimationPath::scale ? trs.scale : trs.translation) = {v[0], v[1], v[2]};
+                sample_values(keys, at[t], v);
+                (channel.path == AnimationPath::scale ? trs[t].scale : trs[t].translation) = {v[0], v[1], v[2]};
             }
         }
     }
 }
 
-Pose::Moved& Pose::moved_at(uint32_t node) {
-    if (at_.empty())
-        at_.resize(scene_.nodes.size(), still);
-    if (at_[node] == still) {
-        at_[node] = static_cast<uint32_t>(moved_.size());
-        moved_.emplace_back().trs.fill(scene_.nodes[node].trs.value_or(Trs{}));
-    }
-    return moved_[at_[node]];
-}
-
-const Pose::Moved* Pose::find(uint32_t node) const {
-    return at_.empty() || at_[node] == still ? nullptr : &moved_[at_[node]];
-}
-
 glm::dmat4 Pose::local(uint32_t node, size_t time) const {
-    const Moved* const moved = find(node);
-    return moved && moved->is_placed() ? moved->trs[time].matrix() : scene_.nodes[node].local;
+    const uint32_t moved = find(node);
+    return moved != Channels::still && channels_->nodes_[moved].placed() ? trs_[moved * times_ + time].matrix()
+                                                                         : scene_.nodes[node].local;
 }
 
 const AnimationSampler* Pose::weights_sampler(uint32_t node) const {
-    const Moved* const moved = find(node);
-    return moved ? moved->weights_sampler : nullptr;
+    const uint32_t moved = find(node);
+    return moved == Channels::still ? nullptr : channels_->nodes_[moved].weights_sampler;
 }
 
 std::vector<double> Pose::weights(uint32_t index, size_t time) const {
     const Node& node = scene_.nodes[index];
     const size_t count = node.mesh ? morph_targets(scene_.meshes[*node.mesh]) : 0;
-    if (const Moved* const moved = find(index); moved && moved->weights_sampler)
-        return moved->weights[time];
+    if (weights_sampler(index))
+        return weights_[find(index) * times_ + time];
     std::vector<double> weights(count);
     const auto& given = !node.weights.empty() || count == 0 ? node.weights : scene_.meshes[*node.mesh].weights;
     for (size_t i = 0; i < std::min(count, given.size()); ++i)

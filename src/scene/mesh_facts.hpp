@@ -48,9 +48,11 @@ MeshFacts facts_of(const Mesh& mesh);
 /// Of all of the scene's, by index.
 std::vector<MeshFacts> facts_of(const Scene& scene);
 
-/// resolve() with facts_of(scene). Without `host_vertices` World::deformed holds no vertices of meshes, what moves is
-/// bounded by boxes, and a world without cameras gets none.
-World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, std::optional<uint32_t> scene_index,
-              const std::optional<Moment>& moment, std::optional<uint32_t> animation, bool host_vertices);
+class Channels;
+
+/// resolve() with facts_of(scene), and the channels of one of its animations or of all. Without `host_vertices`
+/// World::deformed holds no vertices of meshes, what moves is bounded by boxes, and a world without cameras gets none.
+World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, const Channels& channels,
+              std::optional<uint32_t> scene_index, const std::optional<Moment>& moment, bool host_vertices);
 
 } // namespace prelight

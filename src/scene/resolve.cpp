@@ -65,11 +65,11 @@ constexpr size_t now = 0, before = 1;
 
 /// All nodes as they are at the moment, and as they were at its previous state.
 NodeTree placed_nodes(const Scene& scene, uint32_t root, const std::optional<Moment>& moment,
-                      std::optional<uint32_t> animation) {
+                      const Channels& channels) {
     if (!moment)
         return {scene, root, Pose(scene)};
     const std::array times{moment->time, moment->time - moment->interval};
-    return {scene, root, Pose(scene, std::span(times).first(moment->interval != 0 ? 2 : 1), animation)};
+    return {scene, root, Pose(scene, channels, std::span(times).first(moment->interval != 0 ? 2 : 1))};
 }
 
 class Resolver {
@@ -336,17 +336,18 @@ private:
 
 } // namespace
 
-World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, std::optional<uint32_t> scene_index,
-              const std::optional<Moment>& moment, std::optional<uint32_t> animation, bool host_vertices) {
+World resolve(const Scene& scene, const std::vector<MeshFacts>& facts, const Channels& channels,
+              std::optional<uint32_t> scene_index, const std::optional<Moment>& moment, bool host_vertices) {
     const uint32_t index = scene_index.value_or(scene.default_scene);
     if (index >= scene.scenes.size())
         throw Error(fmt::format("{}: scene {}: the file has {}", scene.name, index, scene.scenes.size()));
-    return Resolver(scene, facts, index, moment, placed_nodes(scene, index, moment, animation), host_vertices).run();
+    return Resolver(scene, facts, index, moment, placed_nodes(scene, index, moment, channels), host_vertices).run();
 }
 
 World resolve(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
               std::optional<uint32_t> animation) {
-    return resolve(scene, facts_of(scene), scene_index, moment, animation, true);
+    const Channels channels = moment ? Channels(scene, animation) : Channels();
+    return resolve(scene, facts_of(scene), channels, scene_index, moment, true);
 }
 
 } // namespace prelight

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <prelight/timeline.hpp>
+#include <scene/animate.hpp>
 #include <scene/mesh_facts.hpp>
 #include <utility>
 
@@ -104,20 +105,21 @@ void WorldChanges::add(const WorldChanges& more) {
 
 struct Timeline::State {
     const Scene& scene;
-    std::optional<uint32_t> scene_index, animation;
+    std::optional<uint32_t> scene_index;
     bool host_vertices;
     std::vector<MeshFacts> facts;
+    Channels channels;
     World world;
 };
 
 Timeline::Timeline(const Scene& scene, std::optional<uint32_t> scene_index, const std::optional<Moment>& moment,
                    std::optional<uint32_t> animation, bool host_vertices)
-    : state_(new State{scene, scene_index, animation, host_vertices, facts_of(scene), {}}) {
+    : state_(new State{scene, scene_index, host_vertices, facts_of(scene), Channels(scene, animation), {}}) {
     World& world = state_->world;
-    world = resolve(scene, state_->facts, scene_index, moment, animation, true);
+    world = resolve(scene, state_->facts, state_->channels, scene_index, moment, true);
     if (host_vertices)
         return;
-    World boxes = resolve(scene, state_->facts, scene_index, moment, animation, false);
+    World boxes = resolve(scene, state_->facts, state_->channels, scene_index, moment, false);
     boxes.cameras = std::move(world.cameras); // which may have been found by vertices
     boxes.framed = world.framed;
     boxes.bounds_min = world.bounds_min;
@@ -136,7 +138,7 @@ bool Timeline::moves() const {
 }
 
 World Timeline::at(const Moment& moment) const {
-    return resolve(state_->scene, state_->facts, state_->scene_index, moment, state_->animation, state_->host_vertices);
+    return resolve(state_->scene, state_->facts, state_->channels, state_->scene_index, moment, state_->host_vertices);
 }
 
 WorldChanges Timeline::move_to(const Moment& moment) { return take(at(moment)); }
