@@ -25,8 +25,8 @@ private:
     friend class Pose;
     struct Channel {
         const float* values; ///< of its sampler
-        uint32_t moved;      ///< index into `nodes`
-        uint32_t times;      ///< index into `times`
+        uint32_t moved;      ///< index into `nodes_`
+        uint32_t times;      ///< index into `times_`
         uint32_t width;      ///< values a keyframe
         AnimationPath path;
         Interpolation interpolation;
