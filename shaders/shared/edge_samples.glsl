@@ -16,13 +16,12 @@ const uint TILE_SLOTS = uint(LIT_BLOCK * EDGE_TILE_ROWS), BLOCK_PIXELS = uint(LI
 
 // What is said of a pixel, in one texel, for one fetch. By sample_surfaces.frag: two bits a sample, the number of its
 // surface (3, where it has none, is never another's), and above them how many surfaces there are; 0: the pixel is no
-// edge. Above these 11 bits, of edges alone, by sample_edges.comp: its first slot in the sample light buffer, whose bits
-// past the 21st are in g, if the image has one.
-const int edge_bits = 11;
+// edge. Above these EDGE_BITS, of edges alone, by sample_edges.comp: its first slot in the sample light buffer, whose bits
+// that r has no room for are in g, if the image has one.
 uint surfaces_of(uint edge) { return edge >> 8 & 7u; }
 uint surface_of(uint edge, int i) { return edge >> (2 * i) & 3u; }
-uvec4 edge_with_slot(uint edge, uint slot) { return uvec4(edge | slot << edge_bits, slot >> (32 - edge_bits), 0u, 0u); }
-uint first_slot(uvec4 texel) { return texel.r >> edge_bits | texel.g << (32 - edge_bits); }
+uvec4 edge_with_slot(uint edge, uint slot) { return uvec4(edge | slot << EDGE_BITS, slot >> (32 - EDGE_BITS), 0u, 0u); }
+uint first_slot(uvec4 texel) { return texel.r >> EDGE_BITS | texel.g << (32 - EDGE_BITS); }
 
 // What fills a slot of the buffer: a pixel of its block, and above six bits the samples that share the surface.
 const uint NO_SURFACE = 0xffffffffu;

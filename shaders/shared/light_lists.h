@@ -11,6 +11,7 @@ SHARED_BEGIN
 #define LIST_SCAN_GROUP 256
 #define LIT_BLOCK 8          // side of the pixels that a workgroup lights
 #define EDGE_TILE_ROWS 2     // of LIT_BLOCK texels: a tile of the sample light buffer, for few blocks have many edges
+#define EDGE_BITS 11         // of the 32 that say what an edge pixel is; the others are for its first slot
 #define LIT_ROW 32           // workgroups of a dispatch along x
 
 // Push constants of every pass that builds or walks lists.

@@ -49,7 +49,7 @@ bool is_light_pair(const graph::FrameGraph& graph, graph::ImageId image) {
 
 LightBuffer make_light_buffer(graph::FrameGraph& graph, const resident::View& view, const LightModel& model, bool pair,
                               bool wide, const SampleEdges* edges) {
-    const bool both = edges && edges->first_row > 0;
+    const bool both = edges && edges->lies_beneath();
     const gpu::Raster raster = both ? edges->whole_raster(view) : edges ? edges->raster : view.raster();
     const std::string of = edges && !both ? "sample " : "";
     LightBuffer out;

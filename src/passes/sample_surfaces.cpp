@@ -122,7 +122,7 @@ SampledSurfaces sampled_surfaces(graph::FrameGraph& graph, const resident::View&
     edges.every_sample = light == SampleLight::samples;
     counter.room_ = edges.tile_count;
     // Slots lie beside the flags, so that a material has both by one fetch. In formats that every device stores.
-    const bool wide = edges.tile_count * (LIT_BLOCK * EDGE_TILE_ROWS) >= 1u << 21;
+    const bool wide = edges.tile_count * (LIT_BLOCK * EDGE_TILE_ROWS) >= 1u << (32 - EDGE_BITS);
     const graph::ImageId flags =
         graph.image("edges", {wide ? VK_FORMAT_R32G32B32A32_UINT : VK_FORMAT_R32_UINT, view.raster()});
     edges.flags = flags;

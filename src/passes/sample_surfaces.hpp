@@ -31,6 +31,7 @@ struct SampleEdges {
     gpu::Constants constants() const;
     /// The sample light buffer goes beneath the light buffer of `view`, if one image can hold both.
     void lay_beneath(const resident::View& view);
+    bool lies_beneath() const { return first_row > 0; }
     /// Of an image with both.
     gpu::Raster whole_raster(const resident::View& view) const;
 };

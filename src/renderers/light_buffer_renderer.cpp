@@ -34,7 +34,7 @@ LightBufferRenderer::LightStage LightBufferRenderer::light_stage(graph::FrameGra
     if (lit.edges && pair && !own_passes().any(vulkan::Stage::after_light))
         lit.edges->lay_beneath(view);
     out.edges = lit.edges;
-    const bool both = lit.edges && lit.edges->first_row > 0;
+    const bool both = lit.edges && lit.edges->lies_beneath();
     out.light = passes::make_light_buffer(graph, view, model_, pair, wide, both ? &*lit.edges : nullptr);
     out.lighting = {.surface = surfaces.pixels,
                     .model = model_,
