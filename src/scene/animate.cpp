@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
 #include <optional>
 #include <prelight/error.hpp>
 #include <scene/animate.hpp>
@@ -54,11 +53,14 @@ private:
     double sign_, angle_, sine_;
 };
 
+/// Lists of values that a keyframe has.
+size_t parts_of(Interpolation interpolation) { return interpolation == Interpolation::cubic_spline ? 3 : 1; }
+
 /// A sampler's keyframes as lists of `width` values.
 class Keyframes {
 public:
     Keyframes(const float* values, Interpolation interpolation, size_t width)
-        : values_(values), width_(width), parts_(interpolation == Interpolation::cubic_spline ? 3 : 1) {}
+        : values_(values), width_(width), parts_(parts_of(interpolation)) {}
 
     Interpolation interpolation() const { return parts_ == 1 ? Interpolation::linear : Interpolation::cubic_spline; }
 
@@ -66,6 +68,12 @@ public:
     /// Of cubic splines.
     double in_tangent(size_t keyframe, size_t i) const { return part(keyframe, 0, i); }
     double out_tangent(size_t keyframe, size_t i) const { return part(keyframe, 2, i); }
+    /// For what lies all over the memory: that keyframe and the next are about to be read.
+    void ask_for(size_t keyframe) const {
+        const float* const values = values_ + keyframe * parts_ * width_;
+        __builtin_prefetch(values);
+        __builtin_prefetch(values + 2 * parts_ * width_ - 1);
+    }
     Quaternion rotation(size_t keyframe) const {
         return normalised({value(keyframe, 0), value(keyframe, 1), value(keyframe, 2), value(keyframe, 3)},
                           {0, 0, 0, 1});
@@ -185,16 +193,17 @@ std::vector<double> sample(const AnimationSampler& sampler, double time, size_t 
 Channels::Channels(const Scene& scene, std::optional<uint32_t> animation) {
     if (animation && *animation >= scene.animations.size())
         throw Error(fmt::format("{}: animation {}: the file has {}", scene.name, *animation, scene.animations.size()));
+    KnownTimes known;
     for (uint32_t i = 0; i < scene.animations.size(); ++i)
         if (!animation || *animation == i)
-            add(scene, i);
+            add(scene, i, known);
 }
 
-void Channels::add(const Scene& scene, uint32_t index) {
-    const auto less = [](const std::vector<float>* a, const std::vector<float>* b) { return *a < *b; };
-    std::map<const std::vector<float>*, uint32_t, decltype(less)> known(less);
-    for (uint32_t t = 0; t < times_.size(); ++t)
-        known.emplace(times_[t], t);
+bool Channels::ByContent::operator()(const std::vector<float>* a, const std::vector<float>* b) const {
+    return a->size() != b->size() ? a->size() < b->size() : *a < *b;
+}
+
+void Channels::add(const Scene& scene, uint32_t index, KnownTimes& known) {
     const Animation& animation = scene.animations[index];
     for (size_t c = 0; c < animation.channels.size(); ++c) {
         const AnimationChannel& channel = animation.channels[c];
@@ -215,7 +224,7 @@ void Channels::add(const Scene& scene, uint32_t index) {
         if (!weights && !node.trs)
             fail(fmt::format("node {} has no translation, rotation and scale", channel.node));
         const size_t width = weights ? morph_targets(scene.meshes[*node.mesh]) : rotation ? 4 : 3;
-        const size_t parts = sampler.interpolation == Interpolation::cubic_spline ? 3 : 1;
+        const size_t parts = parts_of(sampler.interpolation);
         if (sampler.times.empty() || sampler.values.size() != sampler.times.size() * width * parts)
             fail(fmt::format("its sampler has {} values for {} keyframes of {}", sampler.values.size(),
                              sampler.times.size(), width * parts));
@@ -252,20 +261,17 @@ Pose::Pose(const Scene& scene, const Channels& channels, std::span<const double>
     trs_.reserve(channels.nodes_.size() * times_);
     for (const Channels::Moved& node : channels.nodes_)
         trs_.insert(trs_.end(), times_, node.rest);
-    const auto ask_for = [&](size_t c) { // values lie all over the memory, and by now have left the caches
-        if (c >= channels.channels_.size())
-            return;
-        const Channels::Channel& channel = channels.channels_[c];
-        const size_t parts = channel.interpolation == Interpolation::cubic_spline ? 3 : 1;
-        const size_t keyframe = channel.width * parts;
-        const float* values = channel.values + places[channel.times * times_].k * keyframe;
-        __builtin_prefetch(values);
-        __builtin_prefetch(values + 2 * keyframe - 1); // of the next keyframe
+    const auto keys_of = [](const Channels::Channel& channel) {
+        return Keyframes(channel.values, channel.interpolation, channel.width);
     };
+    constexpr size_t ahead = 12; // channels; their values have left the caches since the moment before
     for (size_t c = 0; c < channels.channels_.size(); ++c) {
-        ask_for(c + 12);
+        if (c + ahead < channels.channels_.size()) {
+            const Channels::Channel& later = channels.channels_[c + ahead];
+            keys_of(later).ask_for(places[later.times * times_].k);
+        }
         const Channels::Channel& channel = channels.channels_[c];
-        const Keyframes keys(channel.values, channel.interpolation, channel.width);
+        const Keyframes keys = keys_of(channel);
         std::array<KeyPlace, most_times> at;
         for (size_t t = 0; t < times_; ++t)
             at[t] = held(places[channel.times * times_ + t], channel.interpolation);
@@ -277,9 +283,10 @@ Pose::Pose(const Scene& scene, const Channels& channels, std::span<const double>
                 trs[t].rotation = glm::dquat(q[t][3], q[t][0], q[t][1], q[t][2]);
             continue;
         }
+        if (channel.path == AnimationPath::weights)
+            weights_.resize(channels.nodes_.size() * times_);
         for (size_t t = 0; t < times_; ++t) {
             if (channel.path == AnimationPath::weights) {
-                weights_.resize(channels.nodes_.size() * times_);
                 std::vector<double>& weights = weights_[channel.moved * times_ + t];
                 weights.resize(channel.width);
                 sample_values(keys, at[t], weights);

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <map>
 #include <prelight/animation.hpp>
 #include <prelight/scene.hpp>
 #include <span>
@@ -42,7 +43,11 @@ private:
         }
     };
     static constexpr uint32_t still = 0xffffffffu;
-    void add(const Scene& scene, uint32_t animation);
+    struct ByContent {
+        bool operator()(const std::vector<float>* a, const std::vector<float>* b) const;
+    };
+    using KnownTimes = std::map<const std::vector<float>*, uint32_t, ByContent>; ///< index into `times_`
+    void add(const Scene& scene, uint32_t animation, KnownTimes& known);
     uint32_t node_at(const Scene& scene, uint32_t node);
     std::vector<Channel> channels_;
     std::vector<Moved> nodes_;
