@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // variants: TEXTURED
-// The yardstick F of measure: a surface's base colour under ambient light, and what it emits, mapped to
+// The baseline F of measure: a surface's base colour under ambient light, and what it emits, mapped to
 // the display at once. No light is looked at.
 #include "shared/frame.glsl"
 #include "shared/display.glsl"

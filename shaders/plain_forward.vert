@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // variants: TEXTURED
-// The yardstick's vertices: what the fragment shader reads and no more.
+// The baseline's vertices: what the fragment shader reads and no more.
 #include "shared/vertex.glsl"
 
 #ifdef TEXTURED
